@@ -28,9 +28,9 @@ class EdgeBounds:
     column it takes. Shorter parts of the path have finer tables of bounds.
     """
 
-    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree, layout: Layout) -> None:
+    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
         self.mechanism, self.end = mechanism, end
-        self.layout = layout
+        self.layout = layout = Layout.of(mechanism)
         self.hull = tree.enclosing(*(each.astype(float) for each in (layout.first, layout.last)))
         self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
 

@@ -124,7 +124,7 @@ class PathSearch:
         layout = Layout.of(mechanism)
         self.tolerance, self.lenient = tolerance, lenient
         self.tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
-        self.bounds = EdgeBounds(mechanism, end, self.tree, layout)
+        self.bounds = EdgeBounds(mechanism, end, self.tree)
         self.wanted = _held(self.tree, only)
         self.states = States(mechanism, end, self.tree, bodies)
         self.ranges = self.tests = 0

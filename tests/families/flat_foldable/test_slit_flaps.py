@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
 
@@ -26,7 +27,7 @@ from orishell.motion import drive_at_fold
 
 Array = np.ndarray
 RANGES = 512
-SURFACES = {
+SURFACES: dict[str, Callable[[Array, Array], Array]] = {
     "cap": lambda x, y: np.sqrt(1 - x * x - y * y),
     "saddle": lambda x, y: 0.5 * (x * x - y * y),
     "ellipsoid": lambda x, y: 1.3 * np.sqrt(1 - (x / 1.5) ** 2 - y * y),

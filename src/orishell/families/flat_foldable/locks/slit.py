@@ -105,9 +105,12 @@ class SlitFlaps(Locked):
         upper = [count + 2 * rows * side + np.arange(rows) for side in range(len(self._sides))]
         pairs = np.concatenate([np.stack([each, each + rows], axis=-1) for each in upper])
         return Layout(
-            *(np.concatenate(each) for each in (faces, first, last, names)),
-            number >= count,
-            pairs,
+            faces=np.concatenate(faces),
+            first=np.concatenate(first),
+            last=np.concatenate(last),
+            names=np.concatenate(names),
+            flaps=number >= count,
+            pairs=pairs,
         )
 
     def positions(self, drive: ArrayLike) -> Array:
