@@ -13,7 +13,8 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.starts import Fit, Task, fit_sheet
+from orishell.families.flat_foldable.fit.memory import recall_fit
+from orishell.families.flat_foldable.fit.starts import Fit, Task
 from orishell.families.flat_foldable.fit.unknowns import ROTATION, SHIFT
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable, turned
@@ -48,7 +49,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
     """
     piece = asked.surface.piece
     task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio))
-    fit = fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=progress)
+    fit = recall_fit(task, direction=asked.direction, folded=asked.fold, progress=progress)
     if fit is None:
         raise DesignError(
             "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
