@@ -16,7 +16,12 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array, Integers
 
-TYPES = {5121: np.dtype("<u1"), 5123: np.dtype("<u2"), 5125: np.dtype("<u4"), 5126: np.dtype("<f4")}
+TYPES: dict[int, np.dtype[Any]] = {
+    5121: np.dtype("<u1"),
+    5123: np.dtype("<u2"),
+    5125: np.dtype("<u4"),
+    5126: np.dtype("<f4"),
+}
 TRIANGLES = 4
 DEEPEST = 100
 """Nodes in nodes, at most."""
@@ -120,7 +125,8 @@ def _accessor(content: Any, buffers: list[bytes], number: int) -> Any:
     """The numbers of an accessor: (N, 3) or (N,)."""
     accessor = content["accessors"][number]
     view = content["bufferViews"][accessor["bufferView"]]
-    kind, width = TYPES[accessor["componentType"]], {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
+    kind: np.dtype[Any] = TYPES[accessor["componentType"]]
+    width = {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
     start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
     stride = view.get("byteStride", width * kind.itemsize)
     found = np.ndarray(
