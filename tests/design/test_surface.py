@@ -159,6 +159,7 @@ def test_a_tilted_slide_is_a_sum_of_curves() -> None:
 
 def meets_targets(design: Design) -> None:
     surface = design.surface
+    assert isinstance(surface, Surface)
     f = surface.points(np.zeros(()), surface.profile.t)
     size = np.ptp(design.targets["g"]) + np.ptp(f)
     np.testing.assert_allclose(f, design.targets["f"], atol=1e-9 * size)

@@ -143,6 +143,7 @@ def test_distances_from_a_torus() -> None:
 
 def test_distances_from_a_sweep_by_newton() -> None:
     surface = figure_1().surface
+    assert isinstance(surface, Surface)
     mesh, sagitta = mesh_surface(surface, 20_000)
     shell = locked_shell(figure_1())
     points = shell[1:-1:3, ::3].reshape(-1, 3)
@@ -277,6 +278,7 @@ def agrees_with_dense_samples(design: Design) -> None:
     deviation, finer = (measure_deviation(design, samples=samples) for samples in (2_000, 30_000))
     for one, other in zip(ways(deviation), ways(finer), strict=True):
         assert abs(one.max - other.max) <= one.sample_spacing + other.sample_spacing
+    assert isinstance(surface, Surface)
     first, last = surface.profile.t[[0, -1]]
     u, v = np.linspace(0, surface.rail.stop, 200), np.linspace(first, last, 200)
     u = np.union1d(u, np.arange(surface.rail.stop))

@@ -10,6 +10,7 @@ from design_tables import formula, tables
 from orishell.cli.summary import summarize
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.record import as_table
+from orishell.design import Surface
 from orishell.design_file import check_design, read_design_file
 from orishell.locking import find_lock
 from orishell.motion import diagonal
@@ -128,6 +129,7 @@ def test_a_tilted_surface_is_called_so(f: str, slope: float | None) -> None:
     shell = make_shell(check_design(design, Path("shell.toml")))
     deviation, surface = shell.report.deviation, shell.design.surface
     assert deviation is not None
+    assert isinstance(surface, Surface)
     u = np.linspace(0.0, surface.rail.stop, 401)
     g = surface.points(u, np.full(len(u), surface.profile.t[0]))
     # The plane of what one point of f is carried along, from its least direction.

@@ -279,16 +279,20 @@ export interface Deviation {
 
 /** How close the shell is to what was asked for. */
 export interface DeviationReport {
-  /** Distances of the polylines that the shell locks on from the target curves. */
-  f: Closeness;
-  /** Distances of the polylines that the shell locks on from the target curves. */
-  g: Closeness;
+  /** Distances of the polylines that the shell locks on from the target curves; None without them. */
+  f: Closeness | null;
+  /** Distances of the polylines that the shell locks on from the target curves; None without them. */
+  g: Closeness | null;
   /** Of the shell from the surface; None if it was not measured. */
   surface: Deviation | null;
   /** How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn. */
   tilted: string;
   /** What the family approaches instead, if it does. */
   approached: ApproachReport | null;
+  /** Distances of vertices from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
+  crests: Closeness | null;
+  /** Distances of vertices from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
+  valleys: Closeness | null;
 }
 
 /** The largest displacement. */

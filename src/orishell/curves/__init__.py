@@ -3,7 +3,12 @@
 from orishell.curves.curve import Curve, curve_from_formulas
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
-from orishell.curves.formula import Formula, parse_formula
+from orishell.curves.formula import (
+    Formula,
+    FormulaOfTwo,
+    parse_formula,
+    parse_formula_of_two,
+)
 from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.joining import Chain, run_along_axis
@@ -18,6 +23,7 @@ __all__ = [
     "Chain",
     "Curve",
     "Formula",
+    "FormulaOfTwo",
     "Trace",
     "curve_data",
     "curve_from_formulas",
@@ -25,6 +31,7 @@ __all__ = [
     "nearby_origin",
     "parse_curve",
     "parse_formula",
+    "parse_formula_of_two",
     "read_dxf",
     "read_points",
     "read_svg",

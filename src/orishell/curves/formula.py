@@ -1,10 +1,11 @@
-"""Formulas in one variable: parsed against a whitelist, never evaluated as Python."""
+"""Formulas in one variable or in two: parsed against a whitelist, never evaluated as Python."""
 
 from __future__ import annotations
 
 import ast
 import re
 import warnings
+from typing import cast
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from orishell.curves.formula_arithmetic import (
     apply,
     combine,
     lift,
+    one_of,
     the_variable,
 )
 from orishell.numerics import FUNCTIONS, Enclosure, Jet, power
@@ -60,11 +62,35 @@ class Formula:
         )
 
 
+@record
+class FormulaOfTwo:
+    """A checked formula in at most two variables."""
+
+    text: str  # as the user wrote it
+    variables: tuple[str, str]  # the names of the variables, in their order
+    _run: Run
+
+    def slopes(self, s: Array, t: Array) -> tuple[Array, Array, Array]:
+        """Value, and derivatives by the first and the second variable, at ``s``, ``t`` (...)."""
+        s, t = np.broadcast_arrays(np.asarray(s, np.float64), np.asarray(t, np.float64))
+        one, zero = np.ones(s.shape), np.zeros(s.shape)
+        values, slopes = [], []
+        with np.errstate(all="ignore"):
+            for by in range(2):
+                given = (s, (one, zero)[by], zero), (t, (zero, one)[by], zero)
+                # Only formulas' names take the variables apart: see ``one_of``.
+                value, first, _ = self._run(cast("Jet", given), JETS)
+                values.append(value)
+                slopes.append(np.broadcast_to(first, s.shape))
+        return np.broadcast_to(values[0], s.shape), slopes[0], slopes[1]
+
+
 class _Compiler:
     """Turns the whitelisted part of a syntax tree into nested functions on jets."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, names: tuple[str, ...] = ()) -> None:
         self.text = text
+        self.names = names  # of the variables; one of any name if none are given
         self.variable: str | None = None
 
     def fault(self, what: str, node: ast.expr, **details: str) -> FormulaError:
@@ -123,6 +149,15 @@ class _Compiler:
             return CONSTANTS[name]
         if name in FUNCTIONS:
             raise self.fault(f"{name} needs an argument", node, remedy=f"write {name}(...)")
+        if name in self.names:
+            return one_of(self.names.index(name))
+        if self.names:
+            raise self.fault(
+                "unknown name",
+                node,
+                got=repr(name),
+                expected=f"the variables {' and '.join(self.names)}, pi or e",
+            )
         if len(name) > 1 or not name.isascii() or name == "y":
             raise self.fault(
                 "unknown name", node, got=repr(name), expected="the variable (x or t), pi or e"
@@ -178,6 +213,40 @@ def parse_formula(text: str) -> Formula:
     >>> value[0], first[0], second[0]
     (np.float64(10.0), np.float64(6.0), np.float64(2.0))
     """
+    compiler = _Compiler(text)
+    run = _compiled(compiler)
+    return Formula(text.strip(), compiler.variable, run)
+
+
+@checked()
+def parse_formula_of_two(text: str, first: str, second: str) -> FormulaOfTwo:
+    """Check a formula in two variables against the whitelist, as :func:`parse_formula` does.
+
+    Parameters
+    ----------
+    text
+        The formula.
+    first, second
+        Names of its variables.
+
+    Raises
+    ------
+    FormulaError
+        With the place of the fault.
+
+    Examples
+    --------
+    >>> value, by_x, by_y = parse_formula_of_two("x**2 * y", "x", "y").slopes(3.0, 2.0)
+    >>> float(value), float(by_x), float(by_y)
+    (18.0, 12.0, 9.0)
+    """
+    run = _compiled(_Compiler(text, (first, second)))
+    return FormulaOfTwo(text.strip(), (first, second), run)
+
+
+def _compiled(compiler: _Compiler) -> Run:
+    """The formula as a function, checked; the compiler then knows its variable."""
+    text = compiler.text
     if len(text) > MAX_LENGTH:
         raise FormulaError(
             "the formula is too long",
@@ -186,8 +255,7 @@ def parse_formula(text: str) -> Formula:
             got=f"{len(text)} characters",
             expected=f"at most {MAX_LENGTH}",
         )
-    stripped = text.strip()
-    if not stripped:
+    if not text.strip():
         raise FormulaError("the formula is empty", text, 0)
     _check_characters(text)
     comma = DECIMAL_COMMA.search(text)
@@ -199,7 +267,6 @@ def parse_formula(text: str) -> Formula:
             got=repr(comma[0]),
             remedy=f"write {comma[0].replace(',', '.')}",
         )
-    compiler = _Compiler(text)
     lead = len(text) - len(text.lstrip())
     # Inside parentheses the parser minds neither leading blanks nor line ends.
     source = "(" + text[lead:] + "\n)"
@@ -223,8 +290,7 @@ def parse_formula(text: str) -> Formula:
         if isinstance(node, ast.expr):
             node.col_offset += lead - 1
     result = compiler.compile(tree.body)
-    run = lift(result) if isinstance(result, float) else result
-    return Formula(stripped, compiler.variable, run)
+    return lift(result) if isinstance(result, float) else result
 
 
 def _check_characters(text: str) -> None:

@@ -73,6 +73,16 @@ def the_variable(variable: J, rules: Rules[J], /) -> J:
     return variable
 
 
+def one_of(number: int) -> Run:
+    """The formula that is one variable of several, which are then given as a tuple."""
+
+    def run(variable: J, rules: Rules[J], /) -> J:
+        several: tuple[J, ...] = variable  # type: ignore[assignment]
+        return several[number]
+
+    return run
+
+
 def lift(value: float | Run) -> Run:
     """A formula as it is, or the formula of a constant."""
     if not isinstance(value, float):

@@ -1,5 +1,6 @@
 """What a family hands over when a design succeeds, and the surface that it approaches."""
 
+from orishell.design.asked import AskedSurface, PiecedSurface
 from orishell.design.design import (
     Approached,
     Design,
@@ -7,20 +8,28 @@ from orishell.design.design import (
     Parameter,
     warn_of_no_lock,
 )
+from orishell.design.formula_surface import FormulaSurface
+from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, PanelSpec, Setback
 from orishell.design.path import Path
+from orishell.design.piece import Piece
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
 
 __all__ = [
     "Approached",
+    "AskedSurface",
     "Construction",
     "Design",
     "FlapSide",
+    "FormulaSurface",
     "Lattice",
+    "MeshSurface",
     "PanelSpec",
     "Parameter",
     "Path",
+    "Piece",
+    "PiecedSurface",
     "Rail",
     "Setback",
     "Sliding",

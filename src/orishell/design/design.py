@@ -11,8 +11,8 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
+from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
-from orishell.design.surface import Surface
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
@@ -28,7 +28,7 @@ class Approached:
     """The surface that finer and finer shells approach, where that is not f swept along g."""
 
     what: str  # A sentence that says what it is, with its sizes in the unit of the curves
-    surface: Surface | None  # the surface, or None where it has no simple form
+    surface: AskedSurface | None  # the surface, or None where it has no simple form
 
 
 @record
@@ -44,8 +44,9 @@ class Design:
     targets: Mapping[str, Array]
     # distance of the polylines the shell locks on to the target curves, by the same names
     closeness: Mapping[str, Closeness]
-    # f swept along g as asked for, placed as the locked shell meets it; None without a target
-    swept: Surface | None
+    # the surface asked for: f swept along g, placed as the locked shell meets it, formulas or a
+    # mesh; None without a target
+    swept: AskedSurface | None
     # sentences a user should read: the design is made, but may not be what was meant
     warnings: tuple[str, ...]
     # what the family approaches instead of the surface, if it does
@@ -107,8 +108,8 @@ class Design:
         )
 
     @property
-    def surface(self) -> Surface:
-        """The surface asked for: f swept along g.
+    def surface(self) -> AskedSurface:
+        """The surface asked for: f swept along g, or that of [target.surface].
 
         Raises
         ------
@@ -118,7 +119,7 @@ class Design:
         if self.swept is None:
             raise InputError(
                 "a design without a target has no surface to be compared with",
-                remedy="give f and g",
+                remedy="give f and g, or a surface",
             )
         return self.swept
 

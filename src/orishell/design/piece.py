@@ -1,4 +1,13 @@
-"""A piece of surface that a shell is to cover: what fits know of their target."""
+"""A piece of surface that a shell is to cover: what fits know of their target.
+
+Distances are of third order in the size of the triangles: over the foot q in a triangle with
+corners v_i, shares b_i and unit normals n_i, a surface with these normals is the height
+
+    h = 1/2 sum_i b_i ((v_i - q) . n_i) (n_i . n),     n = sum_i b_i n_i, of unit length,
+
+exactly so for a quadratic one: half of the tangent planes' mean (Boubekeur and Alexa, Phong
+tessellation, ACM TOG 27 (2008) 141). So the distance (p - q) . n - h changes with p as n says.
+"""
 
 from __future__ import annotations
 
@@ -91,15 +100,11 @@ class Piece:
             self.vertices, self.triangles, np.ascontiguousarray(points)
         )
         corners = self.triangles[index]
-        p, q, r = np.moveaxis(self.vertices[corners], 1, 0)
-        whole = np.cross(q - p, r - p)
-        # Shares of the corners by the areas opposite them.
-        areas = [np.cross(r - q, feet - q), np.cross(p - r, feet - r), np.cross(q - p, feet - p)]
-        shares = np.stack([dots(each, whole) for each in areas], axis=-1)
-        shares /= dots(whole, whole)[:, None]
-        normals = np.einsum("nk,nki->ni", shares, self.normals[corners])
-        normals /= lengths(normals)[:, None]
-        return dots(points - feet, normals), normals
+        normals, steps = self.normals[corners], self.vertices[corners] - feet[:, None]
+        shares = _shares(steps)
+        normal = np.einsum("nk,nki->ni", shares, normals)
+        normal /= lengths(normal)[:, None]
+        return dots(points - feet, normal) - _height(shares, steps, normals, normal), normal
 
     def beside(self, side: int, points: Array) -> tuple[Array, Array]:
         """Distances (N,) of points (N, 3) from a side, within the surface and positive outside.
@@ -107,18 +112,37 @@ class Piece:
         And the unit vectors (N, 3) along which they are measured: square to the rim, outwards.
         Beyond its corners a side goes on straight.
         """
-        line, normals = self.vertices[self.sides[side]], self.normals[self.sides[side]]
+        line, directions = self._outwards[side]
+        points = np.asarray(points)
         start, step = line[:-1], np.diff(line, axis=0)
-        share = np.einsum("nki,ki->nk", points[:, None] - start, step) / dots(step, step)
-        near = start + np.clip(share, 0, 1)[..., None] * step
-        piece = ((points[:, None] - near) ** 2).sum(axis=-1).argmin(axis=1)
+        away = points[:, None] - start
+        share = np.clip(np.einsum("nki,ki->nk", away, step) / dots(step, step), 0, 1)
+        away -= share[..., None] * step
+        piece = dots(away, away).argmin(axis=1)
         found = np.arange(len(points))
-        along = step[piece] / lengths(step[piece])[:, None]
-        share = np.clip(share[found, piece], 0, 1)[:, None]
-        normal = (1 - share) * normals[piece] + share * normals[piece + 1]
-        outwards = np.cross(normal, along)
+        away, share = away[found, piece], share[found, piece]
+        shares, ends = np.stack([1 - share, share], axis=-1), np.stack([piece, piece + 1], axis=-1)
+        outwards = np.einsum("nk,nki->ni", shares, directions[ends])
         outwards /= lengths(outwards)[:, None]
-        return dots(points - near[found, piece], outwards), outwards
+        steps = line[ends] - (points - away)[:, None]
+        height = _height(shares, steps, directions[ends], outwards)
+        return dots(away, outwards) - height, outwards
+
+    @cached_property
+    def _outwards(self) -> tuple[tuple[Array, Array], ...]:
+        """Points (K, 3) along each side, and unit vectors out of the piece there."""
+        found = []
+        for side in self.sides:
+            line = self.vertices[side]
+            edges = np.diff(line, axis=0)
+            edges /= lengths(edges)[:, None]
+            along = np.concatenate([edges[:1], edges[:-1] + edges[1:], edges[-1:]])
+            if len(line) > 3:  # at its ends as a parabola through three points
+                along[0] += 0.5 * (edges[0] - edges[1])
+                along[-1] += 0.5 * (edges[-1] - edges[-2])
+            outwards = np.cross(self.normals[side], along)
+            found.append((line, outwards / lengths(outwards)[:, None]))
+        return tuple(found)
 
     @cached_property
     def _tree(self) -> Any:
@@ -127,3 +151,17 @@ class Piece:
         tree = igl.AABB()
         tree.init(self.vertices, np.ascontiguousarray(self.triangles))
         return tree
+
+
+def _shares(steps: Array) -> Array:
+    """Barycentric coordinates (N, 3) of points, given the steps (N, 3, 3) to the corners."""
+    p, q, r = np.moveaxis(steps, 1, 0)
+    whole = np.cross(q - p, r - p)
+    areas = [np.cross(q, r), np.cross(r, p), np.cross(p, q)]
+    return np.stack([dots(each, whole) for each in areas], axis=-1) / dots(whole, whole)[:, None]
+
+
+def _height(shares: Array, steps: Array, directions: Array, direction: Array) -> Array:
+    """How high (N,) a surface with these directions (N, K, 3) of its corners is over the foot."""
+    rise = dots(steps, directions) * np.einsum("nki,ni->nk", directions, direction)
+    return np.asarray(0.5 * (shares * rise).sum(axis=-1))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from orishell.conventions.record import record
-from orishell.design.surface import Lattice, Surface
+from orishell.design.asked import AskedSurface
+from orishell.design.surface import Lattice
 from orishell.numerics.arrays import Array
 
 
@@ -13,7 +14,7 @@ from orishell.numerics.arrays import Array
 class Shifted:
     """A surface moved by a vector, and otherwise what it was."""
 
-    surface: Surface
+    surface: AskedSurface
     shift: Array  # (3,)
 
     def points(self, u: Array, v: Array) -> Array:

@@ -16,7 +16,7 @@ from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design import PanelSpec
+from orishell.design import PanelSpec, PiecedSurface
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.tables import (
@@ -84,7 +84,10 @@ FROM_PACK = 3
 """Fewest states of a motion from the pack: it, the target and the flat sheet."""
 
 CURVES = ("shell.unit", "target")
-"""Where it is said what the target curves are."""
+"""Where it is said what the target is."""
+Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None]
+"""The target curves, or the surface in their place."""
+NOTHING: Known = (None, None)
 ANY_SIZE = {"rows": 1, "columns": 2}
 """Rows and columns of a pattern whose size is still to be chosen."""
 
@@ -112,7 +115,8 @@ class DesignFile:
     # how it is analysed as a structure; None if that was not asked for
     structure: Structure | None = None
     search: Search | None = None  # what is searched for among its variants; None if nothing is
-    files: bool = True  # whether its curves may come from files
+    files: bool = True  # whether its curves and its surface may come from files
+    surface: PiecedSurface | None = None  # the surface in place of f and g, or None
 
     @property
     def panel_count(self) -> int:
@@ -134,7 +138,8 @@ class DesignFile:
         """
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
-        return _checked(tables, self.path, files=self.files, known=self.target if same else None)
+        known = (self.target, self.surface) if same else NOTHING
+        return _checked(tables, self.path, files=self.files, known=known)
 
     @property
     def f(self) -> Curve:
@@ -202,10 +207,8 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     return _checked(with_joined_keys(raw), path, files=files)
 
 
-def _checked(
-    raw: dict[str, Any], path: Path, *, files: bool, known: tuple[Curve, Curve] | None = None
-) -> DesignFile:
-    """A checked design file; target curves that are known are not read again."""
+def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOTHING) -> DesignFile:
+    """A checked design file; a target that is known is not read again."""
     try:
         file = FileTable.model_validate(raw)
     except ValidationError as error:
@@ -213,9 +216,9 @@ def _checked(
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     table = file.pattern
     if file.tolerance is not None:
-        if file.target is None:
+        if file.target is None or file.target.surface is not None:
             raise InputError(
-                "a tolerance needs a target to be measured from",
+                "a tolerance needs f and g to be measured from",
                 file=path,
                 keys=("tolerance",),
                 remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
@@ -251,9 +254,12 @@ def _checked(
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
-        target = known
-        if target is None and file.target is not None:
-            target = file.target.curves(directory, file.shell.unit)
+        target, surface = known
+        if known == NOTHING and file.target is not None:
+            if file.target.surface is not None:
+                surface = file.target.surface.surface(directory, unit)
+            else:
+                target = file.target.curves(directory, unit)
     except InputError as error:
         raise error.in_file(path) from None
     return DesignFile(
@@ -261,6 +267,7 @@ def _checked(
         family=file.shell.family,
         unit=file.shell.unit,
         target=target,
+        surface=surface,
         pattern=pattern,
         tolerance=file.tolerance,
         frames=file.motion.frames,

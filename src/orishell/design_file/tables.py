@@ -19,7 +19,7 @@ from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
-from orishell.design_file.target import Targets
+from orishell.design_file.targets import Targets
 from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
 from orishell.locking import CONTACT_TOLERANCE
@@ -240,6 +240,11 @@ class FileTable(Table):
         family = FAMILIES.get(shell.family) if shell is not None else None
         if target is None and (family is None or family.pattern.needs_target):
             raise PydanticCustomError("missing", "Field required")
+        swept = family is not None and not family.pattern.follows_surfaces()
+        if target is not None and target.surface is not None and swept:
+            able = [each.name for each in FAMILIES.values() if each.pattern.follows_surfaces()]
+            what = "f and g, which this family sweeps; a surface asks for family = {able}"
+            raise PydanticCustomError("source", what, {"able": " or ".join(able), "key": "surface"})
         return target
 
 

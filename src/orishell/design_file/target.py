@@ -118,7 +118,7 @@ class Target(Table):
                     (each.spline() if self.smooth else each.curve()).stop
                     for each in (chain, parse_curve(table["path"]))
                 )
-                table["part"] = [end * after / before for end in _numbers("part", self.part)]
+                table["part"] = [end * after / before for end in numbers("part", self.part)]
         return table
 
     def _curve(self, directory: Path | None, unit: str) -> Curve:
@@ -132,11 +132,11 @@ class Target(Table):
         else:
             texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
             *x, y = [_formula(text) for text in texts]
-            start, stop = _numbers("range", self.range or [])
+            start, stop = numbers("range", self.range or [])
             curve = curve_from_formulas(x[0] if x else None, y, start, stop)
             curve = curve.reversed() if self.reverse else curve
         if self.part is not None:
-            curve = curve.part(*_numbers("part", self.part))
+            curve = curve.part(*numbers("part", self.part))
         if isinstance(self.scale, list):
             along_x, along_y = self.scale
             return curve.scaled((along_x, along_y))
@@ -144,7 +144,7 @@ class Target(Table):
 
     def _points(self, directory: Path | None, unit: str) -> Array:
         if isinstance(self.points, str):
-            return read_points(_beside(directory, self.points), into=unit, unit=self.unit)
+            return read_points(beside(directory, self.points), into=unit, unit=self.unit)
         return np.array(self.points) * conversion(self.unit or unit, unit)
 
     def _chain(self, directory: Path | None, unit: str) -> Chain:
@@ -152,10 +152,10 @@ class Target(Table):
         if self.path is not None:
             chain = parse_curve(self.path).scaled(conversion(self.unit or unit, unit))
         elif self.svg is not None:
-            chain = read_svg(_beside(directory, self.svg), into=unit, id=self.id, unit=self.unit)
+            chain = read_svg(beside(directory, self.svg), into=unit, id=self.id, unit=self.unit)
         else:
             chain = read_dxf(
-                _beside(directory, self.dxf or ""),
+                beside(directory, self.dxf or ""),
                 into=unit,
                 layer=self.layer,
                 handle=self.handle,
@@ -164,31 +164,14 @@ class Target(Table):
         return chain.reversed() if self.reverse else chain
 
 
-class Targets(Table):
-    """Both target curves."""
-
-    f: Target
-    g: Target
-
-    def curves(self, directory: Path | None, unit: str) -> tuple[Curve, Curve]:
-        """The curves f and g, see :meth:`Target.curve`."""
-
-        def curve(name: str, target: Target) -> Curve:
-            try:
-                return target.curve(directory, unit)
-            except InputError as error:
-                raise error.at_key(f"target.{name}", f"[target.{name}]") from None
-
-        return curve("f", self.f), curve("g", self.g)
-
-
 @lru_cache(KEPT)
 def _curve_of(table: str, unit: str) -> Curve:
     """The curve of a table without files: the same object each time, so that results are reused."""
     return Target.model_validate_json(table)._curve(None, unit)
 
 
-def _beside(directory: Path | None, name: str) -> Path:
+def beside(directory: Path | None, name: str) -> Path:
+    """The path of a file that is named in a design file; without a directory it is refused."""
     if directory is None:
         raise InputError(
             "files are not opened here",
@@ -198,7 +181,8 @@ def _beside(directory: Path | None, name: str) -> Path:
     return directory / name
 
 
-def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
+def numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
+    """Two numbers, each given as itself or as a formula of constants."""
     first, last = (
         _constant(end, key, index) if isinstance(end, str) else end
         for index, end in enumerate(ends)

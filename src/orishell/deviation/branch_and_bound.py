@@ -7,9 +7,13 @@ cell's corners p_k, at distances D_k:
 - p is a mean of the corners but for the cell's own sagitta, so it is at most max D_k from the same
   mean of the q_k. That lies on chords of the other surface, which leaves a chord of length c by no
   more than (c/2) tan(T/2) if it turns by T over it.
+- No farther than the foot of any corner; and the corner of the cell that is farthest from that foot
+  is as far from it as any p, since the distance from a point is convex.
 - Or one after the other: first to the nearer of two opposite sides, then along it.
 
-The second is far better where the other surface is smooth, the third along its ridges.
+The second is far better where the other surface is smooth, the fourth along its ridges. The third
+needs nothing but feet, and exceeds the largest distance D of a cell of radius r by about r^2 / 2D:
+it is used where the other surface is scattered triangles.
 """
 
 from __future__ import annotations
@@ -101,18 +105,20 @@ class Cells:
         chord_u, chord_v = _spans(self.feet)
         along_u = 0.5 * chord_u * self._steepness(((0, 1), (3, 2)), other) + sag
         along_v = 0.5 * chord_v * self._steepness(((0, 3), (1, 2)), other) + sag
-        ways = np.stack(
-            [
-                np.maximum(to_corners, 0.5 * np.maximum(wide, high)),
-                0.5 * (chord_u + chord_v) * self._steepness(((0, 1, 2, 3),), other) + sag,
-                0.5 * high + along_u,
-                0.5 * wide + along_v,
-            ]
-        )
+        apart = [
+            np.maximum(to_corners, 0.5 * np.maximum(wide, high)),
+            0.5 * (chord_u + chord_v) * self._steepness(((0, 1, 2, 3),), other) + sag,
+            0.5 * high + along_u,
+            0.5 * wide + along_v,
+        ]
+        if not other.columns:
+            from_feet = [lengths(self.points - foot).max(axis=0) for foot in self.feet]
+            apart.append(np.min(from_feet, axis=0) - self.distances.max(axis=0) + sag)
+        ways = np.stack(apart)
         best = ways.argmin(axis=0)
         # Across what contributes most to the bound.
         either = np.where(best == 2, 2 * along_u > high, wide > 2 * along_v)
-        cut_u = np.where(best < 2, wide >= high, either)
+        cut_u = np.where((best < 2) | (best == 4), wide >= high, either)
         ceiling = np.minimum(self.ceiling, self.distances.max(axis=0) + ways.min(axis=0))
         return replace(self, ceiling=ceiling), cut_u
 

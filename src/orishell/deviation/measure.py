@@ -10,9 +10,17 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import Design, Surface
+from orishell.design import AskedSurface, Design
 from orishell.deviation.branch_and_bound import Cells, find_largest
-from orishell.deviation.triangles import Nearest, Patch, Triangles, mesh_shell, mesh_surface
+from orishell.deviation.scattered import Scattered
+from orishell.deviation.triangles import (
+    Nearest,
+    Patch,
+    Triangles,
+    mesh_shell,
+    mesh_surface,
+    triangles_of,
+)
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 SAMPLES = 15_000
@@ -92,7 +100,7 @@ class Deviation:
 
 
 def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
-    """Return distances of the locked shell of a design, flaps left out, from f swept along g.
+    """Return distances of the locked shell of a design, flaps left out, from its surface.
 
     Parameters
     ----------
@@ -138,7 +146,7 @@ def locked_shell(design: Design) -> Array:
     return mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
 
 
-def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) -> Deviation:
+def measure_distance(shell: Array, surface: AskedSurface, *, samples: int = SAMPLES) -> Deviation:
     """Return distances of panels from a surface, both ways.
 
     Parameters
@@ -181,7 +189,7 @@ class _Way:
     The triangles of the other may leave it by a sagitta.
     """
 
-    patch: Patch
+    patch: Patch | Scattered
     other: Triangles
     found: Nearest
     sagitta: float
@@ -189,15 +197,25 @@ class _Way:
     def search(self, samples: int, limit: float | None = None) -> tuple[float, float]:
         """See :func:`~orishell.deviation.branch_and_bound.find_largest`."""
         patch = self.patch
-        cells = Cells.of_lattice(patch.u, patch.v, patch.points, self.found)
+        if isinstance(patch, Scattered):
+            cells = patch.cells(self.found)
+        else:
+            cells = Cells.of_lattice(patch.u, patch.v, patch.points, self.found)
         attained = float(self.found.distances.max())
         return find_largest(cells, patch.at, self.other, attained, samples, limit=limit)
 
 
-def _both_ways(shell: Array, surface: Surface, samples: int, least: int = 2) -> tuple[_Way, _Way]:
+def _both_ways(
+    shell: Array, surface: AskedSurface, samples: int, least: int = 2
+) -> tuple[_Way, _Way]:
     """Samples of the shell with the nearest points of the surface, and the other way round."""
     of_shell, panels = Patch.of_shell(shell, samples, least=least), mesh_shell(shell)
-    of_surface = Patch.of_surface(surface, samples, shell)
+    known = triangles_of(surface)
+    of_surface = (
+        Patch.of_surface(surface, samples, shell)
+        if known is None
+        else Scattered.of(*known, samples)
+    )
     mesh, sagitta = mesh_surface(surface, samples)
     there = _Way(of_shell, mesh, mesh.nearest(of_shell.points), sagitta)
     return there, _Way(of_surface, panels, panels.nearest(of_surface.points), 0.0)
@@ -231,7 +249,7 @@ class SignedDistances:
     strides: tuple[int, int]  # only every so many-th row and column of creases is among them
 
 
-def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Array:
+def measure_points(points: Array, surface: AskedSurface, samples: int = 20_000) -> Array:
     """Signed distances (...) of points (..., 3) from a surface, as exact as its mesh is fine.
 
     Parameters
@@ -246,7 +264,7 @@ def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Ar
     return np.asarray(found.sides * found.distances)
 
 
-def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> SignedDistances:
+def measure_signed(shell: Array, surface: AskedSurface, samples: int, most: int) -> SignedDistances:
     """Return signed distances of points of a shell's panels from a surface, for a picture.
 
     Parameters

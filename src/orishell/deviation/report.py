@@ -22,13 +22,17 @@ class ApproachReport:
 class DeviationReport:
     """How close the shell is to what was asked for."""
 
-    # distances of the polylines that the shell locks on from the target curves
-    f: Closeness
-    g: Closeness
+    # distances of the polylines that the shell locks on from the target curves; None without them
+    f: Closeness | None
+    g: Closeness | None
     surface: Deviation | None  # of the shell from the surface; None if it was not measured
     # how f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn
     tilted: str
     approached: ApproachReport | None  # what the family approaches instead, if it does
+    # distances of vertices from the surfaces beside the one asked for, on which crests and valleys
+    # should lie; None where f is swept along g
+    crests: Closeness | None = None
+    valleys: Closeness | None = None
 
 
 def describe_deviation(design: Design, *, measured: bool = True) -> DeviationReport | None:
@@ -44,9 +48,11 @@ def describe_deviation(design: Design, *, measured: bool = True) -> DeviationRep
         largest, rms = (None, None) if approach is None else (approach.max, approach.rms)
         approached = ApproachReport(design.approached.what, largest, rms)
     return DeviationReport(
-        f=design.closeness["f"],
-        g=design.closeness["g"],
+        f=design.closeness.get("f"),
+        g=design.closeness.get("g"),
         surface=measure_deviation(design) if measured else None,
         tilted=design.tilted,
         approached=approached,
+        crests=design.closeness.get("crests"),
+        valleys=design.closeness.get("valleys"),
     )

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import Lattice, Surface
+from orishell.design import AskedSurface, Lattice, MeshSurface
+from orishell.design.shifted import Shifted
 from orishell.motion.grid import Grid
 from orishell.motion.quads import area_vectors, grid_corners, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -39,16 +40,17 @@ class Nearest:
 
 @record
 class Triangles:
-    """A grid of points (A, B, 3) whose cells are two triangles each.
+    """Triangles, of a grid of points (A, B, 3) whose cells are two triangles each, or scattered.
 
     Turning has, along rows and down columns of cells, running sums of how much edges turn from cell
-    to cell, and of how much opposite edges of a cell differ, at most (radians).
+    to cell, and of how much opposite edges of a cell differ, at most (radians). Of scattered ones,
+    each of which is a cell, it is not known.
     """
 
     vertices: Array  # (A*B, 3)
     corners: Integers  # (T, 3), cell by cell
-    columns: int  # of cells
-    turning: tuple[tuple[Array, Array], tuple[Array, Array]]
+    columns: int  # of cells; 0 for scattered triangles
+    turning: tuple[tuple[Array, Array], ...]
     tree: Any  # libigl's, of boxes
 
     @classmethod
@@ -61,6 +63,16 @@ class Triangles:
         tree.init(vertices, corners)
         turning = _turning(points), _turning(points.swapaxes(0, 1))
         return cls(vertices, corners, points.shape[1] - 1, turning, tree)
+
+    @classmethod
+    def scattered(cls, vertices: Array, corners: Integers) -> Triangles:
+        """Triangles (T, 3) of vertices (V, 3), in any order."""
+        import igl
+
+        vertices, corners = np.ascontiguousarray(vertices), np.ascontiguousarray(corners)
+        tree = igl.AABB()
+        tree.init(vertices, corners)
+        return cls(vertices, corners, 0, (), tree)
 
     def nearest(self, points: Array) -> Nearest:
         """The points of the triangles that are nearest to given points (..., 3)."""
@@ -75,7 +87,10 @@ class Triangles:
             p, q, r = (self.vertices[self.corners[index, corner]] for corner in range(3))
             side = np.einsum("ij,ij->i", np.cross(q - p, r - p), flat[part] - foot)
             distances[part], feet[part] = np.sqrt(squares), foot
-            cells[part] = np.stack(np.divmod(index // 2, self.columns), axis=-1)
+            if self.columns:
+                cells[part] = np.stack(np.divmod(index // 2, self.columns), axis=-1)
+            else:
+                cells[part] = np.stack([index, np.zeros_like(index)], axis=-1)
             sides[part] = np.where(side < 0, -1.0, 1.0)
         shape = points.shape[:-1]
         return Nearest(
@@ -88,7 +103,7 @@ class Triangles:
     def turns(self, cells: Integers) -> Array:
         """How much the surface and its border turn (...) between cells (K, ..., 2), at most."""
         low, high = cells.min(axis=0), cells.max(axis=0)
-        total = np.zeros(low.shape[:-1])
+        total = np.full(low.shape[:-1], 0.0 if self.columns else np.pi)
         for axis, (between, within) in enumerate(self.turning):
             first, last = low[..., axis], high[..., axis]
             total += between[last] - between[first] + within[last + 1] - within[first]
@@ -102,15 +117,28 @@ def mesh_shell(positions: Array) -> Triangles:
     return Triangles.of(positions, corners)
 
 
-def mesh_surface(surface: Surface, samples: int) -> tuple[Triangles, float]:
+def triangles_of(surface: AskedSurface) -> tuple[Array, Integers] | None:
+    """Vertices and triangles of a surface that is a mesh, or a mesh moved; None of another."""
+    if isinstance(surface, MeshSurface):
+        return surface.piece.vertices, surface.piece.triangles
+    if isinstance(surface, Shifted) and isinstance(surface.surface, MeshSurface):
+        piece = surface.surface.piece
+        return piece.vertices + surface.shift, piece.triangles
+    return None
+
+
+def mesh_surface(surface: AskedSurface, samples: int) -> tuple[Triangles, float]:
     """A mesh of a surface that suits so many samples, and how far it leaves the surface."""
+    known = triangles_of(surface)
+    if known is not None:
+        return Triangles.scattered(*known), 0.0
     step = float(np.sqrt(surface.area() / samples))
     lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS, most=FINEST)
     triangles = Triangles.of(lattice.points, lattice.triangles())
     return triangles, sagitta(surface, lattice) + lattice.left_out
 
 
-def sagitta(surface: Surface, lattice: Lattice) -> float:
+def sagitta(surface: AskedSurface, lattice: Lattice) -> float:
     """How far a lattice's triangles leave the surface, measured at the middles of their edges.
 
     Within the surface that is across them; at its border they may also end short of it, or beyond.
@@ -211,7 +239,7 @@ class Patch:
         return cls(at, u, v, at(u[:, None], v[None, :]), 0.0)
 
     @classmethod
-    def of_surface(cls, surface: Surface, samples: int, shell: Array) -> Patch:
+    def of_surface(cls, surface: AskedSurface, samples: int, shell: Array) -> Patch:
         """About ``samples`` samples of a surface, spaced in proportion to a shell's panels.
 
         The shell is given by its vertices (rows, columns, 3).

@@ -21,7 +21,7 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, PiecedSurface
 
 Auto = Literal["auto"]
 
@@ -174,9 +174,14 @@ class Pattern(Table):
         """Design the shell that these parameters and the curves f and g ask for."""
         raise NotImplementedError
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
-        """Design the shell that comes nearest to a surface, which has a ``piece``."""
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
+        """Design the shell that these parameters and a surface with a ``piece`` ask for."""
         raise NotImplementedError
+
+    @classmethod
+    def follows_surfaces(cls) -> bool:
+        """Whether it makes shells that come near to any surface, by ``design_on``."""
+        return cls.design_on is not Pattern.design_on
 
     def design_without_target(self) -> Design:
         """Design what these parameters alone ask for, in a family that needs no target."""

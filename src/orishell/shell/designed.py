@@ -31,14 +31,14 @@ UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
 
 
-def designed(file: DesignFile) -> Design:
+def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     """The design that a file asks for, whose rows and columns are known.
 
     Raises DesignError if the family cannot make it, or hinges or boards do not close as far as its
     target asks, also where flaps with boards stop short of folding flat.
     """
     opening = file.deployment.start == "pack"
-    design = design_of(file, file.pattern)
+    design = design_of(file, file.pattern, progress)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         design = _with_panels(design, file.panel)
@@ -50,8 +50,10 @@ def designed(file: DesignFile) -> Design:
     return design
 
 
-def design_of(file: DesignFile, pattern: Pattern) -> Design:
+def design_of(file: DesignFile, pattern: Pattern, progress: Progress = no_progress) -> Design:
     """What a family makes of a pattern and a file's target, or of the pattern alone."""
+    if file.surface is not None:
+        return pattern.design_on(file.surface, progress)
     if file.target is None:
         return pattern.design_without_target()
     return pattern.design(*file.target)

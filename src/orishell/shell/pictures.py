@@ -128,7 +128,8 @@ def _point(trial: Trial) -> tuple[int, float, str]:
 def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
     largest, rms = f"{plain(deviation.max, 3)} {unit}", f"{plain(deviation.rms, 3)} {unit}"
     signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
-    note = "Shell at its target, flaps left out, coloured by its distance from f swept along g"
+    note = "Shell at its target, flaps left out, coloured by its distance from "
+    note += "f swept along g" if design.targets else _beside(design, unit)
     if design.tilted:
         note += f"; {design.tilted}"
     if signed.strides != (1, 1):
@@ -143,6 +144,15 @@ def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str)
         note=note,
         unit=unit,
     )
+
+
+def _beside(design: Design, unit: str) -> str:
+    """The surface asked for, and how far crests and valleys should lie from it."""
+    offset = design.parameters.get("offset")
+    if not isinstance(offset, float):
+        return "the surface asked for"
+    away = f"{plain(abs(offset), 3)} {unit}"
+    return f"the surface asked for; crests and valleys should lie {away} above and below it"
 
 
 def _drawn(lock: Lock) -> DrawnContact | None:

@@ -168,7 +168,13 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
     if deviation is None:
         yield Row("says", "surface", "no target: nothing to compare the shell with")
         return
-    curves = f"f within {plain(deviation.f.max)} {unit}, g within {plain(deviation.g.max)} {unit}"
+    curves = ", ".join(
+        f"{name} within {plain(near.max)} {unit}"
+        for name in ("f", "g", "crests", "valleys")
+        if (near := getattr(deviation, name)) is not None
+    )
+    if deviation.crests is not None:
+        curves += " of where they should lie beside it"
     surface = deviation.surface
     if surface is not None:
         curves = (

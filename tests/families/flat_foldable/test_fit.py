@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError
-from orishell.design.piece import Piece
+from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.residuals import Problem, Weights
 from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
@@ -76,17 +76,10 @@ def test_cap_is_followed_under_the_conditions() -> None:
     assert max(each.max() for each in edges) <= 10 * min(each.min() for each in edges)
 
 
-class Target:
-    """A surface as far as a fit knows it."""
-
-    def __init__(self, piece: Piece) -> None:
-        self.piece = piece
-
-
 def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
     """To rounding: 5e-16 and 4e-15 were seen on a shell of size 1."""
     pattern = FlatFoldablePattern(rows=7, columns=8, direction_deg=0, fold_deg=90)
-    design = pattern.design_on(Target(cap()))
+    design = pattern.design_on(MeshSurface(cap()))
     fit = fit_sheet(Task(cap(), 7, 8, Conditions(10.0)), direction=0, folded=float(np.deg2rad(90)))
     assert fit is not None
     mechanism = design.mechanism
@@ -116,7 +109,7 @@ def test_surface_that_no_sheet_follows_is_refused_with_what_was_reached() -> Non
     """Edges nearly alike leave no freedom to bend both ways."""
     pattern = FlatFoldablePattern(rows=7, columns=7, edge_ratio=1.6, direction_deg=0, fold_deg=90)
     with pytest.raises(DesignError) as refused:
-        pattern.design_on(Target(hemisphere()))
+        pattern.design_on(MeshSurface(hemisphere()))
     assert "diagonal" in refused.value.size
     assert next(iter(refused.value.candidates)).changes == {"pattern.edge_ratio": 3.2}
 

@@ -12,7 +12,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve
-from orishell.design import Design
+from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.design import (
     FOLD,
     SECTOR,
@@ -130,7 +130,7 @@ class FlatFoldablePattern(Pattern):
             remedy="remove [target.f] and [target.g]",
         )
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Fit a sheet of so many rows and columns to a surface with a ``piece``.
 
         ``fold_deg`` is then the fold angle of the row creases that the fit begins with.

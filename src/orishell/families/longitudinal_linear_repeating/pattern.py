@@ -13,7 +13,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
-from orishell.design import Design
+from orishell.design import Design, PiecedSurface
 from orishell.families.longitudinal_linear_repeating.design import (
     STAGE,
     SolutionNumber,
@@ -163,7 +163,7 @@ class LongitudinalPattern(Pattern):
         """Design the shell."""
         return forgiving(self, design_longitudinal_linear_repeating, f, g)
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell over the convex cylinder that is nearest."""
         return design_sweep(surface, SWEEPS, lambda f, g, _: self.design(f, g))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, ClassVar, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -14,7 +14,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, run_along_axis, trace_curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, PiecedSurface
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.profile import zigzag_distance
 from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
@@ -124,7 +124,7 @@ class OrthodiagonalPattern(Pattern):
         """Design the shell."""
         return forgiving(self, design_orthodiagonal, f, g)
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell over the cylinder that is nearest; its lines are square to f."""
         if "heading_deg" in self.model_fields_set:
             raise InputError(

@@ -14,7 +14,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, PiecedSurface
 from orishell.families.parallel_repeating.design import (
     PLANE,
     THETA,
@@ -141,7 +141,7 @@ class ParallelRepeatingPattern(Pattern):
         """Design the shell."""
         return forgiving(self, design_parallel_repeating, f, g)
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell over the moulding surface, or the cylinder, that is nearest."""
         return design_sweep(surface, SWEEPS, lambda f, g, _: self.design(f, g))
 

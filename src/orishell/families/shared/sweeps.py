@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Curve, curve_from_points, remembered, trace_curve
-from orishell.design import Approached, Design
+from orishell.design import Approached, Design, PiecedSurface, Surface
 from orishell.design.piece import Piece
 from orishell.design.shifted import Shifted
 from orishell.families.shared.sweep_fit import Sweep, SweepLimits, fit_upright
@@ -43,7 +43,7 @@ def best_sweep(piece: Piece, kinds: tuple[SweepLimits, ...]) -> Sweep:
 
 
 def design_sweep(
-    surface: Any,
+    surface: PiecedSurface,
     limits: tuple[SweepLimits, ...],
     design: Callable[[Curve, Curve, float], Design],
     by_direction: Callable[[float], Mapping[str, Any]] = lambda _: {},
@@ -76,13 +76,14 @@ def design_sweep(
     for _ in range(2):
         g = curves.g(middle)
         found = design(_curve(f), _curve(g), curves.direction)
+        assert isinstance(found.surface, Surface)
         on_f = found.surface.origin + trace_curve(_curve(f), "f").in_own_frame().origin
         middle = -curves.side * float(on_f[0])
     origin = np.array([*found.origin[:2], found.origin[2] + on_f[1]])
     beyond = sweep.beyond > BEYOND * piece.diagonal
     return replace(
         found,
-        swept=cast(Any, Shifted(surface, -origin)),
+        swept=Shifted(surface, -origin),
         approached=Approached(
             f"this family sweeps an f along a g, and the nearest of these comes within "
             f"{plain(sweep.max)} of the surface",

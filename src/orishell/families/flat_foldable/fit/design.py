@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.design import Design
+from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.starts import Fit, Task, fit_sheet
 from orishell.families.flat_foldable.fit.unknowns import ROTATION, SHIFT
@@ -31,7 +30,7 @@ USELESS = 0.05
 class Asked:
     """What a sheet is fitted to."""
 
-    surface: Any  # of the design, with its ``piece``
+    surface: PiecedSurface
     rows: int
     columns: int
     edge_ratio: float

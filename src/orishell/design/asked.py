@@ -1,0 +1,45 @@
+"""What the surface that a shell is asked to follow can do, whatever it was made from."""
+
+from __future__ import annotations
+
+from typing import Protocol, runtime_checkable
+
+from orishell.design.piece import Piece
+from orishell.design.surface import Lattice
+from orishell.numerics.arrays import Array
+
+
+@runtime_checkable
+class AskedSurface(Protocol):
+    """A surface: f swept along g, formulas, or a mesh."""
+
+    def points(self, u: Array, v: Array) -> Array:
+        """Points (..., 3) at two parameters (...)."""
+
+    def normals(self, u: Array, v: Array) -> Array:
+        """Unit normals (..., 3) at two parameters (...)."""
+
+    def lattice(
+        self,
+        step: float,
+        sagitta: float | None = None,
+        longer: float = 1.0,
+        *,
+        most: int | None = None,
+    ) -> Lattice:
+        """A lattice of points as close as asked for."""
+
+    def area(self, step: float | None = None) -> float:
+        """Area, of cells with sides of about ``step``; roughly, if none is given."""
+
+    def size(self) -> float:
+        """A length of the order of its diameter."""
+
+
+@runtime_checkable
+class PiecedSurface(AskedSurface, Protocol):
+    """A surface by formulas or a mesh: it knows the piece that is to be covered."""
+
+    @property
+    def piece(self) -> Piece:
+        """The piece to be covered."""

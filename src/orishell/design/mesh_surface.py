@@ -1,0 +1,114 @@
+"""A surface that is a mesh of triangles: one open piece with a rim of four sides."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.design.open_mesh import find_corners, open_mesh
+from orishell.design.piece import Piece
+from orishell.design.surface import Lattice
+from orishell.motion.quads import dots, lengths
+from orishell.numerics.arrays import Array, Integers
+
+MOST_DRAWN = 200
+"""Cells of the lattice that is drawn, each way, at most."""
+
+
+@record
+class MeshSurface:
+    """A mesh; its lattices, for pictures, lie on the surface with its vertices and normals."""
+
+    piece: Piece
+
+    @classmethod
+    def of(cls, vertices: Array, triangles: Integers, corners: Array | None = None) -> MeshSurface:
+        """The surface of triangles (T, 3), with corners at or next to given places (4, 3).
+
+        Raises
+        ------
+        InputError
+            If they are no open piece of surface with one rim.
+        """
+        mesh = open_mesh(vertices, triangles)
+        ends = find_corners(mesh, corners)
+        count = len(mesh.rim)
+        top, right, bottom, left = (
+            mesh.rim[np.arange(first, first + 1 + (last - first) % count) % count]
+            for first, last in zip(ends, np.roll(ends, -1), strict=True)
+        )
+        normals = _normals(mesh.vertices, mesh.triangles)
+        return cls(Piece(mesh.vertices, normals, mesh.triangles, (top, right, bottom, left)))
+
+    def points(self, u: Array, v: Array) -> Array:
+        """Points (..., 3) at shares u (...) from bottom to top and v (...) from left to right.
+
+        Those of the patch that its four sides span (S. A. Coons, Surfaces for computer-aided design
+        of space forms, MIT MAC-TR-41, 1967), moved onto the surface.
+        """
+        u, v = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
+        top, right, bottom, left = (self.piece.vertices[side] for side in self.piece.sides)
+        low, high = _along(bottom[::-1], v), _along(top, v)
+        near, far = _along(left, u), _along(right[::-1], u)
+        u, v = u[..., None], v[..., None]
+        between = (1 - u) * low + u * high + (1 - v) * near + v * far
+        twist = (1 - u) * ((1 - v) * bottom[-1] + v * bottom[0])
+        twist = twist + u * ((1 - v) * top[0] + v * top[-1])
+        points = (between - twist).reshape(-1, 3)
+        for _ in range(3):
+            distances, normals = self.piece.nearest(points)
+            points = points - distances[:, None] * normals
+        return np.asarray(points.reshape(between.shape))
+
+    def normals(self, u: Array, v: Array) -> Array:
+        """Unit normals (..., 3) where :meth:`points` are."""
+        points = self.points(u, v)
+        return self.piece.nearest(points.reshape(-1, 3))[1].reshape(points.shape)
+
+    def lattice(
+        self,
+        step: float,
+        sagitta: float | None = None,
+        longer: float = 1.0,
+        *,
+        most: int | None = None,
+    ) -> Lattice:
+        """A lattice of points, neighbours about a ``step`` apart, even along the sides."""
+        wide, high = self.piece.extents
+        rows = int(np.clip(np.ceil(high / (longer * step)), 1, MOST_DRAWN))
+        columns = int(np.clip(np.ceil(wide / step), 1, MOST_DRAWN))
+        u, v = np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1)
+        return Lattice(u, v, self.points(u[:, None], v[None, :]), 0.0)
+
+    def area(self, step: float | None = None) -> float:
+        """Area of its triangles."""
+        p, q, r = np.moveaxis(self.piece.vertices[self.piece.triangles], 1, 0)
+        return float(0.5 * lengths(np.cross(q - p, r - p)).sum())
+
+    def size(self) -> float:
+        """The diagonal of its box."""
+        return self.piece.diagonal
+
+
+def _along(line: Array, share: Array) -> Array:
+    """Points (..., 3) at shares (...) of the length of a line (K, 3)."""
+    arc = np.concatenate([[0.0], np.cumsum(lengths(np.diff(line, axis=0)))])
+    return np.stack([np.interp(share * arc[-1], arc, each) for each in line.T], axis=-1)
+
+
+def _normals(vertices: Array, triangles: Integers) -> Array:
+    """Unit normals (V, 3) of vertices: those of their triangles, weighted by angles.
+
+    After G. Thuermer and C. A. Wuethrich, J. Graphics Tools 3 (1998) 43.
+    """
+    corners = vertices[triangles]  # (T, 3, 3)
+    forth = np.roll(corners, -1, axis=1) - corners
+    back = np.roll(corners, 1, axis=1) - corners
+    across = np.cross(forth, back)
+    angles = np.arctan2(lengths(across), dots(forth, back))
+    across = np.cross(forth[:, 0], back[:, 0])
+    across /= np.maximum(lengths(across), 1e-300)[:, None]
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, triangles[:, k], angles[:, k, None] * across)
+    return np.asarray(normals / np.maximum(lengths(normals), 1e-300)[:, None])

@@ -1,0 +1,49 @@
+"""The table ``[target]``: the curves f and g, or a surface."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Self
+
+from pydantic import model_validator
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.table import Table
+from orishell.curves import Curve
+from orishell.design_file.surface import SurfaceTable
+from orishell.design_file.target import Target
+
+
+class Targets(Table):
+    """Both target curves, or a surface in their place."""
+
+    f: Target | None = None
+    g: Target | None = None
+    surface: SurfaceTable | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        curves = [name for name in ("f", "g") if getattr(self, name) is not None]
+        if self.surface is None:
+            for name in ("f", "g"):
+                if name not in curves:
+                    what = "Field required"
+                    raise PydanticCustomError("missing", what, {"key": name})
+        elif curves:
+            what = "a target is either f and g or a surface, not both"
+            raise PydanticCustomError("source", what, {"key": curves[0]})
+        return self
+
+    def curves(self, directory: Path | None, unit: str) -> tuple[Curve, Curve]:
+        """The curves f and g, see :meth:`Target.curve`."""
+
+        def curve(name: str, target: Target) -> Curve:
+            try:
+                return target.curve(directory, unit)
+            except InputError as error:
+                raise error.at_key(f"target.{name}", f"[target.{name}]") from None
+
+        assert self.f is not None
+        assert self.g is not None
+        return curve("f", self.f), curve("g", self.g)

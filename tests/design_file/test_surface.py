@@ -1,0 +1,90 @@
+"""The table [target.surface]: which keys go together, files, units, and what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import meshio
+import numpy as np
+import pytest
+
+from orishell.conventions.errors import InputError
+from orishell.design_file.file import DesignFile, check_design
+
+CAP = {"formula": "sqrt(4 - x**2 - y**2)", "x": [-1, 1], "y": [-1, "sqrt(2)/2"]}
+
+
+def checked(surface: dict[str, Any], path: Path = Path("x.toml"), **more: Any) -> DesignFile:
+    shell = {"family": "flat-foldable", "unit": "m"}
+    tables = {"shell": shell, "target": {"surface": surface}, "pattern": {"rows": 7, "columns": 7}}
+    return check_design({**tables, **more}, path)
+
+
+def test_a_formula_is_a_surface_and_stays_the_same_while_the_pattern_changes() -> None:
+    file = checked(CAP)
+    assert file.surface is not None
+    assert file.surface.size() == pytest.approx(2.7, abs=0.1)
+    assert file.changed({"pattern.rows": 9}).surface is file.surface
+    other = file.changed({"target.surface.scale": 2.0}).surface
+    assert other is not None
+    assert other.size() == pytest.approx(2 * file.surface.size())
+
+
+def test_three_formulas_make_what_is_no_graph() -> None:
+    barrel = {"formula": ["v", "cos(u)", "sin(u)"], "u": [0, "pi"], "v": [0, 3]}
+    surface = checked(barrel).surface
+    assert surface is not None
+    assert surface.area() == pytest.approx(3 * np.pi, rel=1e-3)
+
+
+@pytest.mark.parametrize("ending", ["obj", "stl", "ply"])
+def test_a_mesh_comes_from_a_file_in_its_own_unit(tmp_path: Path, ending: str) -> None:
+    x, y = np.meshgrid(np.linspace(0, 2000, 5), np.linspace(0, 1000, 4))
+    points = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
+    number = np.arange(20).reshape(4, 5)
+    quads = np.stack([number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]], axis=-1)
+    quads = quads.reshape(-1, 4)
+    triangles = np.concatenate([quads[:, :3], quads[:, [0, 2, 3]]])
+    cells = [("triangle", triangles)] if ending == "stl" else [("quad", quads)]
+    meshio.Mesh(points, cells).write(tmp_path / f"roof.{ending}")
+    surface = checked({"mesh": f"roof.{ending}", "unit": "mm"}, tmp_path / "x.toml").surface
+    assert surface is not None
+    assert surface.area() == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("surface", "key"),
+    [
+        ({"formula": "x*y", "x": [-1, 1]}, "target.surface.y"),
+        ({**CAP, "mesh": "roof.obj"}, "target.surface"),
+        ({**CAP, "unit": "mm"}, "target.surface.unit"),
+        ({**CAP, "size": [1, 1]}, "target.surface.size"),
+        ({**CAP, "turn_deg": 10}, "target.surface.turn_deg"),
+        ({**CAP, "formula": "x*q"}, "target.surface.formula"),
+        ({**CAP, "x": [1, -1]}, "target.surface.x"),
+        ({**CAP, "x": [-3, 3]}, "target.surface.formula"),
+        ({"mesh": "roof.docx"}, "target.surface.mesh"),
+        ({"mesh": "missing.obj"}, "target.surface.mesh"),
+    ],
+)
+def test_what_does_not_fit_is_refused_at_its_key(surface: dict[str, Any], key: str) -> None:
+    with pytest.raises(InputError) as refused:
+        checked(surface)
+    assert refused.value.keys == (key,)
+
+
+def test_f_and_a_surface_exclude_each_other() -> None:
+    f = {"formula": "x", "range": [0, 1]}
+    with pytest.raises(InputError, match="either f and g or a surface"):
+        checked(CAP, target={"surface": CAP, "f": f})
+
+
+def test_files_are_not_opened_where_they_may_not_be() -> None:
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": {"mesh": "roof.obj"}},
+        "pattern": {"rows": 7, "columns": 7},
+    }
+    with pytest.raises(InputError, match="files are not opened here"):
+        check_design(tables, Path("x.toml"), files=False)
