@@ -9,6 +9,7 @@ import numpy as np
 from orishell.clash.broad_phase import Extents, PanelTree, in_chunks
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.layout import Layout
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -29,9 +30,8 @@ class EdgeBounds:
 
     def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
         self.mechanism, self.end = mechanism, end
-        self.columns = mechanism.grid.columns - 1
-        first = np.stack(np.divmod(np.arange(len(tree.faces)), self.columns), axis=-1)
-        self.hull = tree.enclosing(first.astype(np.float64), first + 1.0)
+        self.layout = layout = Layout.of(mechanism)
+        self.hull = tree.enclosing(*(each.astype(float) for each in (layout.first, layout.last)))
         self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
 
     def within(self, start: float, stop: float) -> RangeBounds:
@@ -43,7 +43,7 @@ class EdgeBounds:
         rows, columns = self._table(level, index)
         part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
         steps = rows[part].max(axis=0), columns[part].max(axis=0)
-        return RangeBounds(steps, _running(steps[0]), _running(steps[1]), self.hull, self.columns)
+        return RangeBounds(steps, _running(steps[0]), _running(steps[1]), self.hull, self.layout)
 
     def _table(self, level: int, index: int) -> tuple[Array, Array]:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""
@@ -91,7 +91,7 @@ class RangeBounds:
     along: Array  # running sums (C,)
     down: Array  # running sums (R,)
     hull: Extents  # vertex rows and columns of the nodes of a PanelTree
-    columns: int  # of panels
+    layout: Layout
 
     def between_nodes(self, level: int, first: Integers, second: Integers) -> Array:
         """Bound (P,) of the acceleration of any vector between vertices of two nodes."""
@@ -108,8 +108,10 @@ class RangeBounds:
 
     def between_panels(self, first: Integers, second: Integers) -> Array:
         """Bound (P,) of the acceleration of any vector between vertices of two panels."""
-        places = np.divmod(first, self.columns), np.divmod(second, self.columns)
-        return self._across(np.minimum(*places), np.maximum(*places) + 1)
+        begin, end = self.layout.first, self.layout.last
+        return self._across(
+            np.minimum(begin[first], begin[second]).T, np.maximum(end[first], end[second]).T
+        )
 
     def _across(self, begin: Integers, end: Integers) -> Array:
         """Bound (P,) between vertices at rows and columns (2, P): the sum of those of the edges."""

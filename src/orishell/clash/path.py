@@ -41,6 +41,7 @@ from orishell.clash.ranges import (
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.layout import Layout
 from orishell.numerics.arrays import Booleans
 
 ROUNDING = 1e-14
@@ -120,11 +121,9 @@ class PathSearch:
         only: Booleans | None = None,
         bodies: Bodies | None = None,
     ) -> None:
-        grid = mechanism.grid
-        faces = grid.faces_vertices()
-        place = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
+        layout = Layout.of(mechanism)
         self.tolerance, self.lenient = tolerance, lenient
-        self.tree = PanelTree.over(faces, place.astype(np.float64))
+        self.tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
         self.bounds = EdgeBounds(mechanism, end, self.tree)
         self.wanted = _held(self.tree, only)
         self.states = States(mechanism, end, self.tree, bodies)

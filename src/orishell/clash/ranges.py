@@ -14,6 +14,7 @@ from orishell.clash.narrow_phase import Slabs
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
+from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array
 
 BOUND = (
@@ -166,7 +167,7 @@ class States:
         state = self.kept.get(tick)
         if state is None:
             self.made += 1
-            points = self.mechanism.positions(self.drive(tick)).reshape(-1, 3)
+            points = points_of(self.mechanism, self.drive(tick))
             state = State(points, self.tree, self.bodies)
             self.kept[tick] = state
             if len(self.kept) > KEPT:

@@ -14,6 +14,7 @@ from orishell.conventions.record import record
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
 from orishell.motion import Mechanism
+from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
 
@@ -75,6 +76,7 @@ class Design:
 
     def with_clipped_flaps(self) -> Design:
         """The design whose flaps are no part of the folding sheet: clipped on at the target."""
+        require_grid(self.mechanism, "clipped on")
         bare = self.mechanism.without_flaps()
         if bare.grid == self.mechanism.grid:
             return self

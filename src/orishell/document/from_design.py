@@ -16,6 +16,7 @@ from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
+from orishell.motion.layout import require_grid
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Booleans
 
@@ -37,6 +38,7 @@ def document_of_motion(
     Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
     with flaps that are clipped on at the target, and ``flaps`` are its boards.
     """
+    require_grid(motion.mechanism, "written to files")
     grid = motion.mechanism.grid
     states = states_of(motion)
     return Document(

@@ -17,7 +17,7 @@ from orishell.locking.clipped import clip_boards, find_crossing
 from orishell.locking.result import Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
-from orishell.motion.grid import Grid, Panel
+from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Booleans
 from orishell.solids import build_panels
 
@@ -107,7 +107,7 @@ def _lock_of_panels(
             end,
             distance,
             lenient=sheet.designed if sheet.folded_flat else None,
-            only=_flap_panels(mechanism.grid) if flaps_only else None,
+            only=_flap_panels(sheet) if flaps_only else None,
             progress=progress,
         )
 
@@ -163,20 +163,19 @@ def _end_without_clash(
     if sheet.meeting is None:
         drive = None if sheet.stop is None else sheet.end
         return sheet.lock(drive, sheet.stop, None, proof, touching)
-    row, column = sheet.meeting
-    flaps = column in sheet.mechanism.flap_columns
+    flaps = bool(sheet.layout.flaps[sheet.meeting[0]])
     found = Contact(
         sheet.end,
         0.0 if proof is None else sheet.path_end,
-        ((row, column), (row + 1, column)),
+        sheet.panels(sheet.meeting),
         "flap on flap" if flaps else "neighbours",
         corrugation_depth(design.mechanism.positions(sheet.end)),
     )
     return sheet.lock(sheet.end, "flaps" if flaps else "crease", found, proof, touching)
 
 
-def _flap_panels(grid: Grid) -> Booleans:
-    """Panels (F,) of the first and last column."""
-    flags = np.zeros((grid.rows - 1, grid.columns - 1), np.bool_)
-    flags[:, [0, -1]] = True
-    return flags.ravel()
+def _flap_panels(sheet: Sheet) -> Booleans:
+    """Flaps (F,), and panels of the first and last column."""
+    column = sheet.layout.names[:, 1]
+    ends = (column == 0) | (column == sheet.mechanism.grid.columns - 2)
+    return np.asarray(ends | sheet.layout.flaps)

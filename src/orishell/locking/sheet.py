@@ -13,6 +13,7 @@ from orishell.locking.result import Cause, Contact, Kind, Lock
 from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import Panel
+from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import drive_for_height
 
@@ -29,12 +30,13 @@ class Sheet:
     mechanism: Mechanism
     target: float
     end: float
-    folded_flat: Panel | None
-    """Row and column of the panel above a row crease that is folded flat at the end."""
+    folded_flat: bool
+    """Whether a row crease is folded flat at the end."""
     stop: Cause | None
     """What stops the motion before a crease is folded flat."""
-    meeting: Panel | None
-    """Row and column of the panel above a row crease about which panels, or boards, meet there."""
+    meeting: tuple[int, int] | None
+    """Numbers of the panels about a row crease that meet there, or whose boards do."""
+    layout: Layout
     left: int = 0
     """Columns of panels left of column 0: flaps that are clipped on there."""
 
@@ -44,8 +46,8 @@ class Sheet:
         mechanism = design.mechanism.still
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
-        target, build = mechanism.target_drive, design.panel
-        if mechanism.flap_columns and target < mechanism.end_drive and target <= end:
+        target, build, layout = mechanism.target_drive, design.panel, Layout.of(mechanism)
+        if layout.flaps.any() and target < mechanism.end_drive and target <= end:
             # Boards of the flaps meet at the target, where the others have room.
             end, stop = target, "flaps"
         elif build is not None:
@@ -53,15 +55,13 @@ class Sheet:
             if design.opens_from_pack:
                 limit = drive_for_height(mechanism, build, end)
             end, stop = (limit, "boards") if limit < end else (end, stop)
-        folds = np.abs(mechanism.fold_angles(end).row)
+        folds, pairs = _row_creases(mechanism, layout, end)
         if stop == "flaps":
-            on_flap = np.isin(np.arange(folds.shape[1]), mechanism.flap_columns)
-            meeting = np.where(on_flap, folds, 0.0).argmax()
-            row, column = divmod(int(meeting), folds.shape[1])
-            return cls(mechanism, target, end, None, stop, (row, column))
-        places = np.argwhere(folds >= np.pi - FOLDED_FLAT)
-        first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        return cls(mechanism, target, end, first, stop, first)
+            meeting = int(np.where(layout.flaps[pairs[:, 0]], folds, 0.0).argmax())
+            return cls(mechanism, target, end, False, stop, _both(pairs[meeting]), layout)
+        flat = np.flatnonzero(folds >= np.pi - FOLDED_FLAT)
+        first = _both(pairs[flat[0]]) if len(flat) else None
+        return cls(mechanism, target, end, first is not None, stop, first, layout)
 
     def with_flaps(self, clipped: Mechanism) -> Sheet:
         """The sheet with the flaps that are clipped on at its target; its panels keep their names.
@@ -72,17 +72,13 @@ class Sheet:
             The sheet with its flaps.
         """
         left = clipped.inner_columns.start
-        return replace(self, mechanism=clipped, target=clipped.target_drive, left=left)
-
-    @property
-    def columns(self) -> int:
-        """Number of columns of panels."""
-        return self.mechanism.grid.columns - 1
+        target, layout = clipped.target_drive, Layout.of(clipped)
+        return replace(self, mechanism=clipped, target=target, left=left, layout=layout)
 
     @property
     def path_end(self) -> float:
         """Up to where its path is examined (radians)."""
-        return self.end if self.folded_flat is None else self.end * (1 - SHORT_OF_END)
+        return self.end * (1 - SHORT_OF_END) if self.folded_flat else self.end
 
     def lock(
         self,
@@ -117,7 +113,7 @@ class Sheet:
 
     def panel(self, number: int) -> Panel:
         """Row and column of a panel."""
-        row, column = divmod(number, self.columns)
+        row, column = self.layout.names[number].tolist()
         return row, column - self.left
 
     def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
@@ -127,32 +123,29 @@ class Sheet:
 
     def designed(self, pairs: tuple[Integers, Integers]) -> Booleans:
         """Pairs with a flap, of its own column or the next: they meet at lock by design."""
-        first, second = (numbers % self.columns for numbers in pairs)
+        first, second = (self.layout.names[numbers, 1] for numbers in pairs)
         return np.asarray(self.flapped(pairs) & (np.abs(first - second) <= 1))
 
     def flapped(self, pairs: tuple[Integers, Integers]) -> Booleans:
         """Pairs (P,) with a flap."""
-        flaps = self.mechanism.flap_columns
-        return np.asarray(
-            np.isin(pairs[0] % self.columns, flaps) | np.isin(pairs[1] % self.columns, flaps)
-        )
+        return np.asarray(self.layout.flaps[pairs[0]] | self.layout.flaps[pairs[1]])
 
     def kind(self, numbers: tuple[int, int]) -> Kind:
         """What parts of the sheet two panels are."""
-        places = [divmod(number, self.columns) for number in numbers]
-        rows = self.mechanism.grid.rows - 1
-        on_flap = [j in self.mechanism.flap_columns for _, j in places]
+        places = self.layout.names[list(numbers)].tolist()
+        last = self.mechanism.grid.rows - 2, self.mechanism.grid.columns - 2
+        on_flap = self.layout.flaps[list(numbers)]
         if all(on_flap):
             return "flap on flap" if places[0][1] == places[1][1] else "opposite flaps"
         if any(on_flap):
             return "flap on panel"
-        if any(i in (0, rows - 1) or j in (0, self.columns - 1) for i, j in places):
+        if any(i in (0, last[0]) or j in (0, last[1]) for i, j in places):
             return "at the sheet's edge"
         return "distant panels"
 
     def touching(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
         """Pairs of panels that touch at the target without being meant to."""
-        faces = self.mechanism.grid.faces_vertices()
+        faces = self.layout.faces
         pairs = find_contacts(self.points_at_target(), faces, tolerance)
         shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
         pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]
@@ -160,4 +153,21 @@ class Sheet:
 
     def points_at_target(self) -> Array:
         """Vertices (V, 3) at the target."""
-        return self.mechanism.positions(self.target).reshape(-1, 3)
+        return points_of(self.mechanism, self.target)
+
+
+def _row_creases(mechanism: Mechanism, layout: Layout, drive: float) -> tuple[Array, Integers]:
+    """Sizes of the fold angles (K,) of all row creases, and the panels (K, 2) about each."""
+    folds = np.abs(mechanism.fold_angles(drive).row).ravel()
+    across = mechanism.grid.columns - 1
+    above = np.arange(len(folds))
+    pairs = np.stack([above, above + across], axis=-1)
+    if isinstance(mechanism, LaidOut):
+        folds = np.concatenate([folds, np.abs(mechanism.flap_folds(drive))])
+        pairs = np.concatenate([pairs, layout.pairs])
+    return folds, pairs
+
+
+def _both(pair: Integers) -> tuple[int, int]:
+    first, second = pair.tolist()
+    return first, second

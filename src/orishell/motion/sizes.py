@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.motion.grid import Positions
+from orishell.motion.layout import LaidOut
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
@@ -66,7 +67,10 @@ def largest_fold(mechanism: Mechanism, drive: Array) -> Array:
         np.abs(each).reshape(len(drive), -1).max(axis=1, initial=0.0)
         for each in (angles.row, angles.column)
     )
-    return np.asarray(np.maximum(row, column))
+    found = np.asarray(np.maximum(row, column))
+    if isinstance(mechanism, LaidOut):
+        found = np.maximum(found, np.abs(mechanism.flap_folds(drive)).max(axis=-1))
+    return found
 
 
 def drive_at_fold(mechanism: Mechanism, fold: float) -> float:

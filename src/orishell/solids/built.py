@@ -20,6 +20,7 @@ from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
+from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.boards import build_boards
 from orishell.solids.setbacks import find_set_backs, largest_folds
@@ -86,6 +87,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     """
     build, mechanism = design.panel, design.mechanism
     assert build is not None, "panels without a thickness are not built"
+    require_grid(mechanism, "made of boards")
     grid, folds = mechanism.grid, largest_folds(mechanism, limit)
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:

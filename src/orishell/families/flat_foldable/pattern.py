@@ -152,10 +152,12 @@ class FlatFoldablePattern(Pattern):
             )
         if self.flap:
             raise InputError(
-                "flaps stand beside straight borders, and a fitted sheet has none",
+                "flaps on the border of a fitted sheet would be slit from row to row, and such "
+                "flaps cannot be written to files yet",
                 keys=("pattern.flap",),
                 got=str(self.flap),
                 expected="0",
+                remedy="write flap = 0",
             )
         return design_fitted(
             Asked(

@@ -96,9 +96,15 @@ class Chains:
     def bounds(self, rows: Rates, columns: Rates, spin: float) -> tuple[Array, Array]:
         """Largest accelerations along rows (S, C+1) and down columns (S, R+1).
 
+        spin: Rate at which the sheet turns as a whole (radians per radian of drive).
+        """
+        return self.of_edges(self.turns(rows, columns), spin)
+
+    def turns(self, rows: Rates, columns: Rates) -> Bound:
+        """W and W' (R+1, C+1, S) of all panels.
+
         rows: Of the row creases (R, S) that end at the middle column of panels.
         columns: Of the column creases (C, S).
-        spin: Rate at which the sheet turns as a whole (radians per radian of drive).
         """
         i, j = self.middle[0], self.middle[1] + 1
         count, across, ranges = len(rows.low), *columns.low.shape
@@ -118,7 +124,11 @@ class Chains:
             for step, found in enumerate(_chain(ends, order, columns, signs, axes)):
                 place = j + step if order.step > 0 else j - step
                 w[place], bent[place] = found
-        panels = ((w + spin) ** 2 + bent).swapaxes(0, 1)  # (R+1, C+1, S)
+        return w.swapaxes(0, 1), bent.swapaxes(0, 1)
+
+    def of_edges(self, turns: Bound, spin: float) -> tuple[Array, Array]:
+        """Largest accelerations along rows (S, C+1) and down columns (S, R+1)."""
+        panels = (turns[0] + spin) ** 2 + turns[1]
         size = np.pad(panels, ((1, 1), (1, 1), (0, 0)), constant_values=np.inf)
         # An edge is one of both panels beside it: the smaller bound holds.
         of_rows = np.minimum(size[:-1, 1:-1], size[1:, 1:-1])

@@ -1,37 +1,25 @@
 r"""A flat-foldable sheet with a column of flaps beside a straight border, locked by them.
 
-Flaps fold flat at t = sqrt(E): at the target, t = 1, or beyond it if they are to stop short of that
-there. The drive rho = 2 phi runs to pi where they do, with
+Besides what all flaps share (:mod:`~.locks.locked`), the crease between sheet and flaps folds by
 
-    t = sqrt(E) sin phi.
+    2 arctan((sqrt(1 + y^2) - y) tan(phi/2)),
 
-With x, y times sqrt(E) in place of x and y, fold angles in closed form are
-
-    2 arctan(x sin phi)                         of the sheet's row creases, with y of its columns,
-    2 arctan(sqrt(1 + x^2) tan phi)             of the flaps' row creases,
-    2 arctan((sqrt(1 + y^2) - y) tan(phi/2))    of the creases between sheet and flaps:
-
-the root of a flap's vertex, 1 - (t/sqrt(E))^2, is cos(phi)^2, so that all of them are smooth up to
-the lock. A flap's crease has the fold angle pi - 2 stop at the target if
-
-    E = (1 + T)/(1 - X^2 T),   T = tan(stop)^2,
-
-X being the largest of all x at the target: the crease beside it folds most.
+y being sqrt(E) times that of the border (:mod:`~.locks.border`).
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import between, in_degrees, tidy_degrees
+from orishell.conventions.formatting import between
 from orishell.conventions.record import record
 from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.locks.border import Border
+from orishell.families.flat_foldable.locks.locked import Locked, sine_rates
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.rates import Chains, Rates
 from orishell.motion.grid import CreaseValues, Grid
@@ -43,7 +31,7 @@ NEARLY = 0.9
 
 
 @record
-class FlapColumns:
+class FlapColumns(Locked):
     """A flat-foldable sheet with flaps along its left border, its right border or both."""
 
     bare: FlatFoldable
@@ -75,46 +63,6 @@ class FlapColumns:
         last = self.grid.columns - 2
         return tuple(k for k, width in zip((0, last), self.widths, strict=True) if width)
 
-    def without_flaps(self) -> FlatFoldable:
-        """The sheet without its flaps."""
-        return self.bare
-
-    def with_stop(self, stop: float) -> FlapColumns:
-        """The sheet whose flaps, as wide as they are, stop short of folding flat by this angle.
-
-        Raises
-        ------
-        DesignError
-            If its flaps would fold no further than the row creases beside them.
-        """
-        limit = float(np.arctan(1 / self._steepest))
-        if stop >= limit:
-            most, asked = tidy_degrees(limit), tidy_degrees(stop)
-            raise DesignError(
-                "flaps cannot stop so far short of folding flat",
-                keys=("panel.stop_deg",),
-                size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
-                f"{in_degrees(limit)}, where they fold as far as the row creases beside them",
-                candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
-                excess=(stop - limit) / np.pi,
-            )
-        return replace(self, stop=stop)
-
-    @property
-    def still(self) -> FlapColumns:
-        """The sheet whose middle crease stays where it is."""
-        return replace(self, bare=self.bare.still)
-
-    @property
-    def target_drive(self) -> float:
-        """The drive at which t is 1: pi without a stop."""
-        return float(2 * np.arctan2(1.0, np.sqrt(self._beyond)))
-
-    @property
-    def end_drive(self) -> float:
-        """180 degrees: flaps are folded flat."""
-        return float(np.pi)
-
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
         drives = np.asarray(drive, dtype=np.float64)
@@ -135,29 +83,13 @@ class FlapColumns:
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges: see :class:`~.rates.Chains`."""
         row, column = (np.abs(each[..., 0]) for each in self._tangents)
-        columns = [_sine_rates(column[0], start, stop)]
+        columns = [sine_rates(column[0], start, stop)]
         if self.widths[0]:
             columns.insert(0, self._hinge_rates(0, start, stop))
         if self.widths[1]:
             columns.append(self._hinge_rates(1, start, stop))
-        spin = float(np.linalg.norm(self.bare.turn)) / self.target_drive
-        return self._chains.bounds(_sine_rates(row[:, 0], start, stop), _joined(columns), spin)
-
-    @cached_property
-    def _steepest(self) -> float:
-        """The largest tangent of half a fold angle of a row crease at the target."""
-        return float(np.abs(self.bare.sheet.net.x).max())
-
-    @cached_property
-    def _beyond(self) -> float:
-        """E - 1."""
-        square, steepest = np.tan(self.stop) ** 2, self._steepest**2
-        return float(square * (1 + steepest) / (1 - steepest * square))
-
-    @property
-    def _further(self) -> float:
-        """E, t^2 where flaps fold flat."""
-        return 1 + self._beyond
+        rows = sine_rates(row[:, 0], start, stop)
+        return self._chains.bounds(rows, _joined(columns), self._spin)
 
     @cached_property
     def _borders(self) -> tuple[Border | None, Border | None]:
@@ -183,13 +115,6 @@ class FlapColumns:
         """Row and column of the middle inner vertex."""
         i, j = self.bare.sheet.net.middle
         return i, j + int(self.widths[0] != 0)
-
-    @cached_property
-    def _tangents(self) -> tuple[Array, Array]:
-        """Of half the fold angles where flaps fold flat, (R, C+1, 1) and (R+1, C, 1)."""
-        row, column = self.bare.sheet.tangents()
-        root = np.sqrt(self._further)
-        return root * row, root * column
 
     def _hinge(self, side: int) -> Array:
         """(sqrt(1 + y^2) - y) (R+1, 1) with the signs of the crease between sheet and flaps."""
@@ -256,24 +181,6 @@ def with_flaps(bare: FlatFoldable, width: float | None) -> FlapColumns:
         width = min([edges, *(NEARLY * each.widest(1.0) for each in straight)])
     left, right = (0.0 if each is None else width for each in borders)
     return FlapColumns(bare, (left, right))
-
-
-def _sine_rates(m: Array, start: Array, stop: Array) -> Rates:
-    """Of 2 arctan(m sin(rho/2)), for m (K,) between drives (S,).
-
-    The rate m cos/(1 + m^2 sin^2) falls, and the size of its derivative is
-
-        (m/2) sin (1 + 2 m^2 - m^2 sin^2)/(1 + m^2 sin^2)^2.
-    """
-    m = m[:, None]
-    low, high = np.sin(0.5 * start), np.sin(0.5 * stop)
-
-    def rate(drive: Array) -> Array:
-        return m * np.maximum(np.cos(0.5 * drive), 0.0) / (1 + (m * np.sin(0.5 * drive)) ** 2)
-
-    base = 1 + (m * low) ** 2
-    second = 0.5 * m * high * (1 + 2 * m * m - (m * low) ** 2) / base**2
-    return Rates(rate(stop), rate(start), second)
 
 
 def _joined(rates: list[Rates]) -> Rates:

@@ -1,0 +1,194 @@
+"""Flaps on any border, slit from row to row: every row folds flat exactly at the target."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from mechanisms import TURNED, flat_foldable, random_net
+from orishell.conventions.errors import DesignError
+from orishell.design import Design
+from orishell.design.piece import Piece
+from orishell.document.from_design import document_of_design
+from orishell.families.flat_foldable.design import design_flat_foldable
+from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.design import mechanism_of
+from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
+from orishell.families.flat_foldable.locks.slit import SlitFlaps
+from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.locking import end_motion, find_lock
+from orishell.locking.clipped import flap_width
+from orishell.locking.result import Lock
+from orishell.motion import drive_at_fold
+
+Array = np.ndarray
+RANGES = 512
+SURFACES: dict[str, Callable[[Array, Array], Array]] = {
+    "cap": lambda x, y: np.sqrt(1 - x * x - y * y),
+    "saddle": lambda x, y: 0.5 * (x * x - y * y),
+    "ellipsoid": lambda x, y: 1.3 * np.sqrt(1 - (x / 1.5) ** 2 - y * y),
+    "hypar": lambda x, y: x * y,
+}
+
+
+def sheet_of(seed: int, widths: tuple[float, float] = (0.2, 0.3), stop: float = 0.0) -> SlitFlaps:
+    return SlitFlaps(flat_foldable(random_net(6, 5, seed), **TURNED), widths, stop)
+
+
+def lock_of(sheet: SlitFlaps) -> Lock:
+    design = design_flat_foldable(rows=5, columns=5)
+    return find_lock(replace(design, mechanism=sheet))
+
+
+def changes_of_lengths(sheet: SlitFlaps, drives: Array) -> float:
+    """How much sides and diagonals of panels change at most from the flat sheet, by themselves."""
+    faces = sheet.layout.faces
+    now, flat = sheet.points(drives)[:, faces], sheet.points(0.0)[faces]
+    return max(
+        float(
+            np.abs(
+                np.linalg.norm(now[:, :, i] - now[:, :, j], axis=-1)
+                / np.linalg.norm(flat[:, i] - flat[:, j], axis=-1)
+                - 1
+            ).max()
+        )
+        for i, j in combinations(range(4), 2)
+    )
+
+
+def angles_between_flaps(sheet: SlitFlaps, drive: float) -> Array:
+    """Fold angles (K,) between two flaps, measured (degrees)."""
+    first, second = (sheet.points(drive)[sheet.layout.faces[each]] for each in sheet.layout.pairs.T)
+    u, v = (np.cross(each[:, 2] - each[:, 0], each[:, 3] - each[:, 1]) for each in (first, second))
+    sine = np.linalg.norm(np.cross(u, v), axis=-1)
+    return np.asarray(np.rad2deg(np.arctan2(sine, (u * v).sum(axis=-1))))
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("stop", [0.0, 0.1])
+def test_flaps_are_rigid_and_close_at_the_target(seed: int, stop: float) -> None:
+    sheet = sheet_of(seed, stop=stop)
+    drives = sheet.end_drive * np.append(np.linspace(0, 1, 30), 1 - 1e-9)
+    assert changes_of_lengths(sheet, drives) < 1e-12
+    at_target = angles_between_flaps(sheet, sheet.target_drive)
+    assert at_target.max() == pytest.approx(180 - 2 * np.rad2deg(stop), abs=1e-6)
+    if not stop:
+        np.testing.assert_allclose(at_target, 180.0, rtol=0, atol=1e-6)
+    closed = np.rad2deg(np.abs(sheet.flap_folds(sheet.target_drive)))
+    np.testing.assert_allclose(at_target, closed, rtol=0, atol=1e-5)
+    # The sheet meets its target as without flaps.
+    bare = sheet.bare
+    met = sheet.positions(sheet.target_drive) - bare.positions(bare.target_drive)
+    assert np.abs(met).max() < 1e-13
+
+
+def test_large_sheets_close() -> None:
+    sheet = SlitFlaps(flat_foldable(random_net(30, 30, 1)), (0.2, 0.2))
+    assert changes_of_lengths(sheet, np.linspace(0, np.pi, 9)) < 1e-12
+
+
+def test_flaps_lie_flat_and_count_counter_clockwise() -> None:
+    sheet = sheet_of(1)
+    corners = sheet.points(0.0)[sheet.layout.faces]
+    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    assert (normals[:, 2] > 0).all()
+    assert np.abs(corners[..., 2] - corners[0, 0, 2]).max() < 1e-14
+
+
+@pytest.mark.parametrize("number", [0, 20, 250, 400, 511])
+def test_vectors_swing_no_faster_than_the_sums_of_bounds(number: int) -> None:
+    # Second differences in a range of the drive, between vertices of every two panels.
+    for sheet in (sheet_of(3), sheet_of(3).still, sheet_of(3, stop=0.1)):
+        h = 0.5 * sheet.end_drive / RANGES
+        middle = (number + 0.5) * sheet.end_drive / RANGES
+        ends = np.array([middle - h]), np.array([middle + h])
+        along, down = (np.append(0, np.cumsum(each)) for each in sheet.edge_accelerations(*ends))
+        before, now, after = (sheet.points(middle + step) for step in (-h, 0, h))
+        layout = sheet.layout
+        swing = ((before - now) + (after - now))[layout.faces] / h**2
+        low = np.minimum(layout.first[:, None], layout.first[None])
+        high = np.maximum(layout.last[:, None], layout.last[None])
+        bound = down[high[..., 0]] - down[low[..., 0]] + along[high[..., 1]] - along[low[..., 1]]
+        difference = swing[:, None, :, None] - swing[None, :, None]
+        true = np.linalg.norm(difference, axis=-1).max(axis=(2, 3))
+        assert (true <= bound * (1 + 1e-9) + 1e-8).all()
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("stop", [0.0, 0.1])
+def test_flaps_lock_and_nothing_touches_before(seed: int, stop: float) -> None:
+    sheet = sheet_of(seed, stop=stop)
+    lock = lock_of(sheet)
+    assert lock.first_contact is not None
+    assert (lock.cause, lock.early, lock.first_contact.kind) == ("flaps", False, "flap on flap")
+    assert lock.drive == sheet.target_drive
+    # Two flaps of one row, beside the sheet.
+    (upper, column), (lower, other) = lock.first_contact.panels
+    assert column == other
+    assert column in (-1, sheet.grid.columns - 1)
+    assert (upper % 2, lower) == (0, upper + 1)
+
+
+def fitted(name: str, count: int) -> FlatFoldable:
+    """A sheet over the square of half side 0.5, or of 0.55 x 0.37."""
+    wide, deep = (0.55, 0.37) if name == "ellipsoid" else (0.5, 0.5)
+    x, y = np.meshgrid(np.linspace(-wide, wide, 49), np.linspace(deep, -deep, 49))
+    z, h = SURFACES[name], 1e-6
+    slopes = (z(x + h, y) - z(x - h, y)) / (2 * h), (z(x, y + h) - z(x, y - h)) / (2 * h)
+    normals = np.stack([-slopes[0], -slopes[1], np.ones_like(x)], axis=-1)
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    piece = Piece.of_lattice(np.stack([x, y, z(x, y)], axis=-1), normals)
+    fit = fit_sheet(Task(piece, count, count, Conditions(10.0)))
+    assert fit is not None
+    return mechanism_of(fit)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SURFACES)
+def test_fitted_shells_lock(name: str) -> None:
+    bare = fitted(name, 9)
+    edges = np.linalg.norm(np.diff(bare.positions(0.0), axis=0), axis=-1)
+    width = 0.2 * float(np.median(edges))
+    sheet = SlitFlaps(bare, (width, width))
+    drives = np.append(np.linspace(0, np.pi, 30), np.pi * (1 - 1e-9))
+    assert changes_of_lengths(sheet, drives) < 1e-12
+    at_target = angles_between_flaps(sheet, sheet.target_drive)
+    np.testing.assert_allclose(at_target, 180.0, rtol=0, atol=1e-6)
+    lock = lock_of(sheet)
+    assert (lock.cause, lock.early) == ("flaps", False)
+
+
+@pytest.mark.slow
+def test_width_is_found_by_the_proof() -> None:
+    bare = fitted("saddle", 9)
+    made = replace(design_flat_foldable(rows=5, columns=5), mechanism=bare)
+
+    def of_width(width: float) -> Design:
+        sheet = SlitFlaps(bare, (width, width))
+        return replace(made, mechanism=sheet, parameters={"flap": width})
+
+    edge = float(np.median(np.linalg.norm(np.diff(bare.positions(0.0), axis=0), axis=-1)))
+    design, lock = end_motion(of_width(edge), narrower=of_width)
+    width = flap_width(design)
+    assert 0.2 * edge < width < edge
+    assert (lock.cause, lock.early) == ("flaps", False)
+    assert find_lock(of_width(1.01 * width)).early
+
+
+def test_hinges_that_stop_end_the_motion_before() -> None:
+    sheet = sheet_of(2)
+    end = drive_at_fold(sheet, np.deg2rad(170))
+    folds = np.abs(sheet.flap_folds(np.array([0.999 * end, 1.001 * end]))).max(axis=1)
+    assert folds[0] < np.deg2rad(170) < folds[1]
+
+
+def test_what_slit_flaps_cannot_have_is_refused_by_name() -> None:
+    design = replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet_of(2))
+    with pytest.raises(DesignError, match="cannot be written to files yet"):
+        document_of_design(design)
+    with pytest.raises(DesignError, match="cannot be clipped on yet"):
+        design.with_clipped_flaps()
