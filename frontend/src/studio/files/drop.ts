@@ -67,7 +67,7 @@ export class Drop {
     if (/\.toml$/i.test(file.name)) return this.events.design(file);
     if (MESH.test(file.name)) return this.events.surface(file);
     if (!DRAWING.test(file.name)) {
-      return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF) or mesh (OBJ, STL, PLY)`);
+      return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF) or mesh (OBJ, STL, PLY, glTF)`);
     }
     this.file = file;
     this.question.textContent = `Which curve is ${file.name}?`;

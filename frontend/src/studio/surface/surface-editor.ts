@@ -17,11 +17,11 @@ import { READY_MADE } from "./ready-made.ts";
 import { SurfaceFields } from "./surface-fields.ts";
 import { type Kind, cornersOf, kindOf, patchOf, withCorner, withPatch } from "./surface-table.ts";
 
-export const MESHES = ".obj,.stl,.ply";
+export const MESHES = ".obj,.stl,.ply,.glb,.gltf";
 const KINDS = [
   { value: "height", text: "z(x, y)", title: "a height over x and y" },
   { value: "map", text: "x, y, z(u, v)", title: "three formulas of u and v" },
-  { value: "mesh", text: "Mesh", title: "triangles out of an OBJ, STL or PLY file" },
+  { value: "mesh", text: "Mesh", title: "triangles out of an OBJ, STL, PLY or glTF file" },
 ] as const;
 
 export class SurfaceEditor {
@@ -88,7 +88,7 @@ export class SurfaceEditor {
         { class: "surface-tools" },
         this.readyMade(),
         button({
-          label: "Read the surface from a mesh: OBJ, STL or PLY",
+          label: "Read the surface from a mesh: OBJ, STL, PLY or glTF",
           icon: "drop",
           text: "Mesh file",
           testid: "file-surface",
@@ -101,7 +101,7 @@ export class SurfaceEditor {
       this.sizes,
       this.note,
     );
-    this.plan.element.append(h("div", { class: "drop-hint" }, "Drop an OBJ, STL or PLY file"));
+    this.plan.element.append(h("div", { class: "drop-hint" }, "Drop an OBJ, STL, PLY or glTF file"));
     this.listenForFiles();
     store.design.bind(() => this.refresh());
     store.surface.watch(() => this.refresh());
@@ -184,7 +184,7 @@ export class SurfaceEditor {
     if (other) return this.set(other, "surface");
     // There is no mesh yet.
     this.kind.set(now);
-    this.say("Drop an OBJ, STL or PLY file here, or choose one.");
+    this.say("Drop an OBJ, STL, PLY or glTF file here, or choose one.");
     void pickFile(MESHES).then((file) => file && this.read(file));
   }
 
