@@ -45,8 +45,9 @@ def surface_of(table: dict[str, Any], *, as_mesh: bool) -> PiecedSurface:
     surface = SurfaceTable.model_validate(table).surface(None, "m")
     if not as_mesh:
         return surface
-    sides = [np.linspace(*ends, CELLS + 1) for ends in list(table.values())[:0:-1]]
-    points = surface.points(sides[0][:, None], sides[1][None, :])
+    (_, first, second) = table.values()
+    right, up = (np.linspace(each[0], each[1], CELLS + 1) for each in (first, second))
+    points = surface.points(up[:, None], right[None, :])
     number = np.arange((CELLS + 1) ** 2).reshape(CELLS + 1, CELLS + 1)
     a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
     triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
