@@ -130,3 +130,25 @@ def test_f_and_g_of_a_surface_are_written(shell: Shell, tmp_path: Path) -> None:
         },
         "pattern": {"heading_deg": 90.0},
     }
+
+
+def test_a_surface_is_tried_by_all_and_its_f_and_g_are_the_same_shell() -> None:
+    surface = {"formula": "-0.4*x**2 - 0.1*y**2", "x": [-1, 1], "y": [-1, 1]}
+    tables = {**VAULT, "target": {"surface": surface}}
+    shell = make_shell(check_design(tables, Path("roof.toml"), files=False))
+    families = shell.report.families
+    assert families is not None
+    made = {each.family: each.distance for each in families.tried}
+    assert all(made[each] is not None for each in ("parallel-repeating", "orthodiagonal"))
+    assert shell.file.family == families.family == "parallel-repeating"
+    own = shell.file.changed(shell.design.by_curves)
+    assert own.surface is None
+    swept = make_shell(own)
+    target = shell.design.mechanism.target_drive
+    again, first = (each.design.mechanism.positions(target) for each in (swept, shell))
+    assert (again == first).all()
+    assert shell.deviation is not None
+    assert shell.report.deviation is not None
+    assert shell.report.deviation.approached is not None
+    assert swept.deviation is not None
+    assert shell.report.deviation.approached.max == swept.deviation.max

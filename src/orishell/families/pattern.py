@@ -249,15 +249,27 @@ class AnyPattern(Pattern):
     """What a file says of the pattern where its family is to be chosen."""
 
     def design(self, f: Curve, g: Curve) -> Design:
-        """Refuse to design anything before there is a family."""
+        """Refuse to design anything before there is a family.
+
+        Raises
+        ------
+        InputError
+            Always.
+        """
         raise InputError(
             "the family is still to be chosen",
             keys=("shell.family",),
             remedy="name a family; orishell design tries all and says what each does",
         )
 
-    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
-        """Refuse to design anything before there is a family."""
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
+        """Refuse to design anything before there is a family.
+
+        Raises
+        ------
+        InputError
+            Always.
+        """
         raise InputError(
             "the family is still to be chosen",
             keys=("shell.family",),
