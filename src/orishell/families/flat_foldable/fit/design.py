@@ -36,6 +36,7 @@ class Asked:
     edge_ratio: float
     direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
     fold: float | None  # at the start (radians)
+    straight: bool = False  # whether the right border is straight in the flat sheet
 
 
 def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
@@ -47,7 +48,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         If no sheet keeps the conditions, or the nearest one is of no use.
     """
     piece = asked.surface.piece
-    task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio))
+    task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio), asked.straight)
     fit = fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=progress)
     if fit is None:
         raise DesignError(
@@ -62,6 +63,8 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         mechanism=mechanism_of(fit),
         parameters={
             "sheet": "lists",
+            "border": "straight" if asked.straight else "free",
+            "flap": 0.0,
             "fold_deg": tidy_degrees(2 * float(np.arctan(_largest(fit)))),
             "direction_deg": fit.start.direction,
             "start_fold_deg": tidy_degrees(fit.start.folded),
