@@ -99,13 +99,14 @@ def test_straight_borders_are_fitted_with_exact_derivatives() -> None:
 def test_dome_with_a_straight_border_locks_by_flaps() -> None:
     """0.6 % of the diagonal was reached with 10 x 10 panels, and 0.4 % with a free border."""
     options: dict[str, Any] = {"rows": 9, "columns": 9, "direction_deg": 0, "fold_deg": 92}
-    design = FlatFoldablePattern(**options, border="straight", flap="auto").design_on(Target(cap()))
+    pattern = FlatFoldablePattern(**options, border="straight", flap="auto")
+    design = pattern.design_on(MeshSurface(cap()))
     assert design.mechanism.flap_columns == (10,)
     assert max(each.max for each in design.closeness.values()) < 0.01 * cap().diagonal
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("flaps", False)
     with pytest.raises(InputError, match="straight"):
-        FlatFoldablePattern(**options, flap="auto").design_on(Target(cap()))
+        FlatFoldablePattern(**options, flap="auto").design_on(MeshSurface(cap()))
 
 
 def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
