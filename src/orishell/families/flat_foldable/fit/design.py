@@ -37,6 +37,7 @@ class Asked:
     edge_ratio: float
     direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
     fold: float | None  # at the start (radians)
+    straight: bool = False  # whether the right border is straight in the flat sheet
 
 
 def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
@@ -62,6 +63,8 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         mechanism=mechanism_of(fit),
         parameters={
             "sheet": "lists",
+            "border": "straight" if asked.straight else "free",
+            "flap": 0.0,
             "fold_deg": tidy_degrees(2 * float(np.arctan(_largest(fit)))),
             "direction_deg": fit.start.direction,
             "start_fold_deg": tidy_degrees(fit.start.folded),
@@ -85,7 +88,7 @@ class _Watched:
 @remembered
 def _fitted(surface: PiecedSurface, asked: Asked, watched: _Watched) -> Fit | None:
     conditions = Conditions(asked.edge_ratio)
-    task = Task(surface.piece, asked.rows, asked.columns, conditions)
+    task = Task(surface.piece, asked.rows, asked.columns, conditions, asked.straight)
     return fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=watched.progress)
 
 

@@ -64,11 +64,14 @@ class Task:
     rows: int
     columns: int
     conditions: Conditions
+    straight: bool = False  # whether the right border is straight in the flat sheet
 
     def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
         """The sheet that a start leads to; None where it does not keep the conditions itself."""
         seen = start.on(self.piece)
-        of = Unknowns.covering(seen, self.rows, self.columns, SECTOR, start.folded)
+        of = Unknowns.covering(
+            seen, self.rows, self.columns, SECTOR, start.folded, straight=self.straight
+        )
         found = follow(seen, of, self.conditions, course, progress)
         return None if found is None else Fit(start, of, *found)
 
