@@ -70,7 +70,10 @@ export function designFor(store: Known, aim: Aim): Design {
   const { families } = store.info;
   const now = store.design.value.shell.family;
   const can = (name: string | undefined): name is string => name !== undefined && (families[name]?.aims.includes(aim) ?? false);
-  const family = [store.left.family(aim), now, ...Object.keys(families)].find(can);
+  // The one that follows any surface comes before those that follow curves.
+  const names = Object.keys(families);
+  const own = names.filter((name) => !families[name]!.aims.includes("curves"));
+  const family = [store.left.family(aim), ...(aim === "surface" ? own : []), now, ...names].find(can);
   return family ? made(store, family, aim) : store.design.value;
 }
 

@@ -26,7 +26,8 @@ const [TURN, NEAR] = [15, 2];
 /** Share of a grid step by which arrow keys move a handle. */
 const NUDGE = 1 / 10;
 const BANDS = 10;
-const MARGIN = 34;
+/** Room for the handle that turns, and for fingers the tools. */
+const MARGIN = matchMedia("(pointer: coarse)").matches ? 54 : 34;
 
 export class PlanPlot {
   readonly element: HTMLElement;

@@ -1,4 +1,4 @@
-"""Fits that were made: a shell is designed several times with the same, as for its remedies."""
+"""Fits that were made, also by other processes: the studio asks the same again and again."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ def recall_fit(
         task.rows,
         task.columns,
         conditions,
+        task.straight,
         direction,
         folded,
         arrays=(piece.vertices, piece.normals, piece.triangles, *piece.sides),
@@ -38,7 +39,9 @@ def recall_fit(
         return fresh[0] if fresh else None
     start, unknowns = known
     seen = start.on(piece)
-    of = Unknowns.covering(seen, task.rows, task.columns, SECTOR, start.folded)
+    of = Unknowns.covering(
+        seen, task.rows, task.columns, SECTOR, start.folded, straight=task.straight
+    )
     fitted = Problem(seen, of, THOROUGH.final, conditions).at(unknowns)
     assert fitted is not None
     return Fit(start, of, fitted, measure(seen, fitted, of.size, float(unknowns[OFFSET])))
