@@ -7,9 +7,8 @@ import type { Design, Info, Target, Value } from "./types.ts";
 
 export type Aim = "curves" | "surface" | "none";
 
-/** Keys that mean the same in every family; sizes are kept only where a shell is not fitted. */
-const SHARED = ["flap"];
-const SIZES = ["rows", "columns"];
+/** Keys that mean the same in every family, for the same target. */
+const SHARED = ["rows", "columns", "flap"];
 
 export function aimOf(design: Design): Aim {
   if (!design.target) return "none";
@@ -110,7 +109,7 @@ function patternFor(store: Known, family: string, aim: Aim, same: boolean): Reco
   const example = exampleOf(store, family, aim);
   const usual = aim === "none" && example?.shell.family === family ? example.pattern : undefined;
   Object.assign(pattern, store.left.pattern(family, aim) ?? usual);
-  for (const key of same ? [...SIZES, ...SHARED] : SHARED) {
+  for (const key of same ? SHARED : []) {
     const value = design.pattern[key];
     if (value !== undefined && parameters.some((each) => each.key === key)) pattern[key] = value;
   }

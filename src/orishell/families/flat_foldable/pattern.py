@@ -55,7 +55,7 @@ class FlatFoldablePattern(Pattern):
     only: ClassVar[Mapping[str, Aim]] = {
         **dict.fromkeys(("sheet", "sector_deg", "turn_deg", "growth"), "none"),
         **dict.fromkeys(("row_length", "column_length"), "none"),
-        **dict.fromkeys(("edge_ratio", "direction_deg"), "surface"),
+        **dict.fromkeys(("edge_ratio", "direction_deg", "border"), "surface"),
     }
 
     rows: Annotated[RowCount, ROWS]
