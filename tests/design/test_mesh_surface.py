@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.design import MeshSurface
+from orishell.design.mesh_files import read_mesh
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -107,3 +110,40 @@ def test_a_lattice_of_a_mesh_lies_on_it() -> None:
     assert np.abs(points[..., 2] - 0.1 * np.sin(points[..., 0]) * points[..., 1]).max() < 1e-4
     assert points[0, 0, :2] == pytest.approx([0, 0], abs=1e-9)
     assert points[-1, -1, :2] == pytest.approx([2, 1], abs=1e-9)
+
+
+def test_a_gltf_file_is_read_with_its_y_up_and_its_nodes_in_place(tmp_path: Path) -> None:
+    """As pygltflib writes it, which shares nothing with the reader."""
+    import pygltflib
+
+    points, triangles = sheet()
+    drawn = np.stack([points[:, 0], points[:, 2], -points[:, 1]], axis=-1).astype("<f4")
+    parts = [drawn.tobytes(), triangles.astype("<u2").tobytes()]
+    file = pygltflib.GLTF2(
+        scene=0,
+        scenes=[pygltflib.Scene(nodes=[0])],
+        nodes=[pygltflib.Node(mesh=0, translation=[1.0, 2.0, 3.0], scale=[2.0, 2.0, 2.0])],
+        meshes=[
+            pygltflib.Mesh(
+                primitives=[
+                    pygltflib.Primitive(attributes=pygltflib.Attributes(POSITION=0), indices=1)
+                ]
+            )
+        ],
+        accessors=[
+            pygltflib.Accessor(bufferView=0, componentType=5126, count=len(points), type="VEC3"),
+            pygltflib.Accessor(
+                bufferView=1, componentType=5123, count=triangles.size, type="SCALAR"
+            ),
+        ],
+        bufferViews=[
+            pygltflib.BufferView(buffer=0, byteOffset=0, byteLength=len(parts[0])),
+            pygltflib.BufferView(buffer=0, byteOffset=len(parts[0]), byteLength=len(parts[1])),
+        ],
+        buffers=[pygltflib.Buffer(byteLength=sum(map(len, parts)))],
+    )
+    file.set_binary_blob(b"".join(parts))
+    file.save(str(tmp_path / "roof.glb"))
+    found, corners_found = read_mesh(tmp_path / "roof.glb")
+    assert found == pytest.approx(2 * points + [1.0, -3.0, 2.0], abs=1e-6)
+    assert corners_found.tolist() == triangles.tolist()

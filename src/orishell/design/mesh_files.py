@@ -1,4 +1,4 @@
-"""Files of meshes: OBJ, STL and PLY, read by meshio; other files are refused."""
+"""Files of meshes: OBJ, STL and PLY, read by meshio, and glTF."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.design.gltf_mesh import read_gltf
 from orishell.numerics.arrays import Array, Integers
 
-ENDINGS = (".obj", ".stl", ".ply")
+ENDINGS = (".obj", ".stl", ".ply", ".glb", ".gltf")
 LARGEST = 100_000_000
 """Bytes of a file, at most."""
 
@@ -29,6 +30,8 @@ def read_mesh(path: Path) -> tuple[Array, Integers]:
             raise _refused(path, "the file is too large", f"{path.stat().st_size} bytes")
     except OSError as error:
         raise _refused(path, "the file cannot be read", error.strerror or "") from None
+    if path.suffix.lower() in (".glb", ".gltf"):
+        return read_gltf(path)
     import meshio
 
     try:
@@ -63,5 +66,5 @@ def _refused(path: Path, what: str, got: str) -> InputError:
         keys=("mesh",),
         where="mesh",
         got=got,
-        expected="an OBJ, STL or PLY file with one open piece of surface",
+        expected="an OBJ, STL, PLY or glTF file with one open piece of surface",
     )

@@ -35,7 +35,7 @@ def require_uncrossed(design: Design) -> None:
     """
     import shapely
 
-    if design.swept is None:
+    if "f" not in design.targets:
         return
     mechanism = design.mechanism
     column = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns.start]

@@ -224,9 +224,10 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
 def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[str]:
     depth = lock.corrugation_depth
     if design.swept is not None and depth > DEEP * height:
+        seen = "curve f" if design.targets else "surface"
         yield (
             f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
-            "high: one sees them rather than the curve f; more rows make them shallower"
+            f"high: one sees them rather than the {seen}; more rows make them shallower"
         )
 
 

@@ -153,6 +153,8 @@ def _stands(report: Report) -> Iterator[Row]:
         return
     if stands is None:
         text = "nowhere: f's ends are not its lowest part, so g stays in the plane z = 0"
+        if report.deviation.f is None:
+            text = "nowhere: no two rows carry it, so it stays where its surface is drawn"
     else:
         first, last = stands.rows
         low = f"z = {plain(stands.z)}"
