@@ -70,7 +70,7 @@ def test_derivatives_of_limits_are_those_of_differences(part: int) -> None:
 
 def test_cap_is_followed_under_the_conditions() -> None:
     """0.4 and 3.6 % of the diagonal were reached with 10 x 10 panels."""
-    fit = fit_sheet(Task(cap(), 9, 9, Conditions(10.0)))
+    fit = fit_sheet(Task(cap(), 9, 9, Conditions(10.0)), direction=0, folded=1.6)
     assert fit is not None
     assert fit.reached.vertices < 0.007
     assert fit.reached.mesh < 0.045
@@ -152,3 +152,19 @@ def hemisphere(cells: int = 64) -> Piece:
     x, y = np.meshgrid(np.linspace(-0.7, 0.7, cells + 1), np.linspace(0.7, -0.7, cells + 1))
     normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
     return Piece.of_lattice(normals - [0, 0, 1], normals)
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (1, 5), (2, 3), (4, 2)])
+def test_small_sheets_begin_on_the_plane(rows: int, columns: int) -> None:
+    """A Miura-ori's vertices are on its two planes, to rounding."""
+    of = Unknowns.covering(cap(), rows, columns, 1.1, 1.6)
+    heights = of.placed(of.first).vertices @ cap().axes[2]
+    crests = heights[of.sides[:, 0] > 0]
+    valleys = heights[of.sides[:, 0] < 0]
+    assert np.ptp(crests) < 1e-14
+    assert np.ptp(valleys) < 1e-14
+    assert crests.min() > valleys.max()
+
+
+def test_few_panels_are_fitted() -> None:
+    assert fit_sheet(Task(cap(), 1, 2, Conditions(10.0)), direction=0, folded=1.6) is not None

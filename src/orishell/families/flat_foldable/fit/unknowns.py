@@ -18,6 +18,8 @@ from orishell.numerics.arrays import Array
 
 STEP = 1e-25
 """Of complex steps: derivatives are then exact to rounding."""
+PERIOD = 3
+"""Rows or columns that show how a Miura-ori goes on."""
 ROTATION, SHIFT, OFFSET = slice(-7, -4), slice(-4, -1), -1
 """The last unknowns."""
 
@@ -67,8 +69,9 @@ class Unknowns:
         If the fold angle is negative, rows that are crests otherwise are valleys.
         """
         across, along = _plan(piece)
-        unit = graded_net(rows, columns, folds=[folded], sectors=[sector])
-        frame, period = _frame(unit)
+        # Of four more there is the same at the middle, and a period, which it takes three for.
+        wider = [each + 4 if each < PERIOD else each for each in (rows, columns)]
+        frame, period = _frame(graded_net(*wider, folds=[folded], sectors=[sector]))
         start = graded_net(
             rows,
             columns + straight,
