@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -12,8 +13,9 @@ from pydantic import Field, model_validator
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
-from orishell.curves import Curve
-from orishell.design import Design, PiecedSurface
+from orishell.curves import Curve, run_along_axis, trace_curve
+from orishell.design import Design, PiecedSurface, Surface, Turning
+from orishell.design.path import Path as Pieces
 from orishell.families.flat_foldable.design import (
     FOLD,
     SECTOR,
@@ -142,12 +144,12 @@ class FlatFoldablePattern(Pattern):
         return self
 
     def design(self, f: Curve, g: Curve) -> Design:
-        """Refuse f and g: a sheet of this family is designed by its own numbers."""
-        raise InputError(
-            "this family does not sweep f along g",
-            keys=("target.f", "target.g"),
-            remedy="remove [target.f] and [target.g]",
-        )
+        """Fit a sheet to f swept along g, f's middle on g, as to any surface."""
+        profile = run_along_axis(trace_curve(f, "f").in_own_frame())
+        path = trace_curve(g, "g").in_own_frame()
+        middle = profile.curve.position(0.5 * (profile.t[0] + profile.t[-1]))
+        design = self.design_on(Surface(profile, middle, Turning(Pieces.of(path), np.pi / 2)))
+        return replace(design, origin=design.origin + np.append(path.origin, 0.0))
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Fit a sheet of so many rows and columns to a surface with a ``piece``.
