@@ -127,7 +127,7 @@ export class PlanPlot {
       const [x, y] = this.plane.toPixels(at);
       group.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
       group.classList.toggle("lesser", kind !== "corner");
-      setAttribute(group, "data-testid", `plan-${words.replaceAll(" ", "-")}`);
+      setAttribute(group, "data-testid", `handle-${words.replaceAll(" ", "-")}`);
       group.setAttribute("aria-label", kind === "turn" ? `turn: ${pretty(this.patch!.turn_deg, 4)} degrees` : `${words}: x ${pretty(at[0], 4)}, y ${pretty(at[1], 4)}`);
     });
     const turn = handles.find(({ kind }) => kind === "turn");
@@ -209,6 +209,8 @@ export class PlanPlot {
       if (this.held !== index) return;
       this.held = null;
       this.events.released();
+      const box = this.seen();
+      if (box && !this.plane.suits(box)) this.fit();
     };
     group.addEventListener("pointerup", release);
     group.addEventListener("lostpointercapture", release);
