@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError
+from orishell.deployment.feet import find_feet, stand
 from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.residuals import Problem, Weights
@@ -119,3 +120,15 @@ def hemisphere(cells: int = 64) -> Piece:
     x, y = np.meshgrid(np.linspace(-0.7, 0.7, cells + 1), np.linspace(0.7, -0.7, cells + 1))
     normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
     return Piece.of_lattice(normals - [0, 0, 1], normals)
+
+
+def test_a_dome_stands_on_its_first_and_last_rows() -> None:
+    """They are the rows that reach its lowest vertices, the corners, which are put on z = 0."""
+    pattern = FlatFoldablePattern(rows=5, columns=5, direction_deg=0, fold_deg=90)
+    design = pattern.design_on(cast(Charted, Target(cap())))
+    found, feet = stand(design, find_feet(design))
+    assert feet is not None
+    assert feet.rows == (0, 6)
+    heights = found.mechanism.positions(found.mechanism.target_drive)[..., 2] + found.origin[2]
+    assert heights.min() == pytest.approx(0.0, abs=1e-12)
+    assert feet.uneven == pytest.approx(np.ptp(heights[[0, -1]]), abs=1e-12)
