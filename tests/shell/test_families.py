@@ -11,11 +11,12 @@ from typing import Any
 import pytest
 
 from orishell import DesignError, InputError
+from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
 from orishell.design_file.file import check_design
 from orishell.families.registry import FAMILIES
 from orishell.shell.export import write_shell
-from orishell.shell.families import packs_flat
+from orishell.shell.families import choose_family, packs_flat
 from orishell.shell.make import Shell, make_shell
 
 VAULT: dict[str, dict[str, Any]] = {
@@ -83,19 +84,20 @@ def test_a_family_that_cannot_says_why() -> None:
     assert "g is not straight" in reasons["longitudinal-linear-repeating"]
 
 
-def test_even_rows_leave_a_family_that_takes_them() -> None:
+def test_even_rows_leave_the_families_that_take_them() -> None:
     families = make_shell(vault(rows=8)).report.families
     assert families is not None
-    assert families.family == "longitudinal-linear-repeating"
-    assert "odd number" in families.tried[0].why_not
+    assert all("odd number" in each.why_not for each in families.tried[:2])
+    assert families.family in {each.family for each in families.tried[2:]}
 
 
 def test_no_family_is_refused_with_all_reasons() -> None:
-    target = {"f": {"formula": "sin(3*x)", "range": [0, 3]}, "g": VAULT["target"]["g"]}
-    tables = {**VAULT, "target": target, "pattern": {"rows": 8, "columns": 7}}
-    with pytest.raises(DesignError, match="no family makes a shell") as refused:
-        make_shell(check_design(tables, Path("none.toml"), files=False))
-    assert all(name in str(refused.value) for name in FAMILIES)
+    def refused(file: DesignFile, progress: Progress) -> Shell:
+        raise DesignError("it cannot", size=f"{file.family} is unable")
+
+    with pytest.raises(DesignError, match="no family makes a shell") as error:
+        choose_family(vault(), refused, no_progress)
+    assert all(f"{name}: it cannot: {name} is unable" in str(error.value) for name in FAMILIES)
 
 
 def test_keys_of_one_family_are_refused_where_it_is_open() -> None:
@@ -152,3 +154,12 @@ def test_a_surface_is_tried_by_all_and_its_f_and_g_are_the_same_shell() -> None:
     assert shell.report.deviation.approached is not None
     assert swept.deviation is not None
     assert shell.report.deviation.approached.max == swept.deviation.max
+
+
+def test_a_flat_foldable_sheet_is_fitted_to_f_swept_along_g(shell: Shell) -> None:
+    assert shell.report.families is not None
+    found = {each.family: each for each in shell.report.families.tried}["flat-foldable"]
+    assert found.distance is not None
+    assert found.packs_flat
+    assert not found.locks
+    assert found.distance < 0.1 * 3.6  # of the diagonal

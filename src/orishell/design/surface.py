@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.design.path import Path
+from orishell.design.piece import Piece
 from orishell.design.rails import Rail
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array, Integers
@@ -18,6 +19,8 @@ LOOSE = 20.0
 """A lattice leaves the surface by about its step over this, if nothing else is asked for."""
 FIRST_LATTICE = 48
 """Steps along the longer side of the first lattice, which tells how large a surface is."""
+PIECE_CELLS = 128
+"""Cells each way of a surface that is to be covered as a piece."""
 FIRST_CELLS = 20_000
 """The most cells that the first lattice may have."""
 
@@ -130,6 +133,14 @@ class Surface:
             a, b, c, d = np.moveaxis(grid_corners(points), -2, 0)
             left_out += 0.5 * float(lengths(a - b + c - d).max())
         return Lattice(u, v, points, left_out)
+
+    @cached_property
+    def piece(self) -> Piece:
+        """All of it, as a piece to be covered: g runs from left to right, f from top to bottom."""
+        u = np.linspace(0.0, self.rail.stop, PIECE_CELLS + 1)[None, :]
+        v = np.linspace(self.profile.t[0], self.profile.t[-1], PIECE_CELLS + 1)[:, None]
+        u, v = np.broadcast_arrays(u, v)
+        return Piece.of_lattice(self.points(u, v), self.normals(u, v))
 
     def area(self, step: float | None = None) -> float:
         """Area, of cells with sides of about ``step``; roughly, if none is given."""

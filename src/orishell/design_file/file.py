@@ -216,9 +216,9 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     table = file.pattern
     if file.tolerance is not None:
-        if file.target is None or file.target.surface is not None:
+        if file.target is None:
             raise InputError(
-                "a tolerance needs f and g to be measured from",
+                "a tolerance needs a target to be measured from",
                 file=path,
                 keys=("tolerance",),
                 remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "

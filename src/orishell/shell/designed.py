@@ -71,7 +71,7 @@ def ended(
     def narrower(width: float) -> Design:
         return designed(file.changed({"pattern.flap": width}))
 
-    open_width = file.target is not None and file.pattern.flap == "auto"
+    open_width = file.pattern.flap == "auto" and bool(design.parameters.get("flap"))
     return end_motion(
         design,
         tolerance=file.contact_tolerance,

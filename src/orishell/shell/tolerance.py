@@ -22,6 +22,7 @@ from orishell.motion.quads import lengths
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose
 from orishell.shell.size_trials import Choice, Sizes, Trial
+from orishell.shell.surface_search import SurfaceSearch
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 
@@ -42,6 +43,8 @@ def meet_tolerance(
     """
     limits = _limits(file, tolerance)
     try:
+        if file.surface is not None:
+            return _sized_on_surface(file, limits, tolerance, progress)
         pattern, choice = choose(_sizes(file, limits), limits, progress)
     except DesignError as refusal:
         if file.workshop.stock is not None:
@@ -54,6 +57,28 @@ def meet_tolerance(
     table = pattern.model_dump(exclude_unset=True)
     sized = file.changed({"tolerance": None, "pattern": table})
     return sized, replace(choice, limits=tolerance)
+
+
+def _sized_on_surface(
+    file: DesignFile, limits: Tolerance, tolerance: Tolerance, progress: Progress
+) -> tuple[DesignFile, Choice]:
+    """The same where the target is a surface, which sheets of every size are fitted to."""
+    surface = file.surface
+    assert surface is not None
+
+    def measured(rows: int, columns: int, told: Progress) -> tuple[Trial, float]:
+        design = file.pattern.sized(rows, columns).design_on(surface, told)
+        trial = measure(design, True, limits)
+        trial = replace(trial, rows=rows, columns=columns)
+        if file.workshop.stock is None:
+            return trial, 0.0
+        document = document_of_design(design, file.unit)
+        return trial, find_oversize(document, file.workshop)
+
+    choice = SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
+    sized = file.pattern.sized(choice.trial.rows, choice.trial.columns)
+    table = sized.model_dump(exclude_unset=True)
+    return file.changed({"tolerance": None, "pattern": table}), replace(choice, limits=tolerance)
 
 
 def _with_any_stock(

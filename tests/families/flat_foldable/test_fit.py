@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
-from orishell.conventions.errors import DesignError
+from orishell.conventions.errors import DesignError, InputError
 from orishell.deployment.feet import find_feet, stand
 from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
@@ -13,6 +15,7 @@ from orishell.families.flat_foldable.fit.residuals import Problem, Weights
 from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
 from orishell.families.flat_foldable.fit.unknowns import Unknowns
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
+from orishell.locking import find_lock
 from orishell.numerics.arrays import Array
 
 
@@ -68,13 +71,43 @@ def test_derivatives_of_limits_are_those_of_differences(part: int) -> None:
 
 def test_cap_is_followed_under_the_conditions() -> None:
     """0.4 and 3.6 % of the diagonal were reached with 10 x 10 panels."""
-    fit = fit_sheet(Task(cap(), 9, 9, Conditions(10.0)))
+    fit = fit_sheet(Task(cap(), 9, 9, Conditions(10.0)), direction=0, folded=1.6)
     assert fit is not None
     assert fit.reached.vertices < 0.007
     assert fit.reached.mesh < 0.045
     placed = fit.fitted.placed
     edges = [np.linalg.norm(np.diff(placed.flat, axis=axis), axis=0) for axis in (1, 2)]
     assert max(each.max() for each in edges) <= 10 * min(each.min() for each in edges)
+
+
+def test_straight_borders_are_fitted_with_exact_derivatives() -> None:
+    of = Unknowns.covering(cap(), 4, 5, 1.1, 1.6, straight=True)
+    at = of.first + 0.01 * np.sin(np.arange(len(of.first)))
+    placed, h = of.placed(at), 1e-6
+    assert placed.vertices.shape == (*of.shape, 3) == (6, 7, 3)
+    exact = of.slopes(at, placed)
+    for number in range(len(at)):
+        step = h * np.eye(len(at))[number]
+        found = (of.placed(at + step).vertices - of.placed(at - step).vertices) / (2 * h)
+        np.testing.assert_allclose(found, exact[..., number], rtol=0, atol=1e-8)
+    # The border is straight in the flat sheet, wherever the unknowns are.
+    edges = np.diff(placed.flat[:, :, -1], axis=1)
+    turns = edges[0, 1:] * edges[1, :-1] - edges[1, 1:] * edges[0, :-1]
+    assert np.abs(turns).max() < 1e-14
+
+
+@pytest.mark.slow
+def test_dome_with_a_straight_border_locks_by_flaps() -> None:
+    """0.6 % of the diagonal was reached with 10 x 10 panels, and 0.4 % with a free border."""
+    options: dict[str, Any] = {"rows": 9, "columns": 9, "direction_deg": 0, "fold_deg": 92}
+    pattern = FlatFoldablePattern(**options, border="straight", flap="auto")
+    design = pattern.design_on(MeshSurface(cap()))
+    assert design.mechanism.flap_columns == (10,)
+    assert max(each.max for each in design.closeness.values()) < 0.01 * cap().diagonal
+    lock = find_lock(design)
+    assert (lock.cause, lock.early) == ("flaps", False)
+    with pytest.raises(InputError, match="straight"):
+        FlatFoldablePattern(**options, flap="auto").design_on(MeshSurface(cap()))
 
 
 def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
@@ -122,10 +155,26 @@ def hemisphere(cells: int = 64) -> Piece:
     return Piece.of_lattice(normals - [0, 0, 1], normals)
 
 
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (1, 5), (2, 3), (4, 2)])
+def test_small_sheets_begin_on_the_plane(rows: int, columns: int) -> None:
+    """A Miura-ori's vertices are on its two planes, to rounding."""
+    of = Unknowns.covering(cap(), rows, columns, 1.1, 1.6)
+    heights = of.placed(of.first).vertices @ cap().axes[2]
+    crests = heights[of.sides[:, 0] > 0]
+    valleys = heights[of.sides[:, 0] < 0]
+    assert np.ptp(crests) < 1e-14
+    assert np.ptp(valleys) < 1e-14
+    assert crests.min() > valleys.max()
+
+
+def test_few_panels_are_fitted() -> None:
+    assert fit_sheet(Task(cap(), 1, 2, Conditions(10.0)), direction=0, folded=1.6) is not None
+
+
 def test_a_dome_stands_on_its_first_and_last_rows() -> None:
     """They are the rows that reach its lowest vertices, the corners, which are put on z = 0."""
     pattern = FlatFoldablePattern(rows=5, columns=5, direction_deg=0, fold_deg=90)
-    design = pattern.design_on(cast(Charted, Target(cap())))
+    design = pattern.design_on(MeshSurface(cap()))
     found, feet = stand(design, find_feet(design))
     assert feet is not None
     assert feet.rows == (0, 6)

@@ -154,6 +154,12 @@ def test_straight_borders_have_exact_derivatives() -> None:
 @pytest.mark.parametrize(
     ("tables", "cause"),
     [
+        (
+            "[panel]\nthickness = 0.01\nmembrane = 0.002\n[workshop]\nareal_density = 6\n"
+            '[structure]\nmaterial = "birch plywood"\n'
+            'supports = [{ at = "feet", kind = "pinned" }]',
+            "flaps",
+        ),
         ("", "flaps"),
         ('[deployment]\nflap_attachment = "clipped"\nfrom = "pack"', "crease"),
         ("[panel]\nthickness = 0.01\nmembrane = 0.002", "flaps"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -11,8 +12,9 @@ from pydantic import Field, model_validator
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
-from orishell.curves import Curve
-from orishell.design import Design, PiecedSurface
+from orishell.curves import Curve, run_along_axis, trace_curve
+from orishell.design import Design, PiecedSurface, Surface, Turning
+from orishell.design.path import Path as Pieces
 from orishell.families.flat_foldable.design import (
     FOLD,
     SECTOR,
@@ -24,6 +26,7 @@ from orishell.families.flat_foldable.design import (
     require_lists,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+from orishell.families.flat_foldable.locks.columns import locked
 from orishell.families.pattern import (
     Auto,
     ColumnCount,
@@ -39,6 +42,8 @@ ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
 COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
 SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
 Angles = list[Annotated[Number, Field(**FOLD)]]
+FITTED = ("edge_ratio", "direction", "border")
+"""Arguments of a fit only."""
 
 
 class FlatFoldablePattern(Pattern):
@@ -112,6 +117,15 @@ class FlatFoldablePattern(Pattern):
         Literal[0, 90, 180, 270] | Auto,
         Knob.angle("Direction", "How far rows are turned on the surface", (0, 270), step=90),
     ] = "auto"
+    border: Annotated[
+        Literal["free", "straight"],
+        Knob(
+            "Right border",
+            "Straight in the flat sheet where one is fitted to a surface, so that flaps lock it",
+            "choice",
+            choices=("free", "straight"),
+        ),
+    ] = "free"
     flap: Annotated[
         Width | Auto,
         Knob("Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"),
@@ -123,12 +137,12 @@ class FlatFoldablePattern(Pattern):
         return self
 
     def design(self, f: Curve, g: Curve) -> Design:
-        """Refuse f and g: a sheet of this family is designed by its own numbers."""
-        raise InputError(
-            "this family does not sweep f along g",
-            keys=("target.f", "target.g"),
-            remedy="remove [target.f] and [target.g]",
-        )
+        """Fit a sheet to f swept along g, f's middle on g, as to any surface."""
+        profile = run_along_axis(trace_curve(f, "f").in_own_frame())
+        path = trace_curve(g, "g").in_own_frame()
+        middle = profile.curve.position(0.5 * (profile.t[0] + profile.t[-1]))
+        design = self.design_on(Surface(profile, middle, Turning(Pieces.of(path), np.pi / 2)))
+        return replace(design, origin=design.origin + np.append(path.origin, 0.0))
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Fit a sheet of so many rows and columns to a surface with a ``piece``.
@@ -150,16 +164,16 @@ class FlatFoldablePattern(Pattern):
                 expected='"miura"',
                 remedy='write sheet = "miura", or remove [target.surface]',
             )
-        if self.flap:
+        if self.flap and self.border != "straight":
             raise InputError(
-                "flaps on the border of a fitted sheet would be slit from row to row, and such "
-                "flaps cannot be written to files yet",
-                keys=("pattern.flap",),
+                "flaps on the free border of a fitted sheet would be slit from row to row, and "
+                "such flaps cannot be written to files yet",
+                keys=("pattern.flap", "pattern.border"),
                 got=str(self.flap),
-                expected="0",
-                remedy="write flap = 0",
+                expected='0, or border = "straight"',
+                remedy='write border = "straight"',
             )
-        return design_fitted(
+        design = design_fitted(
             Asked(
                 surface=surface,
                 rows=self.rows,
@@ -167,14 +181,16 @@ class FlatFoldablePattern(Pattern):
                 edge_ratio=self.edge_ratio,
                 direction=None if self.direction_deg == "auto" else self.direction_deg,
                 fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
+                straight=self.border == "straight",
             ),
             progress,
         )
+        return locked(design, self.flap) if self.flap else design
 
     def arguments(self) -> dict[str, Any]:
         """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""
         values = super().arguments()
-        return {key: each for key, each in values.items() if key not in ("edge_ratio", "direction")}
+        return {key: each for key, each in values.items() if key not in FITTED}
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""

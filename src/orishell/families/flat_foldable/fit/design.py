@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
-from orishell.conventions.record import record
+from orishell.curves.memo import remembered
 from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.starts import Fit, Task, fit_sheet
@@ -23,10 +24,10 @@ from orishell.polylines import Closeness
 LOOSE = 0.01
 """Vertices that leave the offset surfaces by a larger share of the diagonal draw a warning."""
 USELESS = 0.05
-"""From this share on the sheet is refused: the best sweeps of the other families come as near."""
+"""From this share on the sheet is refused."""
 
 
-@record
+@dataclass(frozen=True)
 class Asked:
     """What a sheet is fitted to."""
 
@@ -36,6 +37,7 @@ class Asked:
     edge_ratio: float
     direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
     fold: float | None  # at the start (radians)
+    straight: bool = False  # whether the right border is straight in the flat sheet
 
 
 def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
@@ -47,8 +49,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         If no sheet keeps the conditions, or the nearest one is of no use.
     """
     piece = asked.surface.piece
-    task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio))
-    fit = fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=progress)
+    fit = _fitted(asked.surface, asked, _Watched(progress))
     if fit is None:
         raise DesignError(
             "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
@@ -62,6 +63,8 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         mechanism=mechanism_of(fit),
         parameters={
             "sheet": "lists",
+            "border": "straight" if asked.straight else "free",
+            "flap": 0.0,
             "fold_deg": tidy_degrees(2 * float(np.arctan(_largest(fit)))),
             "direction_deg": fit.start.direction,
             "start_fold_deg": tidy_degrees(fit.start.folded),
@@ -74,6 +77,20 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         may_stand=True,
         warnings=tuple(_warnings(fit)),
     )
+
+
+@dataclass(frozen=True)
+class _Watched:
+    """Who is told of progress: makes no difference to a result."""
+
+    progress: Progress = field(compare=False)
+
+
+@remembered
+def _fitted(surface: PiecedSurface, asked: Asked, watched: _Watched) -> Fit | None:
+    conditions = Conditions(asked.edge_ratio)
+    task = Task(surface.piece, asked.rows, asked.columns, conditions, asked.straight)
+    return fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=watched.progress)
 
 
 def mechanism_of(fit: Fit) -> FlatFoldable:

@@ -68,7 +68,7 @@ class Problem:
         self, piece: Piece, of: Unknowns, weights: Weights, conditions: Conditions
     ) -> None:
         self.piece, self.of, self.weights, self.conditions = piece, of, weights, conditions
-        shape = len(of.start.x) + 2, len(of.start.y) + 2
+        shape = of.shape
         self.edges = edge_numbers(*shape)
         self.corners = corner_numbers(*shape)
         # A Miura-ori's rows zigzag about those of an even sheet.
@@ -149,7 +149,7 @@ class Problem:
 
     def _uneven(self, logs: Array) -> Array:
         """Logarithms of edges (E, ...) less the mean of those along rows, or of the others."""
-        rows, columns = len(self.of.start.x) + 2, len(self.of.start.y) + 2
+        rows, columns = self.of.shape
         parts = logs[: rows * (columns - 1)], logs[rows * (columns - 1) :]
         return np.concatenate([each - each.mean(axis=0) for each in parts])
 

@@ -26,6 +26,9 @@ COARSE = 9
 """Sheets with more panels along a side are tried with so many first, or one less."""
 SHARE = 0.45
 """Of the work, that the coarse trials are."""
+GOOD, MOST = 0.02, 3
+"""A sheet whose vertices leave the offset surfaces by more than this share of the diagonal is not
+the last that is finished, unless so many were."""
 WHAT = "fitting the sheet"
 
 
@@ -61,11 +64,14 @@ class Task:
     rows: int
     columns: int
     conditions: Conditions
+    straight: bool = False  # whether the right border is straight in the flat sheet
 
     def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
         """The sheet that a start leads to; None where it does not keep the conditions itself."""
         seen = start.on(self.piece)
-        of = Unknowns.covering(seen, self.rows, self.columns, SECTOR, start.folded)
+        of = Unknowns.covering(
+            seen, self.rows, self.columns, SECTOR, start.folded, straight=self.straight
+        )
         found = follow(seen, of, self.conditions, course, progress)
         return None if found is None else Fit(start, of, *found)
 
@@ -115,5 +121,13 @@ def fit_sheet(
     ]
     if len(starts) > 1:
         starts = task.ranked(starts, stretch(progress, 0, SHARE))
-    finishing = stretch(progress, SHARE, 1)
-    return next(filter(None, (task.tried(each, THOROUGH, finishing) for each in starts)), None)
+    finished: list[Fit] = []
+    for number, start in enumerate(starts[:MOST]):
+        begun = SHARE + (1 - SHARE) * number / MOST
+        told = stretch(progress, begun, begun + (1 - SHARE) / MOST)
+        found = task.tried(start, THOROUGH, told)
+        if found is not None:
+            finished.append(found)
+            if found.reached.vertices <= GOOD:
+                break
+    return min(finished, key=lambda each: each.reached.score(), default=None)

@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
+from orishell.families.flat_foldable.locks.straight import straight_bordered
 from orishell.families.flat_foldable.mechanism import turned
 from orishell.families.flat_foldable.named import graded_net
 from orishell.families.flat_foldable.net import CORNERS, Net, Sheet
@@ -17,6 +18,8 @@ from orishell.numerics.arrays import Array
 
 STEP = 1e-25
 """Of complex steps: derivatives are then exact to rounding."""
+PERIOD = 3
+"""Rows or columns that show how a Miura-ori goes on."""
 ROTATION, SHIFT, OFFSET = slice(-7, -4), slice(-4, -1), -1
 """The last unknowns."""
 
@@ -46,28 +49,39 @@ class Unknowns:
     place: Array  # (3,), of its middle vertex at the start
     lift: float  # 1 if even rows are above the surface, -1 if they are below
     first: Array  # the unknowns (P,) at the start
+    # whether the right border is straight: it is then the last column of the nets, and what they
+    # have beyond it changes nothing
+    straight: bool = False
 
     @classmethod
     def covering(
-        cls, piece: Piece, rows: int, columns: int, sector: float, folded: float
+        cls,
+        piece: Piece,
+        rows: int,
+        columns: int,
+        sector: float,
+        folded: float,
+        *,
+        straight: bool = False,
     ) -> Unknowns:
         """The Miura-ori with a sector angle and a fold angle of its row creases (radians).
 
         If the fold angle is negative, rows that are crests otherwise are valleys.
         """
         across, along = _plan(piece)
-        unit = graded_net(rows, columns, folds=[folded], sectors=[sector])
-        frame, period = _frame(unit)
+        # Of four more there is the same at the middle, and a period, which it takes three for.
+        wider = [each + 4 if each < PERIOD else each for each in (rows, columns)]
+        frame, period = _frame(graded_net(*wider, folds=[folded], sectors=[sector]))
         start = graded_net(
             rows,
-            columns,
+            columns + straight,
             folds=[folded],
             sectors=[sector],
             row_lengths=[across / (columns + 1) / period[0]],
             column_lengths=[along / (rows + 1) / period[1]],
         )
         frame = piece.axes.T @ frame
-        laid = np.einsum("ab,bij->aij", frame, _folded(start))
+        laid = np.einsum("ab,bij->aij", frame, _folded(start, straight=straight))
         middle = laid.reshape(3, -1).mean(axis=1)
         heights = np.einsum("a,aij->ij", piece.axes[2], laid - middle[:, None, None])
         offset = 0.5 * float(heights[::2].mean() - heights[1::2].mean())
@@ -86,7 +100,13 @@ class Unknowns:
                 [abs(offset) / size],
             ]
         )
-        return cls(start, size, frame, piece.centre - middle, float(np.sign(offset)), first)
+        lift = float(np.sign(offset))
+        return cls(start, size, frame, piece.centre - middle, lift, first, straight)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of vertices."""
+        return len(self.start.x) + 2, len(self.start.y) + 2 - self.straight
 
     @cached_property
     def parts(self) -> list[slice]:
@@ -117,10 +137,14 @@ class Unknowns:
             corners.reshape(4, 2, -1),
         )
 
+    def _sheet(self, unknowns: Numbers) -> Sheet:
+        net = self.net(unknowns)
+        return straight_bordered(net) if self.straight else net.march()
+
     def placed(self, unknowns: Array) -> Placed:
         """The sheet of unknowns (P,); not numbers where there is none."""
         with np.errstate(all="ignore"):
-            sheet = self.net(unknowns[:, None]).march()
+            sheet = self._sheet(unknowns[:, None])
             flat = sheet.flat()
             folded = _fold(sheet, flat)
         moved = turned(folded, unknowns[ROTATION, None])[..., 0]
@@ -134,13 +158,14 @@ class Unknowns:
         By complex steps those of what makes the inner sheet, all in one march. The border follows
         from them: a border length moves its vertex along its crease, and the corners beside it.
         """
-        inner, count = self.parts[5].stop, len(unknowns)
-        steps = np.zeros((count, inner))
-        steps[:inner] = np.eye(inner)
-        sheet = self.net(unknowns[:, None] + 1j * STEP * steps).march()
+        count = len(unknowns)
+        inner = self.parts[-1 if self.straight else 5].stop
+        steps = np.eye(count, inner)
+        sheet = self._sheet(unknowns[:, None] + 1j * STEP * steps)
         found = np.zeros((*placed.folded.shape, count))
         found[..., :inner] = _fold(sheet, sheet.flat()).imag / STEP
-        self._add_border(found, unknowns, placed.folded)
+        if not self.straight:
+            self._add_border(found, unknowns, placed.folded)
         rotation = unknowns[ROTATION]
         moved = turned(found, np.broadcast_to(rotation[:, None], (3, count)))
         spun = np.broadcast_to(placed.folded[..., None], (*placed.folded.shape, 3))
@@ -185,8 +210,8 @@ def _fold(sheet: Sheet, flat: Numbers) -> Numbers:
     return fold(flat, HalfFolds.of(sheet.tangents(), 1.0, 1.0), sheet.net.middle)
 
 
-def _folded(net: Net) -> Array:
-    sheet = net.march()
+def _folded(net: Net, *, straight: bool = False) -> Array:
+    sheet = straight_bordered(net) if straight else net.march()
     return np.asarray(_fold(sheet, sheet.flat())[..., 0])
 
 

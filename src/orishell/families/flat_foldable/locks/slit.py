@@ -53,7 +53,7 @@ class SlitFlaps(Locked):
     @property
     def inner_columns(self) -> slice:
         """All columns."""
-        return slice(None)
+        return self.bare.inner_columns
 
     @property
     def flap_columns(self) -> tuple[int, ...]:

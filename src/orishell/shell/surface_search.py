@@ -1,0 +1,105 @@
+"""The fewest panels whose shell comes near enough to a surface that it is fitted to.
+
+Each size is a fit of its own, which takes seconds: so only sizes of the surface's own proportions
+are tried, and few of them. A corrugation of panels half as large is half as deep, so that the
+distance tells about how many are needed; from there it is narrowed down from both sides.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import rounded
+from orishell.conventions.progress import Progress, stretch
+from orishell.conventions.quantities import plain
+from orishell.families.pattern import Tolerance
+from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
+
+FIRST, FEWEST, MOST = 8, 4, 32
+"""Panels along the longer side of the surface: at first, at least and at most."""
+FITS = 9
+"""Sizes that are tried, at most."""
+GROWTH = 1.5
+"""From a size that was refused to the next."""
+SAFE = 1.05
+"""An error that is allowed in a remedy, relative to the smallest found."""
+
+Measure = Callable[[int, int, Progress], tuple[Trial, float]]
+"""A trial of so many rows and columns, and how much too large its largest panel is for boards."""
+
+
+@dataclass(slots=True, eq=False)
+class SurfaceSearch:
+    """Looks for the fewest panels."""
+
+    measure: Measure
+    extents: tuple[float, float]  # of the surface, to the right and upwards (lengths)
+    tolerance: Tolerance
+    progress: Progress
+    made: list[Trial] = field(default_factory=list)
+    refusal: DesignError | None = None  # the first
+
+    def run(self) -> Choice:
+        """Choose a size.
+
+        Raises DesignError if none meets the tolerance; says what can be met.
+        """
+        low, high, count = FEWEST - 1, MOST + 1, FIRST
+        chosen: Trial | None = None
+        for number in range(FITS):
+            told = stretch(self.progress, number / FITS, (number + 1) / FITS)
+            trial, excess = self._tried(count, told)
+            if excess <= 1:
+                chosen, high = trial, count
+            else:
+                low = max(low, count)
+            if high - low <= 1:
+                break
+            wanted = count * (excess if math.isfinite(excess) else GROWTH)
+            count = min(max(math.ceil(wanted), low + 1), high - 1)
+        if chosen is None:
+            raise self._refused()
+        self.progress(1.0, CHOOSING)
+        limits = self.tolerance
+        fitting = [each for each in self.made if limits.allows(each.shortest, each.longest)]
+        return Choice(chosen, unbeaten(fitting), len(self.made), limits)
+
+    def shape(self, count: int) -> tuple[int, int]:
+        """Rows and columns of inner vertices for so many panels along the longer side."""
+        right, up = self.extents
+        longer = max(right, up)
+        rows, columns = (max(FEWEST, round(count * each / longer)) - 1 for each in (up, right))
+        return rows, columns
+
+    def _tried(self, count: int, progress: Progress) -> tuple[Trial | None, float]:
+        """A trial, and the factor by which it is off; infinite where it is refused."""
+        try:
+            trial, oversize = self.measure(*self.shape(count), progress)
+        except DesignError as error:
+            self.refusal = self.refusal or error
+            return None, math.inf
+        self.made.append(trial)
+        limits = self.tolerance
+        excess = max(trial.error / limits.surface, trial.longest / limits.panel_max, oversize)
+        short = trial.shortest < limits.panel_min
+        return trial, math.inf if short and excess <= 1 else excess
+
+    def _refused(self) -> DesignError:
+        if not self.made:
+            assert self.refusal is not None
+            return self.refusal
+        limits = self.tolerance
+        nearest = min(self.made, key=lambda each: each.error)
+        edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
+        return DesignError(
+            f"no shell of this family was found within {limits.surface:g} of the surface",
+            place=f"with {edges if limits.limits_edges else ''}at most {MOST} panels along a side",
+            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
+            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to "
+            f"{plain(nearest.longest)}",
+            candidates=[Remedy({"tolerance.surface": rounded(SAFE * nearest.error)})],
+            excess=nearest.error / limits.surface - 1,
+        )
