@@ -128,6 +128,7 @@ test("nothing is made of what is no design", () => {
     { shell, pattern: {}, target: null },
     { shell, pattern: null, target: { f, g } },
     { shell, pattern: {}, target: { f, g: null } },
+    { shell, pattern: {}, target: { surface: "x*y" } },
     { shell, pattern: {}, target: { f: [], g } },
     { shell, pattern: {}, target: { f, g: { points: [null] } } },
   ].map((design) => JSON.stringify({ name: "x", design }));
@@ -138,6 +139,9 @@ test("nothing is made of what is no design", () => {
   }
   room.texts.set("orishell.design:x", JSON.stringify({ name: "x", design: { shell, pattern: {}, target: { f, g } } }));
   expect(readKept(room)?.name).toBe("x");
+  const surface = { formula: "x*y", x: [0, 1], y: [0, 1] };
+  room.texts.set("orishell.design:x", JSON.stringify({ name: "x", design: { shell, pattern: {}, target: { surface } } }));
+  expect(readKept(room)?.design.target!.surface).toEqual(surface);
   for (const names of ["{", "3", "[3]", "null", ""]) {
     room.texts.set("orishell.latest", names);
     expect(readKept(room)).toBeNull();

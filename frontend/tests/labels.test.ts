@@ -28,6 +28,7 @@ test.each([
   ["close no further: largest_fold_deg", "close no further: hinges close to"],
   ["[pattern] rows, columns", "Pattern rows, columns"],
   ["[target.f] range", "curve f: range"],
+  ["[target.surface] formula", "surface: formula"],
   ["add the table [structure]", "add the table [structure]"],
   ["frames in [motion]", "frames in [motion]"],
   ["stage_deg = 12 is beyond", "Stage = 12° is beyond"],
@@ -42,6 +43,7 @@ test.each([
   ["pattern.flap", "Flap", "Pattern"],
   ["structure.tie_stiffness", "Tie stiffness", "Structure"],
   ["target.f.range.1", "Range 2 of f", "Target"],
+  ["target.surface.x.0", "X 1 of the surface", "Target"],
 ])("%s", (place, label, section) => {
   expect([LABELS.place(place), LABELS.section(place)]).toEqual([label, section]);
 });

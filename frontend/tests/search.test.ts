@@ -21,7 +21,7 @@ const TABLES: Info["tables"] = {
   target: { label: "Curves", keys: {} },
   panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", choices: {} } } },
 };
-const LABELS = new Labels({ one: { label: "", what: "", borders: "", parameters: PARAMETERS } }, TABLES, () => "one");
+const LABELS = new Labels({ one: { label: "", what: "", borders: "", aims: ["curves"], parameters: PARAMETERS } }, TABLES, () => "one");
 const design: Design = {
   shell: { family: "one", unit: "m" },
   target: { f: { formula: "-x**2", range: [-1, 1] }, g: { points: [[0, 0], [1, 0]] } },
@@ -130,10 +130,10 @@ describe("a design that is picked", () => {
     const values = { "pattern.rows": 7, "target.f.range.1": 2, "target.g.scale": 3 };
     const picked = changed(design, values);
     expect(picked.pattern).toEqual({ rows: 7, columns: 11, xi_deg: 48 });
-    expect(picked.target.f.range).toEqual([-1, 2]);
-    expect(picked.target.g).toEqual({ points: [[0, 0], [1, 0]], scale: 3 });
+    expect(picked.target!.f!.range).toEqual([-1, 2]);
+    expect(picked.target!.g).toEqual({ points: [[0, 0], [1, 0]], scale: 3 });
     expect(picked.shell).toBe(design.shell);
-    expect(design.target.f.range).toEqual([-1, 1]);
+    expect(design.target!.f!.range).toEqual([-1, 1]);
     expect(hasValues(picked, values)).toBe(true);
     expect(hasValues(design, values)).toBe(false);
   });

@@ -332,9 +332,31 @@ export interface DrawnSheet {
   svg: string;
 }
 
+/** A target surface, to be drawn before a shell is fitted to it; arrays in base64. */
+export interface DrawnSurface {
+  /** (rows, columns, 3) in single precision. */
+  points: string;
+  /** Rows and columns. */
+  lattice: [number, number];
+  /** (K, 3) once around, in single precision. */
+  rim: string;
+  /** Which points of the rim are its corners. */
+  corners: [number, number, number, number];
+  /** What of it is covered; null: it is given in another way. */
+  patch: Patch | null;
+  /** By which coordinates of its table are multiplied. */
+  factor: number;
+}
+
 /** A curve whose file was dropped onto the page, and a note on how it was read. */
 export interface DroppedCurve {
   table: CurveFields;
+  note: string;
+}
+
+/** A mesh whose file was dropped onto the page, and a note on how it was read. */
+export interface DroppedSurface {
+  table: Record<string, unknown>;
   note: string;
 }
 
@@ -412,6 +434,8 @@ export interface Family {
   what: string;
   /** What the panels beside its inner columns are. */
   borders: string;
+  /** What its shells can follow. */
+  aims: ("curves" | "surface" | "none")[];
   parameters: Parameter[];
 }
 
@@ -499,6 +523,16 @@ export interface FirstContact {
   drive_deg: number;
   /** Their numbers. */
   panels: [number, number];
+}
+
+/** A line of the answer: the view of a coarser sheet, in base64. */
+export interface FitFound {
+  found: string;
+}
+
+/** The last line of the answer: the view of the sheet that was fitted, in base64. */
+export interface FitResult {
+  result: string;
 }
 
 /** A foot on the ground, which pushes and rubs, and does not pull. */
@@ -892,6 +926,8 @@ export interface Parameter {
   choices: string[];
   /** Null: the design must give it. */
   default: number | string | boolean | null;
+  /** The target without which it has no meaning. */
+  only: "curves" | "surface" | "none" | null;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
   /** Between two of its places. */
@@ -901,6 +937,15 @@ export interface Parameter {
 /** The tables of a design file, read from its text. */
 export interface Parsed {
   design: Record<string, unknown>;
+}
+
+/** A rectangle in plan: what of a surface is to be covered. */
+export interface Patch {
+  centre: [number, number];
+  /** Along its own x and y. */
+  size: [number, number];
+  /** From the plan's x to its own. */
+  turn_deg: number;
 }
 
 /** How contact was excluded along the whole path. */

@@ -45,6 +45,12 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
       const mean = surface && `mean ${length(surface.mean, unit)}${tilted}`;
       add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
     }
+    const { crests, valleys } = report.deviation ?? {};
+    if (crests && valleys) {
+      const most = Math.max(crests.max, valleys.max);
+      const parts = `crests ${length(crests.max, unit)}, valleys ${length(valleys.max, unit)}`;
+      add(list, "Vertices", `within ${length(most, unit)}`, `of the surfaces beside the target that they follow: ${parts}`);
+    }
     const { flap_attachment: flaps, start } = report.deployment ?? {};
     const locked = report.lock ? report.lock.cause === "flaps" : flaps === "folded";
     add(list, locked ? "Locks at" : "Closes to", lockOf(report), lockNote(report), "lock");

@@ -33,10 +33,16 @@ export class Overlays {
   }
 
   show(view: View): void {
-    setLattice(this.surface, view.surface);
-    if (view.surface) this.surfaceUniforms.cells.value.set(...cellsOf(view.surface));
+    this.setSurface(view.surface);
     this.curves.f.show(view.curveF);
     this.curves.g.show(view.curveG);
+  }
+
+  /** Draw another surface, moved from where it is given. */
+  setSurface(surface: Lattice | undefined, shift?: Vector3): void {
+    const moved = surface && shift ? { ...surface, points: surface.points.map((value, k) => value + shift.getComponent(k % 3)) } : surface;
+    setLattice(this.surface, moved);
+    if (moved) this.surfaceUniforms.cells.value.set(...cellsOf(moved));
   }
 
   setVisible(name: Overlay, visible: boolean): void {

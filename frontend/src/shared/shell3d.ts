@@ -21,7 +21,7 @@ import type { Uniforms } from "./parts.ts";
 import type { Motion } from "./rigid.ts";
 import { shareTouch } from "./touch.ts";
 import { Sun } from "./sun.ts";
-import { assignmentCounts, targetPoints, type View } from "./view.ts";
+import { assignmentCounts, targetPoints, type Lattice, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
 
@@ -289,6 +289,16 @@ export class Shell3D {
     this.invalidate();
   }
 
+  /** Draw another target, given in the world, until the next shell brings its own; its lowest point is
+   * put where that of the present one is. */
+  setSurface(surface: Lattice): void {
+    const shift = this.origin.clone().negate();
+    const level = this.view?.surface ? lowest(this.view.surface) : -this.origin.z;
+    shift.z = level - lowest(surface);
+    this.overlays.setSurface(surface, shift);
+    this.invalidate();
+  }
+
   /** Say in the legend what a mark's colour means, while it is seen. */
   explainMark(mark: Mark, seen: boolean): void {
     if (this.marks.has(mark) === seen) return;
@@ -520,6 +530,12 @@ export class Shell3D {
     this.sent = this.shaded = false;
     this.invalidate();
   };
+}
+
+function lowest({ points }: Lattice): number {
+  let found = Infinity;
+  for (let k = 2; k < points.length; k += 3) found = Math.min(found, points[k]!);
+  return found;
 }
 
 function overlay(container: HTMLElement, name: string): HTMLElement {

@@ -24,6 +24,10 @@ import { Stage } from "./shell/stage.ts";
 import { forgetWhatIsStale } from "./state/stale.ts";
 import type { Store } from "./state/store.ts";
 import { announceTheme } from "./parts/theme.ts";
+import { fitBar } from "./surface/fit-bar.ts";
+import { SurfaceEditor } from "./surface/surface-editor.ts";
+import { keepSurfaceDrawn } from "./surface/keep-drawn.ts";
+import { targetSection } from "./surface/target-section.ts";
 import { Toolbar } from "./page/toolbar.ts";
 import { tourHint } from "./page/tour-hint.ts";
 
@@ -32,6 +36,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     stage.forgetCamera();
     results.forgetView();
     editors.forEach((editor) => editor.refit());
+    surface.refit();
   });
   const example = (name: string): void => {
     const found = store.info.examples.find((each) => each.name === name);
@@ -53,6 +58,8 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     await painted();
   });
   const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
+  const surface = new SurfaceEditor(store);
+  keepSurfaceDrawn(store);
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
@@ -67,10 +74,11 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const drop = new Drop({
     design: (file) => void files.read(file),
     curve: (name, file) => void editors[name === "f" ? 0 : 1]!.read(file),
+    surface: (file) => void surface.read(file),
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
-  stage.frame.append(blankCover(store));
+  stage.frame.append(blankCover(store), fitBar(store, live));
   linkHover(stage, results);
   addInspection(store, stage, results);
   listenForShortcuts({
@@ -92,7 +100,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         { class: "inputs", role: "region", "aria-label": "Design" },
         tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
-        h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
+        targetSection(store, editors, surface),
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,

@@ -9,6 +9,7 @@ import "./parts/controls.css";
 import "./parts/front-figure.css";
 import "./curves/curves.css";
 import "./curves/drawing.css";
+import "./surface/surface.css";
 import "./design/parameters.css";
 import "./shell/stage.css";
 import "./shell/results.css";

@@ -105,14 +105,16 @@ def _no_such_place(host: str, error: Exception) -> InputError:
 
 
 def _start(path: Path) -> NamedDesign:
-    """Name and tables of a design file, with what its curves' files draw in place of them."""
+    """Name and tables of a design file, with what files of its target draw in place of them."""
     from orishell.conventions.toml_file import read_toml
     from orishell.design_file import read_design_file
+    from orishell.design_file.surface import SurfaceTable
     from orishell.design_file.target import Target
 
-    read_design_file(path).require_target()
+    read_design_file(path)
     tables = read_toml(path)
     for name, table in tables.get("target", {}).items():
-        curve = Target.model_validate(table)
-        tables["target"][name] = curve.without_files(path.parent, tables["shell"]["unit"])
+        target = (SurfaceTable if name == "surface" else Target).model_validate(table)
+        given = target.without_files(path.parent, tables["shell"]["unit"])
+        tables["target"][name] = given
     return {"name": path.stem, "design": tables}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Final, Self
+from typing import Annotated, Any, Final, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -20,8 +20,11 @@ from orishell.design_file.target import Ends, beside, numbers
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
     "mesh": {"unit", "corners"},
+    "vertices": {"triangles", "unit", "corners"},
 }
 """The sources of a surface, and the keys that have a meaning for each."""
+MOST_VERTICES: Final = 100_000
+"""Vertices that are listed in a design file, at most."""
 RECTANGLE: Final = ("centre", "size", "turn_deg")
 ALWAYS: Final = {"scale"}
 
@@ -34,8 +37,21 @@ Places = Annotated[
 ]
 
 
+Listed = Annotated[
+    list[Annotated[list[Number], Field(min_length=3, max_length=3)]],
+    Field(min_length=3, max_length=MOST_VERTICES),
+]
+Triples = Annotated[
+    list[Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=3, max_length=3)]],
+    Field(min_length=1, max_length=2 * MOST_VERTICES),
+]
+
+
 class SurfaceTable(Table):
-    """A surface: z of x and y, or x, y and z of u and v, or a mesh; and which piece of it."""
+    """A surface: z of x and y, or x, y and z of u and v, or a mesh; and which piece of it.
+
+    A mesh is in a file, or listed by its vertices and triangles, which are numbered from 0.
+    """
 
     formula: str | Three | None = None
     x: Ends | None = None
@@ -46,6 +62,8 @@ class SurfaceTable(Table):
     size: Sizes | None = None
     turn_deg: Annotated[Number, Field(ge=-360, le=360)] = 0.0
     mesh: str | None = None
+    vertices: Listed | None = None
+    triangles: Triples | None = None
     unit: Unit | None = None
     corners: Places | None = None
     scale: Annotated[Number, Field(gt=0)] = 1.0
@@ -64,6 +82,13 @@ class SurfaceTable(Table):
                 raise PydanticCustomError("source", what, {"key": key})
         if source == "formula":
             self._check_ranges(given)
+        if source == "vertices":
+            if self.triangles is None:
+                raise PydanticCustomError("source", "vertices need triangles", {"key": "triangles"})
+            most = max(map(max, self.triangles))
+            if most >= len(self.vertices or []):
+                what = f"there is no vertex {most}: they are numbered from 0"
+                raise PydanticCustomError("source", what, {"key": "triangles"})
         return self
 
     def _check_ranges(self, given: list[str]) -> None:
@@ -94,7 +119,7 @@ class SurfaceTable(Table):
         Without a directory no file may be read. Raises InputError if there is none.
         """
         try:
-            made = self._formulas() if self.mesh is None else self._mesh(directory, unit)
+            made = self._mesh(directory, unit) if self.formula is None else self._formulas()
             _ = made.piece  # refuses what has none
         except InputError as error:
             raise error.at_key("target.surface", "[target.surface]") from None
@@ -121,8 +146,10 @@ class SurfaceTable(Table):
         return FormulaSurface(formulas, ranges[0], ranges[1], scale=self.scale)
 
     def _mesh(self, directory: Path | None, unit: str) -> MeshSurface:
-        path = beside(directory, self.mesh or "")
-        vertices, faces = read_mesh(path)
+        path = None if self.mesh is None else _opened(directory, self.mesh)
+        vertices, faces = (
+            (np.array(self.vertices), np.array(self.triangles)) if path is None else read_mesh(path)
+        )
         factor = self.scale * conversion(self.unit or unit, unit)
         corners = None if self.corners is None else np.array(self.corners)
         try:
@@ -130,7 +157,27 @@ class SurfaceTable(Table):
                 factor * vertices, faces, None if corners is None else factor * corners
             )
         except InputError as error:
-            raise error.in_file(path) from None
+            raise error if path is None else error.in_file(path) from None
+
+    def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
+        """The table with the mesh itself in place of its file's name."""
+        table = self.model_dump(exclude_unset=True)
+        if self.mesh is not None:
+            vertices, triangles = read_mesh(_opened(directory, self.mesh))
+            del table["mesh"]
+            table |= {"vertices": vertices.tolist(), "triangles": triangles.tolist()}
+        return table
+
+
+def _opened(directory: Path | None, name: str) -> Path:
+    if directory is None:
+        raise InputError(
+            "files are not opened here",
+            keys=("mesh",),
+            got=repr(name),
+            remedy="drop the file onto the page, or list its vertices and triangles",
+        )
+    return beside(directory, name)
 
 
 def _formula(text: str, names: tuple[str, str]) -> FormulaOfTwo:

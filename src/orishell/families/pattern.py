@@ -103,6 +103,9 @@ PLACEMENT: Final = Knob(
 )
 
 
+Aim = Literal["curves", "surface", "none"]
+"""What a shell follows: f and g, a surface, or nothing, where its own numbers say all."""
+
 P = TypeVar("P", bound="Pattern")
 T = TypeVar("T")
 
@@ -167,6 +170,8 @@ class Pattern(Table):
     """Whether it is designed by curves f and g, or may be."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
+    only: ClassVar[Mapping[str, Aim]] = {}
+    """Keys that have a meaning only for shells with such a target."""
     unasked: ClassVar[Mapping[str, Any]] = {}
     """Values of keys that a file must give, where it leaves the family open."""
 
@@ -177,6 +182,16 @@ class Pattern(Table):
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell that these parameters and a surface with a ``piece`` ask for."""
         raise NotImplementedError
+
+    @classmethod
+    def aims(cls) -> list[Aim]:
+        """What its shells can follow: nothing only where they follow no curves."""
+        can: dict[Aim, bool] = {
+            "curves": cls.sweeps,
+            "surface": cls.follows_surfaces(),
+            "none": not (cls.needs_target or cls.sweeps),
+        }
+        return [aim for aim, possible in can.items() if possible]
 
     @classmethod
     def follows_surfaces(cls) -> bool:

@@ -164,7 +164,7 @@ def _step_by_step(
     file, choice = _sized(file, progress)
     if choice is not None:
         clock.lap("choose")
-    design = designed(file)
+    design = designed(file, progress)
     clock.lap("design")
     design, lock = _ended(file, design, clash, progress)
     if clash != "unexamined":

@@ -9,6 +9,7 @@ from typing import Any, Literal, NotRequired, TypedDict
 
 from orishell.conventions.table import Kind, Measure
 from orishell.document import FirstContact
+from orishell.families.pattern import Aim
 from orishell.io.view import Curves
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
@@ -33,6 +34,7 @@ class Parameter(TypedDict):
     unit: Measure
     choices: list[str]
     default: float | str | bool | None  # null: the design must give it
+    only: Aim | None  # the target without which it has no meaning
     # how far the slider reaches; left out where that depends on the curves
     slider: NotRequired[tuple[float, float]]
     step: NotRequired[float]  # between two of its places
@@ -44,6 +46,7 @@ class Family(TypedDict):
     label: str
     what: str
     borders: str  # what the panels beside its inner columns are
+    aims: list[Aim]  # what its shells can follow
     parameters: list[Parameter]
 
 
@@ -204,6 +207,32 @@ class DroppedCurve(TypedDict):
     note: str
 
 
+class Patch(TypedDict):
+    """A rectangle in plan: what of a surface is to be covered."""
+
+    centre: tuple[float, float]
+    size: tuple[float, float]  # along its own x and y
+    turn_deg: float  # from the plan's x to its own
+
+
+class DrawnSurface(TypedDict):
+    """A target surface, to be drawn before a shell is fitted to it; arrays in base64."""
+
+    points: str  # (rows, columns, 3) in single precision
+    lattice: tuple[int, int]  # rows and columns
+    rim: str  # (K, 3) once around, in single precision
+    corners: tuple[int, int, int, int]  # which points of the rim are its corners
+    patch: Patch | None  # what of it is covered; null: it is given in another way
+    factor: float  # by which coordinates of its table are multiplied
+
+
+class DroppedSurface(TypedDict):
+    """A mesh whose file was dropped onto the page, and a note on how it was read."""
+
+    table: dict[str, Any]
+    note: str
+
+
 class Verified(TypedDict):
     """A shell that has been verified: its report, contact and distances."""
 
@@ -255,6 +284,18 @@ class Result(TypedDict):
     """The last line of the answer: the verified shell."""
 
     result: Verified
+
+
+class FitFound(TypedDict):
+    """A line of the answer: the view of a coarser sheet, in base64."""
+
+    found: str
+
+
+class FitResult(TypedDict):
+    """The last line of the answer: the view of the sheet that was fitted, in base64."""
+
+    result: str
 
 
 class TradeoffResult(TypedDict):

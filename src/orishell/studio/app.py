@@ -16,6 +16,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, StreamingResponse
 from starlette.exceptions import HTTPException
 
+from orishell.conventions.memory import Memory
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.io.formats import all_formats
@@ -66,9 +67,11 @@ def make_app(
     start: NamedDesign | None = None,
 ) -> Guard:
     """The web server of the studio; ``hosts`` are Host headers that are taken, None takes all."""
-    quick = Pool(answer, limits.processes, limits.quick)
-    slow = Pool(answer, limits.processes, limits.slow)
-    search = Pool(answer, limits.processes, limits.search)
+    memory = Memory()
+    quick, slow, search = (
+        Pool(answer, limits.processes, seconds, memory=memory)
+        for seconds in (limits.quick, limits.slow, limits.search)
+    )
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
@@ -114,11 +117,12 @@ def make_app(
         headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
-    for task in ("verify", "tradeoff", "sheets"):
+    for task in ("fit", "verify", "tradeoff", "sheets"):
         _add_stream(app, task, slow)
     _add_stream(app, "search", search)
-    for task, pool in (("ranges", slow), ("parse", quick), ("format", quick), ("curve", quick)):
-        _add_task(app, task, pool)
+    _add_task(app, "ranges", slow)
+    for task in ("parse", "format", "curve", "surface", "mesh"):
+        _add_task(app, task, quick)
 
     if PAGES.is_dir():
         app.mount("/", Pages(directory=PAGES, html=True))

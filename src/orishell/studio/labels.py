@@ -29,6 +29,7 @@ def describe_families() -> dict[str, Family]:
             "label": each.label,
             "what": each.what,
             "borders": each.borders,
+            "aims": each.pattern.aims(),
             "parameters": _parameters(each.pattern),
         }
         for name, each in FAMILIES.items()
@@ -40,7 +41,7 @@ def describe_examples() -> list[Example]:
     return [
         {
             "name": name,
-            "title": f"{family.label} shell of the paper",
+            "title": f"{family.label} shell{' of the paper' * family.pattern.sweeps}",
             "text": starter_file(name),
             "design": parse_toml(starter_file(name)),
         }
@@ -62,7 +63,14 @@ def _parameters(table: type[BaseModel]) -> list[Parameter]:
             choices.insert(0, "auto")
         said = {name: value for name, value in asdict(knob).items() if value is not None}
         default = None if field.is_required() else field.default
-        parameter: Any = {"key": key, **said, "choices": choices, "default": default}
+        only = getattr(table, "only", {}).get(key)
+        parameter: Any = {
+            "key": key,
+            **said,
+            "choices": choices,
+            "default": default,
+            "only": only,
+        }
         parameters.append(parameter)
     return parameters
 

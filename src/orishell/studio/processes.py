@@ -21,6 +21,7 @@ from typing import Any, Literal
 
 from orishell.conventions.errors import InputError, OrishellError
 from orishell.conventions.imports import context_of, prepare
+from orishell.conventions.memory import MEMORY
 from orishell.conventions.progress import Progress, cleaning_up
 from orishell.design_file import DesignFile
 from orishell.studio.refusals import describe_error
@@ -54,7 +55,7 @@ def ignore(_: Any) -> None:
     """Nobody is told."""
 
 
-Kind = Literal["progress", "found", "result", "refusal", "fault"]
+Kind = Literal["progress", "found", "kept", "result", "refusal", "fault"]
 WARM = "orishell.studio.warm"
 STEP = 0.01
 """Progress is passed on when it grew by this share."""
@@ -140,9 +141,10 @@ def _serve(work: Work, pipe: Connection, files: str) -> None:
     warnings.simplefilter("ignore", RuntimeWarning)
     while True:
         try:
-            name, payload = pipe.recv()
+            name, payload, known = pipe.recv()
         except EOFError:
             return
+        MEMORY.learn(known)
         last = -1.0
 
         def advanced(share: float, what: str) -> None:
@@ -161,4 +163,5 @@ def _serve(work: Work, pipe: Connection, files: str) -> None:
         except Exception as error:
             words = f"{type(error).__name__}: {error}"
             answer = ("fault", words.replace(f"{files}{os.sep}", ""))
+        pipe.send(("kept", {key: each for key, each in MEMORY.all().items() if key not in known}))
         pipe.send(answer)

@@ -95,8 +95,8 @@ def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[st
     found = {}
     for number, (key, knob) in enumerate(knobs.items()):
         advanced(number / len(knobs), "looking for admissible values")
-        span = knob.slider or (0.0 if key == "flap" else 1e-3 * length, length / 2)
         value = getattr(pattern, key)
+        span = knob.slider or (0.0 if key == "flap" else 1e-3 * length, length / 2)
 
         def works(trial: float, key: str = key) -> str:
             """Why a value fails; empty if it works."""

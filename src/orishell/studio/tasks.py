@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import tempfile
 import time
 from collections.abc import Callable
@@ -13,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from orishell.conventions.errors import ClashError, InputError, OrishellError
-from orishell.conventions.progress import Progress
+from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import as_table
 from orishell.conventions.toml_file import parse_toml
@@ -30,7 +31,9 @@ from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
+    DrawnSurface,
     DroppedCurve,
+    DroppedSurface,
     Parsed,
     Ranges,
     SearchState,
@@ -46,8 +49,12 @@ from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
 from orishell.studio.searches import search_variants
 from orishell.studio.sheets import preview_sheets
+from orishell.studio.surfaces import coarser, draw_surface, read_dropped_mesh
 
+COARSE = 0.1
+"""Of the work of a fit, what a coarser one first is, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
+NO_CURVES: Curves = {"f": [], "g": []}
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +80,13 @@ class Task:
         Raises RefusalError, which holds its curves, if the design cannot be made.
         """
         file = self._design(tolerated=True)
-        curves: Curves = {"f": [], "g": []}
+        curves = NO_CURVES
         if file.target is not None:
             curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
+        return self._view(file, self.progress, curves)
+
+    def _view(self, file: DesignFile, progress: Progress, curves: Curves = NO_CURVES) -> bytes:
+        """The view of a design, with its curves; a refusal holds these, too."""
         frames = self.payload.get("states", STATES)
         if not isinstance(frames, int) or isinstance(frames, bool):
             raise InputError(
@@ -84,7 +95,7 @@ class Task:
         try:
             states = min(max(frames, FEWEST_STATES), MOST_STATES)
             shown = file.changed({"motion.frames": states})
-            shell = make_shell(shown, self.progress, clash="unexamined", skip=STEPS)
+            shell = make_shell(shown, progress, clash="unexamined", skip=STEPS)
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None
         document = lay_surface(shell.document, shell.design, measured=False)
@@ -115,9 +126,34 @@ class Task:
             "view": _text(dump_view(document)) if other else None,
         }
 
+    def fit(self) -> str:
+        """The view of a sheet that is fitted to its surface, in base64; a coarser one is first.
+
+        Raises RefusalError if no sheet follows it.
+        """
+        file = self._design(tolerated=True)
+        small = coarser(file)
+        if small is not None:
+            with contextlib.suppress(OrishellError):
+                self.send(_text(self._view(small, stretch(self.progress, 0, COARSE))))
+        return _text(self._view(file, stretch(self.progress, COARSE, 1)))
+
+    def draw_surface(self) -> DrawnSurface:
+        """The target surface, before a shell is fitted to it."""
+        file = self._design(tolerated=True)
+        if file.surface is None:
+            raise InputError("there is no surface", where="target")
+        return draw_surface(file.surface, file.tables["target"]["surface"], file.unit)
+
+    def read_mesh(self) -> DroppedSurface:
+        """The table of a surface in the file of a mesh that was dropped onto the page."""
+        return read_dropped_mesh(*self._dropped())
+
     def find_ranges(self) -> Ranges:
         """Values of the numeric parameters that work."""
         file = self._design()
+        if file.surface is not None:
+            return {"ranges": {}}  # every value that is tried would be a fit
         begin = time.perf_counter()
         try:
             design_of(file, file.pattern)
@@ -140,12 +176,16 @@ class Task:
 
     def read_curve(self) -> DroppedCurve:
         """The table of a curve in a CSV, SVG or DXF file that was dropped onto the page."""
+        return read_dropped(*self._dropped())
+
+    def _dropped(self) -> tuple[str, str, str]:
+        """Name and content of a file that was dropped onto the page, and the unit of the design."""
         name, content, unit = (
             str(self.payload.get(key, "")) for key in ("name", "content", "unit")
         )
         if unit not in MILLIMETRES:
             raise InputError("there is no such unit", where="unit", got=repr(unit))
-        return read_dropped(name, content, unit)
+        return name, content, unit
 
     def find_tradeoff(self) -> Tradeoff:
         """How near sheets of many sizes come to the surface."""
@@ -204,7 +244,7 @@ class Task:
             raise InputError("there is no design", where="design", expected="its tables")
         asked = {key: each for key, each in design.items() if searched or key != "search"}
         file = check_design(asked, Path(f"{self._name()}.toml"), files=False)
-        if file.pattern.sweeps:
+        if file.surface is None and file.pattern.sweeps:
             file.require_target()
         if file.tolerance is None or tolerated:
             require_small(file)
@@ -214,6 +254,9 @@ class Task:
 TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "warm_up": Task.warm_up,
     "design": Task.make_view,
+    "fit": Task.fit,
+    "surface": Task.draw_surface,
+    "mesh": Task.read_mesh,
     "verify": Task.verify,
     "ranges": Task.find_ranges,
     "parse": Task.parse,

@@ -8,6 +8,7 @@ from collections.abc import AsyncGenerator
 from dataclasses import dataclass, field
 from typing import Any
 
+from orishell.conventions.memory import Memory
 from orishell.studio.processes import (
     Kind,
     Payload,
@@ -40,6 +41,8 @@ class Pool:
     size: int  # Number of processes
     seconds: float  # Time that a request may take, without waiting
     waiting: int = 200  # Requests that may wait for a process
+    # What took its processes long, and those of other pools that share it; it outlives them
+    memory: Memory = field(default_factory=Memory)
     _idle: asyncio.LifoQueue[Worker | None] = field(init=False)
     _in_line: int = field(init=False, default=0)
     _workers: list[Worker] = field(init=False, default_factory=list)
@@ -70,13 +73,16 @@ class Pool:
         try:
             end = asyncio.get_running_loop().time() + self.seconds
             # In a thread: what is larger than the pipe waits until the process has started.
-            await asyncio.to_thread(worker.pipe.send, (name, payload))
+            await asyncio.to_thread(worker.pipe.send, (name, payload, self.memory.all()))
             while True:
                 await readable(worker.pipe, end)
                 kind, value = await asyncio.to_thread(worker.pipe.recv)
-                if kind not in ("progress", "found"):
+                if kind == "kept":
+                    self.memory.learn(value)
+                elif kind in ("progress", "found"):
+                    yield kind, value
+                else:
                     break
-                yield kind, value
         except BaseException as error:
             # Its process is in the middle of something, or gone.
             self._replace(worker)

@@ -1,6 +1,6 @@
 // A design to be drawn: both curves are still missing.
 
-import { isCurve, isWhole } from "./curve-table.ts";
+import { NO_CURVE, isCurve, isWhole } from "./curve-table.ts";
 import { h } from "../parts/dom.ts";
 import type { Store } from "../state/store.ts";
 import type { Design, Value } from "../state/types.ts";
@@ -15,8 +15,7 @@ export function blankDesign(store: Store): { name: string; design: Design } {
     // What must be given, and what has no value yet, is left to the program.
     if (value === null && auto) pattern[key] = "auto";
   }
-  const none = { points: [], smooth: true };
-  return { name: "shell", design: { shell: { family, unit }, target: { f: none, g: { ...none } }, pattern } };
+  return { name: "shell", design: { shell: { family, unit }, target: { f: { ...NO_CURVE }, g: { ...NO_CURVE } }, pattern } };
 }
 
 /** Stands in the shell's place until there is one. */
@@ -24,7 +23,7 @@ export function blankCover(store: Store): HTMLElement {
   const words = h("p", {});
   const cover = h("div", { class: "blank-cover", role: "status", "data-testid": "blank", hidden: true }, words);
   const missing = (): string[] =>
-    (["f", "g"] as const).filter((name) => !isCurve(store.design.value.target[name]));
+    isWhole(store.design.value) ? [] : (["f", "g"] as const).filter((name) => !isCurve(store.design.value.target?.[name] ?? NO_CURVE));
   const refresh = (): void => {
     const { design, freshness } = store;
     if (missing().length) cover.hidden = false;

@@ -100,7 +100,8 @@ export class CurveEditor {
   }
 
   private get table(): CurveTable {
-    return this.store.design.value.target[this.name];
+    // While a surface is followed, the curve that was followed last.
+    return this.store.design.value.target?.[this.name] ?? this.shown ?? FALLBACK[this.name];
   }
 
   private get unit(): string {

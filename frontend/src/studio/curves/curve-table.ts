@@ -7,6 +7,7 @@ import { between, fitPoints, placeAmong, splineControls, splineThrough } from ".
 import type { CurveTable, Design, Point } from "../state/types.ts";
 
 export type Mode = "spline" | "lines" | "path" | "formula" | "file";
+export const NO_CURVE: CurveTable = { points: [], smooth: true };
 /** Samples of a curve that is drawn here. */
 const SAMPLES = 800;
 
@@ -23,7 +24,7 @@ export function isCurve(table: CurveTable): boolean {
 }
 
 export function isWhole({ target }: Design): boolean {
-  return isCurve(target.f) && isCurve(target.g);
+  return !target || target.surface !== undefined || (["f", "g"] as const).every((name) => isCurve(target[name] ?? NO_CURVE));
 }
 
 export function scaleOf({ scale = 1 }: CurveTable): Point {

@@ -4,6 +4,7 @@ import { sentence } from "../../shared/words.ts";
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { patternKeysOf } from "../state/faults.ts";
+import { aimOf } from "../state/aims.ts";
 import type { Live } from "../server/live.ts";
 import { wordsOfSize } from "./panel-count.ts";
 import { ParameterRow } from "./parameter-row.ts";
@@ -52,7 +53,9 @@ export class Parameters {
     const parameters = this.store.info.families[shell.family]?.parameters ?? [];
     if (this.family !== shell.family) this.build(shell.family, parameters);
     const named = patternKeysOf(fault.value);
-    for (const { key } of parameters) {
+    const aim = aimOf(design.value);
+    for (const { key, only } of parameters) {
+      this.rows.get(key)!.element.hidden = only !== null && only !== aim;
       const taken = report.value?.parameters[key] ?? report.value?.[key as "rows" | "columns"];
       this.rows.get(key)!.show({
         value: pattern[key],

@@ -2,6 +2,7 @@
 
 import { button, numberBox, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
+import { aimOf } from "../state/aims.ts";
 import { short } from "../parts/numbers.ts";
 import type { Live } from "../server/live.ts";
 import { roundUp, toleranceOf, withTolerance } from "./front.ts";
@@ -122,6 +123,8 @@ export class Sizes {
     const { tolerance } = design.value;
     if (tolerance) this.remembered = tolerance;
     this.mode.set(tolerance ? "tolerance" : "sizes");
+    // A tolerance is measured from f and g.
+    this.mode.element.hidden = aimOf(design.value) !== "curves";
     this.rows.hidden = !!tolerance;
     this.fields.hidden = !tolerance;
     if (!tolerance) return;

@@ -1,15 +1,17 @@
-// Files that are dropped anywhere on the page: a design file opens; a drawing becomes f or g, as asked.
+// Files that are dropped onto the page: a design file opens, a mesh becomes the surface, a drawing f or g, as asked.
 
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import type { CurveName } from "../state/types.ts";
 
+const MESH = /\.(obj|stl|ply|glb|gltf)$/i;
 const DRAWING = /\.(csv|txt|svg|dxf)$/i;
 
 export interface DropEvents {
   design(file: File): void;
   curve(name: CurveName, file: File): void;
-  /** Said of a file that is neither. */
+  surface(file: File): void;
+  /** Said of a file that is none of these. */
   refused(words: string): void;
 }
 
@@ -63,8 +65,9 @@ export class Drop {
 
   private take(file: File): void {
     if (/\.toml$/i.test(file.name)) return this.events.design(file);
+    if (MESH.test(file.name)) return this.events.surface(file);
     if (!DRAWING.test(file.name)) {
-      return this.events.refused(`${file.name} is neither a design file (TOML) nor a drawing (CSV, SVG, DXF)`);
+      return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF) or mesh (OBJ, STL, PLY, glTF)`);
     }
     this.file = file;
     this.question.textContent = `Which curve is ${file.name}?`;

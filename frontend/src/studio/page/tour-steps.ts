@@ -11,12 +11,12 @@ export const STEPS: Step[] = [
   {
     region: ".families",
     title: "Choose a family",
-    text: "Three ways to lay panels out along curves. Each says what it can follow; the design stays yours when you change between them.",
+    text: "Ways to lay panels out along curves, or over a surface. Each says what it can follow; the design stays yours when you change between them.",
   },
   {
-    region: "section:has(> .curve-editor)",
-    title: "Draw two curves",
-    text: "f is the profile, g the path that it is swept along. Drag points, type formulas, or drop an SVG, DXF or CSV file.",
+    region: ".inputs > .target",
+    title: "Say what it follows",
+    text: "Two curves: f is the profile, g the path that it is swept along. Or any surface: type a formula, or drop a mesh. Drag points and corners, or drop a drawing.",
   },
   {
     region: ".parameters",

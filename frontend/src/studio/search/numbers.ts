@@ -35,6 +35,7 @@ export function candidates(design: Design, parameters: Parameter[], ranges: Rang
     if (kind === "number") found.set(`pattern.${key}`, within(value, ranges[key]?.intervals));
   }
   for (const curve of ["f", "g"] as const) {
+    if (!design.target?.[curve]) continue;
     const table: Record<string, unknown> = { scale: 1, ...design.target[curve] };
     for (const key of OF_CURVE) addNumbers(found, `target.${curve}.${key}`, table[key]);
   }

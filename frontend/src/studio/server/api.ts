@@ -85,6 +85,20 @@ export async function readCurve(file: File, unit: string): Promise<DroppedCurve>
   return json("curve", { name: file.name, content: await base64(file), unit });
 }
 
+/** The target surface of a design, to be drawn. */
+export function fetchSurface(design: Design): Promise<Api.DrawnSurface> {
+  return json("surface", { design });
+}
+
+export async function readSurface(file: File, unit: string): Promise<Api.DroppedSurface> {
+  return json("mesh", { name: file.name, content: await base64(file), unit });
+}
+
+/** The view of a design that is fitted to its surface, a coarser one first; aborting stops the fit. */
+export async function fitView(design: Design, states: number, signal: AbortSignal, progressed: Progressed, coarse: (bytes: ArrayBuffer) => void): Promise<ArrayBuffer> {
+  return decodeBytes(await streamed<string>("fit", { design, states }, signal, progressed, (view) => coarse(decodeBytes(view))));
+}
+
 export interface Download {
   name: string;
   blob: Blob;

@@ -2,7 +2,8 @@
 // one waiting; when the design rests, its ranges and its proof.
 
 import { decodeView } from "../../shared/view.ts";
-import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
+import { aimOf, isFitted } from "../state/aims.ts";
+import { decodeBytes, decodeFloats, fetchRanges, fitView, verify } from "./api.ts";
 import { isWhole } from "../curves/curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "../state/faults.ts";
@@ -16,6 +17,8 @@ import type { Design, Report } from "../state/types.ts";
 
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
+/** Rest after which a sheet is fitted to its surface anew, in milliseconds: a fit takes seconds. */
+const PAUSE = 250;
 /** A server that does not answer is asked again after so many milliseconds. */
 const AGAIN = 2000;
 
@@ -23,6 +26,8 @@ interface Pending {
   design: Design;
   changedAt: number;
   states: number;
+  /** Not to be asked for before. */
+  from: number;
 }
 
 export class Live {
@@ -62,6 +67,7 @@ export class Live {
     const { store } = this;
     store.proof.set({ state: "none" });
     store.busy.set(null);  // a search for sizes is broken off
+    store.fitting.set(null);  // and so is a fit
     if (!isWhole(store.design.value) || store.design.value.tolerance) {
       // A curve is being drawn; or sizes are chosen, at the user's word: the search takes seconds.
       this.pending = null;
@@ -69,7 +75,15 @@ export class Live {
       store.freshness.set("outdated");
       return;
     }
-    this.request({ design: store.design.value, changedAt: store.changedAt, states: liveStates(store.design.value) });
+    const design = store.design.value;
+    this.request({ design, changedAt: store.changedAt, states: liveStates(design), from: isFitted(design) ? performance.now() + PAUSE : 0 });
+  }
+
+  /** Fit the sheet again, after it was stopped. */
+  again(): void {
+    const design = this.store.design.value;
+    this.sequence++;
+    this.request({ design, changedAt: performance.now(), states: liveStates(design), from: 0 });
   }
 
   /** Choose rows and columns by the tolerance. */
@@ -77,7 +91,7 @@ export class Live {
     this.sequence++;
     this.stopResting();
     this.store.busy.set("Choosing rows and columns");
-    this.request({ design: this.store.design.value, changedAt: performance.now(), states: STATES });
+    this.request({ design: this.store.design.value, changedAt: performance.now(), states: STATES, from: 0 });
   }
 
   /** Break off what is under way. */
@@ -86,6 +100,7 @@ export class Live {
     this.pending = null;
     this.design.abort();
     this.store.busy.set(null);
+    this.store.fitting.set(null);
     this.store.freshness.set("outdated");
   }
 
@@ -99,7 +114,8 @@ export class Live {
   private async advance(): Promise<void> {
     clearTimeout(this.turn);
     if (!this.pending) return;
-    const wait = this.flights.wait(performance.now());
+    const now = performance.now();
+    const wait = Math.max(this.flights.wait(now), this.pending.from - now);
     if (wait > 0) {
       if (wait < Infinity) this.turn = window.setTimeout(() => void this.advance(), wait);
       return;
@@ -120,20 +136,15 @@ export class Live {
     // A quick request runs to its end, so that a drag shows every answer that comes in time; the
     // search for sizes is broken off by the next change.
     this.design = new AbortController();
-    const signal = next.design.tolerance ? this.design.signal : undefined;
+    const signal = next.design.tolerance || isFitted(next.design) ? this.design.signal : undefined;
     try {
-      const begun = performance.now();
-      const { bytes, server } = await fetchView(next.design, next.states, signal);
-      this.flights.answered(performance.now() - begun, server);
+      const bytes = await this.answered(next, signal);
       if (this.overtaken(next, sequence)) return;
       this.drawn = sequence;
-      const view = decodeView(bytes);
-      store.curves.set(view.header.curves ?? store.curves.value);
-      leaveOpen(view);
-      store.report.set(view.header.report as Report);
-      store.view.set(view);
+      this.take(bytes);
       if (!isOfFile(store.fault.value)) store.fault.set(null);
       store.busy.set(null);
+      store.fitting.set(null);
       const newest = sequence === this.sequence;
       if (newest) {
         store.freshness.set("current");
@@ -150,6 +161,38 @@ export class Live {
     }
   }
 
+  /** The view of a design; of one that is fitted, coarser ones are drawn on the way. */
+  private async answered({ design, states }: Pending, signal?: AbortSignal): Promise<ArrayBuffer> {
+    const { store } = this;
+    if (!isFitted(design)) {
+      const begun = performance.now();
+      const { bytes, server } = await fetchView(design, states, signal);
+      this.flights.answered(performance.now() - begun, server);
+      return bytes;
+    }
+    store.fitting.set({ share: 0, what: "fitting the sheet" });
+    return fitView(
+      design,
+      states,
+      signal!,
+      (share, what) => signal!.aborted || store.fitting.set({ share, what }),
+      (coarse) => {
+        if (signal!.aborted) return;
+        this.take(coarse);
+        void this.draw();
+      },
+    );
+  }
+
+  private take(bytes: ArrayBuffer): void {
+    const { store } = this;
+    const view = decodeView(bytes);
+    store.curves.set(view.header.curves ?? store.curves.value);
+    leaveOpen(view);
+    store.report.set(view.header.report as Report);
+    store.view.set(view);
+  }
+
   /** An answer to an older design is still drawn during a drag, but not once things have moved on
    * by other means (another family, an opened file), where it would flash up. */
   private overtaken(next: Pending, sequence: number): boolean {
@@ -158,6 +201,7 @@ export class Live {
     const now = this.store.design.value;
     return (
       now.shell !== next.design.shell ||
+      aimOf(now) !== aimOf(next.design) ||
       now.tolerance !== next.design.tolerance ||
       this.store.design.value.pattern["rows"] !== next.design.pattern["rows"] ||
       this.store.design.value.pattern["columns"] !== next.design.pattern["columns"]
@@ -167,6 +211,7 @@ export class Live {
   private failed(error: unknown): void {
     const { store } = this;
     store.busy.set(null);
+    store.fitting.set(null);
     store.freshness.set("outdated");
     if (error instanceof ServerFault && error.curves) store.curves.set(error.curves);
     const fault = faultOf(error);
@@ -184,7 +229,7 @@ export class Live {
       if (this.flights.under) return this.tryAgain(sequence);
       const design = this.store.design.value;
       if (design.tolerance) return this.choose();
-      this.request({ design, changedAt: performance.now(), states: liveStates(design) });
+      this.request({ design, changedAt: performance.now(), states: liveStates(design), from: 0 });
     }, AGAIN);
   }
 
@@ -209,10 +254,11 @@ export class Live {
     const { signal } = this.rested;
     const design = this.store.design.value;
     const all = allStates(design);
-    const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
+    const refined = shown && !design.tolerance && !isFitted(design) && shown.states < all ? this.refine(design, all, signal) : null;
     try {
       await Promise.all([
-        design.tolerance ? null : this.findRanges(design, signal),
+        // Of a fitted sheet every value that is tried would be a fit.
+        design.tolerance || isFitted(design) ? this.store.ranges.set({}) : this.findRanges(design, signal),
         refined,
         shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
       ]);
@@ -282,7 +328,7 @@ export class Live {
       const view = other ?? store.view.value!;
       view.header.report = result.report;
       view.header.contact = result.contact;
-      view.distance = decodeFloats(result.distance);
+      if (result.distance) view.distance = decodeFloats(result.distance);
       store.report.set(result.report);
       if (other) {
         store.view.set(other);

@@ -6,7 +6,9 @@ import { button, segmented } from "../parts/controls.ts";
 import { contactOf } from "../../shared/stops.ts";
 import { h } from "../parts/dom.ts";
 import { FoldBar } from "./fold-bar.ts";
+import { aimOf, isFitted } from "../state/aims.ts";
 import type { Store } from "../state/store.ts";
+import type { Design } from "../state/types.ts";
 
 const COLOURS: { value: Colouring; text: string; title: string }[] = [
   { value: "plain", text: "Paper", title: "the two sides of the sheet" },
@@ -32,6 +34,7 @@ export class Stage {
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
   private readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
+  private readonly boxes: Partial<Record<"surface" | "f" | "g", HTMLInputElement>> = {};
   private keepCamera = false;
 
   constructor(
@@ -79,6 +82,8 @@ export class Stage {
     store.busy.bind(() => this.showState());
     store.fault.bind(() => this.showState());
     store.proof.watch(() => this.showProof());
+    store.design.bind((now, before) => this.aim(now, before));
+    store.surface.watch((drawn) => drawn && this.shell.setSurface(drawn.glass));
   }
 
   /** Draw the store's view; the camera stays unless another design has been opened. */
@@ -102,7 +107,18 @@ export class Stage {
       "data-testid": `overlay-${name}`,
       onchange: () => this.shell.setOverlay(name, input.checked),
     });
+    this.boxes[name] = input;
     return h("label", { class: `check overlay-${name}` }, input, text);
+  }
+
+  /** A surface is seen with the shell in it, and has no curves. */
+  private aim(now: Design, before: Design): void {
+    const aim = aimOf(now);
+    if (aim === aimOf(before) && now !== before) return;
+    for (const name of ["f", "g"] as const) this.boxes[name]!.parentElement!.hidden = aim !== "curves";
+    const { surface } = this.boxes;
+    surface!.parentElement!.hidden = aim === "none";
+    if ((aim === "surface") !== surface!.checked) surface!.click();
   }
 
   /** Only where panels have one. */
@@ -131,8 +147,11 @@ export class Stage {
     this.element.dataset["freshness"] = freshness.value;
     this.element.dataset["empty"] = String(!view.value);
     const outdated = freshness.value === "outdated" && view.value;
-    const why = this.store.design.value.tolerance && !fault.value ? "choose rows and columns" : "the last shell that worked";
-    this.state.textContent = busy.value ? `${busy.value}…` : outdated ? `Out of date: ${why}` : "";
+    const { design } = this.store;
+    // A fit that was stopped says so itself.
+    const stopped = isFitted(design.value) && !design.value.tolerance && !fault.value;
+    const why = design.value.tolerance && !fault.value ? "choose rows and columns" : "the last shell that worked";
+    this.state.textContent = busy.value ? `${busy.value}…` : outdated && !stopped ? `Out of date: ${why}` : "";
     this.state.hidden = !this.state.textContent;
   }
 }

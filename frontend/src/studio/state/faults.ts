@@ -56,6 +56,11 @@ export function isAbout(fault: Fault | null, curve: CurveName): boolean {
   return fault?.keys.some((key) => `${key}.`.startsWith(`target.${curve}.`)) ?? false;
 }
 
+/** Whether a fault is about the target surface. */
+export function isAboutSurface(fault: Fault | null): boolean {
+  return fault?.keys.some((key) => `${key}.`.startsWith("target.surface.")) ?? false;
+}
+
 /** What was found that works, or what limits. */
 export function wordsOfRemedies(fault: Fault, words: (remedy: Remedy) => string): string {
   if (fault.searching) return "looking for it…";

@@ -28,7 +28,7 @@ export class Labels {
   /** The label of a key with its tables in front of it. */
   place(place: string): string {
     const [table = "", ...rest] = place.split(".");
-    const curve = table === "target" ? ` of ${rest.shift()}` : "";
+    const curve = table === "target" ? ofTarget(rest.shift()!) : "";
     const names = rest.filter((each) => !isPlace(each));
     const label = this.at(table, names[0]!) ?? capital(names.join(" ").replaceAll("_", " "));
     // Places in a list are counted from 1.
@@ -46,6 +46,7 @@ export class Labels {
     return text
       .replace(/ (in|of) \[(\w+)\]/g, (whole, _, table: string) => (this.page(table) ? ` under ${this.page(table)}` : whole))
       .replace(/\[(target\.)?([fg])\] ?/g, "curve $2: ")
+      .replace(/\[target\.surface\] ?/g, "surface: ")
       .replace(/\[(\w+)\]/g, (whole, table: string) => this.page(table) ?? whole)
       .replace(/\b([a-z][a-z_]*)( = (-?[\d.]+)?)?/g, (whole, key: string, equals = "", number = "", at: number) => {
         // A plain word is a key only where it is given a value.
@@ -65,7 +66,7 @@ export class Labels {
     for (const [place, value] of Object.entries(changes)) {
       const [table = "", ...rest] = place.split(".");
       const key = rest.at(-1) ?? table;
-      const curve = table === "target" ? ` of ${rest[0]}` : "";
+      const curve = table === "target" ? ofTarget(rest[0]!) : "";
       const label = `${small(this.at(table, key) ?? key.replaceAll("_", " "))}${curve}`;
       if (value === null) without.push(label);
       else given.push(`${label} = ${written(value as Value)}${key.endsWith("_deg") && typeof value === "number" ? "°" : ""}`);
@@ -94,6 +95,11 @@ export class Labels {
 /** Within a sentence a label begins small. */
 function small(label: string): string {
   return label.charAt(0).toLowerCase() + label.slice(1);
+}
+
+/** The curve that something is of, or the surface. */
+function ofTarget(name: string): string {
+  return name === "surface" ? " of the surface" : ` of ${name}`;
 }
 
 function isPlace(name: string): boolean {

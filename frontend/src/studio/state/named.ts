@@ -34,8 +34,11 @@ export function namedOf(value: unknown): Named | null {
   const design = found?.design as Partial<Design> | undefined;
   if (typeof found?.name !== "string" || typeof design?.shell?.family !== "string") return null;
   const { pattern, target } = design;
-  if (![pattern, target, target?.f, target?.g].every(isTable)) return null;
-  for (const table of [target!.f, target!.g]) handlesIn(table);
+  if (!isTable(pattern) || (target !== undefined && !isTable(target))) return null;
+  if (!target) return { name: found.name, design: design as Design };
+  const { f, g, surface } = target;
+  if (surface === undefined ? ![f, g].every(isTable) : !isTable(surface)) return null;
+  for (const table of [f, g]) if (table) handlesIn(table);
   return { name: found.name, design: design as Design };
 }
 

@@ -1,13 +1,15 @@
 // The state of the studio: the design with its history, and what is known of it.
 
 import type { View } from "../../shared/view.ts";
+import type { DrawnSurface } from "../surface/drawn-surface.ts";
+import { Left } from "./aims.ts";
 import { changed } from "./changed.ts";
 import { History } from "./history.ts";
 import { Labels } from "./labels.ts";
 import { type Named, type Work, workOf } from "./named.ts";
 import { Signal } from "./signal.ts";
 import { keptSwitch } from "./storage.ts";
-import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
+import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, SurfaceTable, Value } from "./types.ts";
 
 export type Proof =
   | { state: "none" }
@@ -35,6 +37,11 @@ export class Store {
   readonly fault = new Signal<Fault | null>(null);
   readonly proof = new Signal<Proof>({ state: "none" });
   readonly freshness = new Signal<Freshness>("computing");
+  /** The target surface as it is drawn, and the table that it was drawn of. */
+  readonly surface = new Signal<DrawnSurface | null>(null);
+  readonly surfaceAt = new Signal<SurfaceTable | null>(null);
+  /** A sheet is being fitted: how far that is. */
+  readonly fitting = new Signal<{ share: number; what: string } | null>(null);
   /** Sizes are being chosen: what is done, in words. */
   readonly busy = new Signal<string | null>(null);
   /** Whether a person stands beside the shell, for its size. */
@@ -50,6 +57,8 @@ export class Store {
 
   /** Keys in the words of the page. */
   readonly labels: Labels;
+  /** What the design was before it followed something else, or in another family. */
+  readonly left: Left;
   private readonly history: History<Work>;
 
   constructor(
@@ -59,6 +68,7 @@ export class Store {
     this.history = new History(workOf(first));
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
+    this.left = new Left(this.design);
     this.labels = new Labels(info.families, info.tables, () => this.design.value.shell.family);
   }
 

@@ -8,6 +8,7 @@ export type { Curves, DroppedCurve, FileFormat, Info, Lock, Parameter, Range, Re
 export type Value = string | number | boolean | Value[];
 export type CurveName = "f" | "g";
 export type Point = [number, number];
+export type Place = [number, number, number];
 export type Bound = number | string;
 
 /** A table [target.f] or [target.g] of a design file; points may be given in place of a path. */
@@ -23,6 +24,36 @@ export interface CurveTable {
   /** One factor, or one along x and one along y. */
   scale?: number | [number, number];
   [more: string]: Value | undefined;
+}
+
+export type Ends = [Bound, Bound];
+
+/** The table [target.surface] of a design file: one formula of x and y, three of u and v, or a mesh. */
+export interface SurfaceTable {
+  formula?: string | [string, string, string];
+  x?: Ends;
+  y?: Ends;
+  u?: Ends;
+  v?: Ends;
+  /** A mesh. */
+  vertices?: Place[];
+  triangles?: [number, number, number][];
+  mesh?: string;
+  unit?: string;
+  /** Of a mesh: places at or next to the corners of its rim. */
+  corners?: Place[];
+  /** A rectangle in plan. */
+  centre?: Point;
+  size?: Point;
+  turn_deg?: number;
+  [more: string]: Value | undefined;
+}
+
+/** What a shell is to follow: two curves, or a surface. */
+export interface Target {
+  f?: CurveTable;
+  g?: CurveTable;
+  surface?: SurfaceTable;
 }
 
 export interface Tolerance {
@@ -53,7 +84,8 @@ export interface SearchTable {
 /** The tables of a design file. */
 export interface Design {
   shell: { family: string; unit: string; ground?: "z0" | "as-drawn" };
-  target: { f: CurveTable; g: CurveTable };
+  /** None: the sheet is designed by its own numbers. */
+  target?: Target;
   pattern: Record<string, Value>;
   tolerance?: Tolerance;
   deployment?: Record<string, Value>;

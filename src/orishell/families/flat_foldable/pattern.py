@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -28,6 +29,7 @@ from orishell.families.flat_foldable.design import (
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
 from orishell.families.flat_foldable.locks.columns import locked
 from orishell.families.pattern import (
+    Aim,
     Auto,
     ColumnCount,
     Family,
@@ -52,6 +54,11 @@ class FlatFoldablePattern(Pattern):
     row_step: ClassVar[int] = 1
     sweeps: ClassVar[bool] = False
     needs_target: ClassVar[bool] = False
+    only: ClassVar[Mapping[str, Aim]] = {
+        **dict.fromkeys(("sheet", "sector_deg", "turn_deg", "growth"), "none"),
+        **dict.fromkeys(("row_length", "column_length"), "none"),
+        **dict.fromkeys(("edge_ratio", "direction_deg", "border"), "surface"),
+    }
 
     rows: Annotated[RowCount, ROWS]
     columns: Annotated[ColumnCount, COLUMNS]

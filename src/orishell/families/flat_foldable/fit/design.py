@@ -14,7 +14,8 @@ from orishell.conventions.quantities import plain
 from orishell.curves.memo import remembered
 from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.starts import Fit, Task, fit_sheet
+from orishell.families.flat_foldable.fit.memory import recall_fit
+from orishell.families.flat_foldable.fit.starts import Fit, Task
 from orishell.families.flat_foldable.fit.unknowns import ROTATION, SHIFT
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable, turned
@@ -90,7 +91,7 @@ class _Watched:
 def _fitted(surface: PiecedSurface, asked: Asked, watched: _Watched) -> Fit | None:
     conditions = Conditions(asked.edge_ratio)
     task = Task(surface.piece, asked.rows, asked.columns, conditions, asked.straight)
-    return fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=watched.progress)
+    return recall_fit(task, direction=asked.direction, folded=asked.fold, progress=watched.progress)
 
 
 def mechanism_of(fit: Fit) -> FlatFoldable:
