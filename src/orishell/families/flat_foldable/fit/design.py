@@ -75,6 +75,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         targets={},
         closeness=_closeness(fit),
         swept=asked.surface,
+        may_stand=True,
         warnings=tuple(_warnings(fit)),
     )
 
