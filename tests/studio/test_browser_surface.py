@@ -44,7 +44,7 @@ def test_from_a_formula_to_the_fitted_shell(page: Page) -> None:
     assert not page.get_by_test_id("overlay-f").is_visible()
     first = state(page, "report.value.deviation.crests.max")
     assert first > 0
-    assert np.ptp(pixels(page, "canvas")) > 0.3
+    assert np.ptp(pixels(page, ".scene canvas")) > 0.3
     # Another formula: the surface is drawn at once, the shell once it is fitted.
     type_into(page, "formula-surface-height-0", "(x**2 - y**2)/20")
     wait_until(page, "window.__orishell.store.surfaceAt.value.formula.includes('20')")
