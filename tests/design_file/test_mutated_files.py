@@ -23,6 +23,7 @@ import sys
 import time
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -31,6 +32,7 @@ import numpy as np
 from orishell.conventions.errors import InputError, OrishellError
 from orishell.design_file import starter_file
 from orishell.design_file.tables import FileTable
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.families.registry import FAMILIES
 from samples import THOROUGH
 from test_malformed_inputs import GENTLE, HARSH
@@ -94,6 +96,15 @@ ODD: list[Any] = [
     *([], [[]], {}, {"": 0}, [0, 1], [1, 0], [np.nan, 1], ["auto", "auto"], [0] * 1000),
     *([{}], {"low": 0, "high": 5e-324}, {"low": 0, "high": 1}, [np.inf, 5], [1, 2, 3, 4]),
 ]
+FIT: Tables = {"rows": 5, "columns": 6, "edge_ratio": 10, "direction_deg": 0, "border": "free"}
+FITTED: list[Tables] = [
+    {"pattern": FIT, "target": {"surface": surface}}
+    for surface in (
+        {"formula": "1 - 0.2*x**2 - 0.3*y**2", "x": [-1, 1], "y": ["-pi/3", 1], "scale": 2.0},
+        {"formula": "0.1*x*y", "centre": [0, 0.1], "size": [2, 3], "turn_deg": 30},
+        {"formula": ["u", "-cos(v)", "sin(v)"], "u": [0, 2], "v": [0.5, 2.5]},
+    )
+]
 NUMBERS = [each for each in ODD if isinstance(each, int | float) and not isinstance(each, bool)]
 KEYS = ["", "a.b", "rows", "formula", "\n", "é", "a" * 1000, "0", "__class__", "name"]
 
@@ -125,10 +136,12 @@ def good(number: int, rng: Generator) -> Tables:
     """A good design, or one whose tables do not suit each other: small, of any family."""
     family = [*FAMILIES][number % len(FAMILIES)]
     every = shown(family)
-    tables = {name: every.pop(name) for name in ("shell", "target", "pattern")}
+    tables = {name: every.pop(name) for name in ("shell", "target", "pattern") if name in every}
     tables["motion"] = {"frames": 3}
     tables["pattern"] |= {"rows": 5, "columns": 6}
-    if rng.random() < 0.25:
+    if family == "flat-foldable":
+        tables |= copy.deepcopy(pick([{}, {"pattern": listed()}, *FITTED], rng))
+    elif rng.random() < 0.25:
         tables["target"][str(rng.choice(["f", "f", "g"]))] = copy.deepcopy(pick(CURVES, rng))
     if family.startswith("long") and rng.random() < 0.2:
         del tables["target"]
@@ -157,6 +170,17 @@ def good(number: int, rng: Generator) -> Tables:
     if rng.random() < 0.15:
         tables["search"] = copy.deepcopy(SEARCH)
     return tables
+
+
+@cache
+def listed() -> Tables:
+    """A flat-foldable sheet by its lists."""
+    design = FlatFoldablePattern(rows=5, columns=6, sheet="arch").design_without_target()
+    keys = FlatFoldablePattern.model_fields.keys() & design.parameters.keys()
+    lists = {
+        key: design.parameters[key] for key in keys if isinstance(design.parameters[key], list)
+    }
+    return {"rows": 5, "columns": 6, **lists, "sheet": "lists"}
 
 
 def pick(values: list[Any], rng: Generator) -> Any:
