@@ -33,6 +33,7 @@ def aim(page: Page, at: str) -> None:
 def at_a_surface(page: Page) -> None:
     choose(page, "parallel-repeating")
     aim(page, "surface")
+    page.locator("label:has([data-testid=family-flat-foldable])").click()
     page.evaluate(FEW)
     settle(page)
 
@@ -79,6 +80,17 @@ def test_a_fit_can_be_stopped_and_begun_again(page: Page) -> None:
     page.evaluate(FEW)
     settle(page)
     assert state(page, "freshness.value") == "current"
+    assert state(page, "report.value.sheet.area") == before
+
+
+def test_a_family_that_sweeps_gives_its_curves(page: Page) -> None:
+    at_a_surface(page)
+    page.locator("label:has([data-testid=family-parallel-repeating])").click()
+    settle(page)
+    before = state(page, "report.value.sheet.area")
+    page.get_by_test_id("by-curves").click()
+    settle(page)
+    assert sorted(state(page, "design.value.target")) == ["f", "g"]
     assert state(page, "report.value.sheet.area") == before
 
 

@@ -53,6 +53,13 @@ export class SurfaceEditor {
     h("span", { class: "spacer" }),
     this.auto,
   );
+  /** Of a family that sweeps f along g. */
+  private readonly curves = button({
+    label: "Go on with the curves f and g that were fitted",
+    text: "Go on with f and g",
+    testid: "by-curves",
+    act: () => this.store.set(this.store.report.value?.by_curves ?? {}, "the curves of the surface"),
+  });
   private readonly note = h("p", { class: "note", hidden: true });
   /** Tables as they were left, for the way back. */
   private readonly left = new Map<Kind, SurfaceTable>();
@@ -104,6 +111,7 @@ export class SurfaceEditor {
       this.plan.element,
       this.sizes,
       this.note,
+      this.curves,
     );
     this.plan.element.append(h("div", { class: "drop-hint" }, "Drop an OBJ, STL, PLY or glTF file"));
     this.listenForFiles();
@@ -111,6 +119,11 @@ export class SurfaceEditor {
     store.surface.watch(() => this.refresh());
     store.surfaceAt.watch(() => this.refresh());
     store.fault.bind(() => this.showFault());
+    for (const signal of [store.report, store.freshness]) {
+      (signal as { bind(listener: () => void): void }).bind(() => {
+        this.curves.hidden = store.freshness.value !== "current" || !store.report.value?.by_curves;
+      });
+    }
   }
 
   private get table(): SurfaceTable {
