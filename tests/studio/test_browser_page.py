@@ -199,7 +199,7 @@ def test_files_dropped_anywhere(page: Page) -> None:
     drawn(page)
     assert choice.is_hidden()
     page.evaluate(drop, ["picture.png", ""])
-    assert "picture.png is neither" in page.get_by_test_id("said").inner_text()
+    assert "picture.png is no design file" in page.get_by_test_id("said").inner_text()
     page.evaluate(drop, ["mine.toml", starter_file("longitudinal-linear-repeating")])
     wait_until(page, "window.__orishell.store.name.value === 'mine'")
     drawn(page)

@@ -12,6 +12,7 @@ import pytest
 
 from orishell.conventions.memory import Memory, key_of
 from orishell.studio import api
+from surface_files import obj
 from typescript import fits
 
 DOME: dict[str, Any] = {
@@ -78,15 +79,6 @@ def test_what_is_wrong_with_a_surface_names_its_key(client: httpx.Client) -> Non
         error = asked(client, "surface", design=of_surface(**table))["error"]
         assert error["kind"] == "input"
         assert key in error["keys"]
-
-
-def obj(holes: int = 0) -> str:
-    """A saddle over a square of 2 m in quadrilaterals, some left out within."""
-    at = np.linspace(-1, 1, 9)
-    lines = [f"v {x:.6f} {y:.6f} {0.25 * (x * x - y * y):.6f}" for y in at for x in at]
-    faces = [[9 * i + j + k + 1 for k in (0, 1, 10, 9)] for i in range(8) for j in range(8)]
-    del faces[27 : 27 + holes]
-    return "\n".join([*lines, *("f " + " ".join(map(str, face)) for face in faces), ""])
 
 
 def dropped(client: httpx.Client, text: str, unit: str = "m") -> Any:

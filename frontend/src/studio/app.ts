@@ -24,6 +24,7 @@ import { Stage } from "./shell/stage.ts";
 import { forgetWhatIsStale } from "./state/stale.ts";
 import type { Store } from "./state/store.ts";
 import { announceTheme } from "./parts/theme.ts";
+import { aimOf } from "./state/aims.ts";
 import { fitBar } from "./surface/fit-bar.ts";
 import { SurfaceEditor } from "./surface/surface-editor.ts";
 import { keepSurfaceDrawn } from "./surface/keep-drawn.ts";
@@ -58,7 +59,8 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     await painted();
   });
   const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
-  const surface = new SurfaceEditor(store);
+  store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
+  const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);

@@ -31,7 +31,7 @@ const MARGIN = matchMedia("(pointer: coarse)").matches ? 54 : 34;
 
 export class PlanPlot {
   readonly element: HTMLElement;
-  private readonly heights = h("canvas", { class: "plan-heights", "aria-hidden": "true" });
+  private readonly heights = s("g", { class: "plan-heights", "aria-hidden": "true" });
   private readonly grid = s("g", { class: "plot-grid" });
   private readonly labels = s("g", { class: "plot-labels" });
   private readonly rim = s("path", { class: "plan-rim" });
@@ -51,7 +51,7 @@ export class PlanPlot {
     this.svg = s(
       "svg",
       { class: "plot", role: "group", "aria-label": "The surface from above", "data-testid": "plan" },
-      this.grid, this.rim, this.box, this.arm, this.labels, this.handles,
+      this.heights, this.grid, this.rim, this.box, this.arm, this.labels, this.handles,
     );
     const tools = h(
       "div",
@@ -60,9 +60,8 @@ export class PlanPlot {
       button({ label: "Zoom out of the plan", icon: "minus", act: () => this.zoom(0.8) }),
       button({ label: "Fit the plan into view", icon: "fit", act: () => this.fit() }),
     );
-    this.element = h("div", { class: "plot-frame plan-frame" }, this.heights, this.svg, tools);
+    this.element = h("div", { class: "plot-frame plan-frame" }, this.svg, tools);
     this.listen();
-    document.addEventListener("themechange", () => this.drawHeights());
     new ResizeObserver(() => this.resized()).observe(this.element);
   }
 
@@ -127,7 +126,7 @@ export class PlanPlot {
       const [x, y] = this.plane.toPixels(at);
       group.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
       group.classList.toggle("lesser", kind !== "corner");
-      setAttribute(group, "data-testid", `plan-${words.replaceAll(" ", "-")}`);
+      setAttribute(group, "data-testid", `handle-${words.replaceAll(" ", "-")}`);
       group.setAttribute("aria-label", kind === "turn" ? `turn: ${pretty(this.patch!.turn_deg, 4)} degrees` : `${words}: x ${pretty(at[0], 4)}, y ${pretty(at[1], 4)}`);
     });
     const turn = handles.find(({ kind }) => kind === "turn");
@@ -136,37 +135,21 @@ export class PlanPlot {
 
   /** Heights as bands: the higher, the darker. */
   private drawHeights(): void {
-    const { heights, drawn, plane } = this;
-    const ratio = window.devicePixelRatio || 1;
-    heights.width = Math.round(plane.width * ratio);
-    heights.height = Math.round(plane.height * ratio);
-    const pen = heights.getContext("2d");
-    if (!pen || !drawn) return;
-    pen.scale(ratio, ratio);
-    pen.fillStyle = getComputedStyle(this.element).getPropertyValue("--target").trim();
-    const { points, rows, columns } = drawn.glass;
+    const bands = Array.from({ length: BANDS }, () => "");
+    const { points, rows, columns } = this.drawn?.glass ?? { points: [], rows: 1, columns: 1 };
     let low = Infinity, high = -Infinity;
     for (let k = 2; k < points.length; k += 3) {
       low = Math.min(low, points[k]!);
       high = Math.max(high, points[k]!);
     }
-    const paths = Array.from({ length: BANDS }, () => new Path2D());
     for (let cell = 0; cell < (rows - 1) * (columns - 1); cell++) {
       const v = Math.floor(cell / (columns - 1)) * columns + (cell % (columns - 1));
       const corners = [v, v + 1, v + columns + 1, v + columns].map((k) => 3 * k);
       const height = corners.reduce((sum, at) => sum + points[at + 2]! / 4, 0);
-      const path = paths[Math.min(BANDS - 1, Math.floor((BANDS * (height - low)) / (high - low || 1)))]!;
-      corners.forEach((at, k) => {
-        const [x, y] = plane.toPixels([points[at]!, points[at + 1]!]);
-        if (k) path.lineTo(x, y);
-        else path.moveTo(x, y);
-      });
-      path.closePath();
+      const band = Math.min(BANDS - 1, Math.floor((BANDS * (height - low)) / (high - low || 1)));
+      bands[band] += `${line(...corners.map((at) => this.plane.toPixels([points[at]!, points[at + 1]!])))}Z`;
     }
-    paths.forEach((path, band) => {
-      pen.globalAlpha = 0.08 + (0.5 * band) / (BANDS - 1);
-      pen.fill(path);
-    });
+    this.heights.replaceChildren(...bands.map((d, band) => s("path", { d, "fill-opacity": 0.08 + (0.5 * band) / (BANDS - 1) })));
   }
 
   private resized(): void {
@@ -209,6 +192,8 @@ export class PlanPlot {
       if (this.held !== index) return;
       this.held = null;
       this.events.released();
+      const box = this.seen();
+      if (box && !this.plane.suits(box)) this.fit();
     };
     group.addEventListener("pointerup", release);
     group.addEventListener("lostpointercapture", release);

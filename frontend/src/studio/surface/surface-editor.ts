@@ -58,7 +58,11 @@ export class SurfaceEditor {
   private readonly left = new Map<Kind, SurfaceTable>();
   private shown: SurfaceTable | null = null;
 
-  constructor(private readonly store: Store) {
+  constructor(
+    private readonly store: Store,
+    /** Called before another surface takes the place of the present one. */
+    private readonly another: () => void,
+  ) {
     this.fields = new SurfaceFields((table, gesture) => this.set(table, "formula of the surface", gesture));
     this.plan = new PlanPlot({
       changed: (patch, gesture) => this.set(withPatch(this.table, patch), "rectangle", gesture),
@@ -117,9 +121,10 @@ export class SurfaceEditor {
     this.store.set({ "target.surface": table }, what, gesture);
   }
 
-  /** Show all of another surface when it is drawn. */
+  /** Show all of another surface, and of its shell, when they are drawn. */
   refit(): void {
     this.plan.refit();
+    this.another();
   }
 
   private refresh(): void {
@@ -169,7 +174,7 @@ export class SurfaceEditor {
       const found = READY_MADE[Number(select.value)];
       select.value = "";
       if (!found) return;
-      this.plan.refit();
+      this.refit();
       this.set(found.table(this.store.design.value.shell.unit), found.name.toLowerCase());
     });
     return select;
@@ -178,7 +183,7 @@ export class SurfaceEditor {
   private switchTo(kind: Kind): void {
     const now = kindOf(this.table);
     if (kind === now) return;
-    this.plan.refit();
+    this.refit();
     const { unit } = this.store.design.value.shell;
     const other = this.left.get(kind) ?? READY_MADE.map((each) => each.table(unit)).find((table) => kindOf(table) === kind);
     if (other) return this.set(other, "surface");
@@ -195,7 +200,7 @@ export class SurfaceEditor {
     this.say(`Reading ${file.name}\u2026`);
     try {
       const { table, note } = await readSurface(file, this.store.design.value.shell.unit);
-      this.plan.refit();
+      this.refit();
       const { store } = this;
       store.change(changed(designFor(store, "surface"), { target: { surface: table } }), `surface from ${file.name}`);
       this.say(sentence(note));
