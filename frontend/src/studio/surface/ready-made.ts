@@ -14,11 +14,10 @@ export const READY_MADE: ReadyMade[] = [
   { name: "Saddle", table: (unit) => ({ formula: `(x**2 - y**2)/${times(unit, 4)}`, ...square(unit) }) },
   { name: "Hyperbolic paraboloid", table: (unit) => ({ formula: `x*y/${times(unit, 2)}`, ...square(unit) }) },
   {
-    name: "Piece of a torus",
+    name: "Vault",
     table: (unit) => {
-      const [ring, tube] = [times(unit, 2), times(unit, 1)];
-      const round = `(${ring} + ${tube}*cos(v))`;
-      return { formula: [`${round}*cos(u)`, `${round}*sin(u)`, `${tube}*sin(v)`], u: [-0.7, 0.7], v: [-0.7, 0.7] };
+      const { x } = square(unit);
+      return { formula: ["u", `${times(unit, 1)}*sin(v)`, `${times(unit, 1)}*cos(v)`], u: x!, v: [-1.2, 1.2] };
     },
   },
 ];

@@ -121,7 +121,7 @@ export class SurfaceEditor {
     store.fault.bind(() => this.showFault());
     for (const signal of [store.report, store.freshness]) {
       (signal as { bind(listener: () => void): void }).bind(() => {
-        this.curves.hidden = store.freshness.value !== "current" || !store.report.value?.by_curves;
+        this.curves.hidden = store.freshness.value !== "current" || !Object.keys(store.report.value?.by_curves ?? {}).length;
       });
     }
   }
