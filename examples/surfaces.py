@@ -61,11 +61,8 @@ def trial(surface: str, family: str, size: int) -> tuple[Shell | None, str, floa
         file = in_family(check_design(tables, Path("surface.toml")), family)
         shell = make_shell(file, skip=("remedies",))
     except OrishellError as error:
-        return (
-            None,
-            str(error).partition("surface.toml: ")[2].splitlines()[0],
-            time.process_time() - start,
-        )
+        why_not = str(error).removeprefix("surface.toml: ").splitlines()[0]
+        return None, why_not, time.process_time() - start
     return shell, "", time.process_time() - start
 
 
