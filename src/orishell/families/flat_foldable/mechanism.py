@@ -109,7 +109,7 @@ class FlatFoldable:
         return self.placed(places, theta / self.target_drive, drives.shape)
 
     def placed(self, places: Array, shares: Array, states: tuple[int, ...]) -> Array:
-        """Vertices (*states, rows, columns, 3) from those about the middle crease (3, ..., B).
+        """Vertices (..., rows, columns, 3) from those about the middle crease (3, ..., B).
 
         shares: Of the turn as a whole (B,).
         """
@@ -126,7 +126,7 @@ class FlatFoldable:
         return CreaseValues(row=row, column=column)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Bounds of the accelerations of edges: see :class:`~.rates.Chains`."""
+        """Bounds of the accelerations of edges: see the module ``rates``."""
         spin = float(np.linalg.norm(self.turn)) / self.target_drive
         rows, columns = (np.abs(each) for each in (self._shares[0][:, 0], self._shares[1][0]))
         of_rows, of_columns = (Rates.of(each[:, 0], start, stop) for each in (rows, columns))
