@@ -91,9 +91,7 @@ def _box(shell: Shell) -> tuple[list[float], list[float]]:
 def main() -> None:
     """Print the table, draw the shells."""
     size = int(sys.argv[1]) if len(sys.argv) > 1 else 15
-    print(
-        "| surface | family | distance by diagonal | panels | sheet by surface | packs | time |"
-    )
+    print("| surface | family | distance by diagonal | panels | sheet by surface | packs | time |")
     print("|---|---|---|---|---|---|---|")
     nearest: dict[str, Shell] = {}
     for surface in SURFACES:
@@ -125,7 +123,7 @@ def draw(path: Path, shells: dict[str, Shell]) -> None:
         corners = points[shell.design.mechanism.grid.faces_vertices()]
         axes.add_collection3d(
             Poly3DCollection(
-                corners, facecolor="#e8e4d8", edgecolor="#333", linewidth=0.3, shade=True
+                corners, facecolors="#e8e4d8", edgecolors="#333", linewidths=0.3, shade=True
             )
         )
         low, high = points.min(axis=0), points.max(axis=0)

@@ -77,7 +77,7 @@ def test_results_are_one_line(shell: Shell, tmp_path: Path) -> None:
     things = [
         *(
             shell,
-            shell.design.surface.lattice(1.0, 0.1),
+            None if shell.design.swept is None else shell.design.swept.lattice(1.0, 0.1),
             motion.target,
             list(shell.document.states),
         ),
@@ -91,7 +91,7 @@ def test_results_are_one_line(shell: Shell, tmp_path: Path) -> None:
         assert " at 0x" not in line
         assert len(line) <= LONGEST, line
     first = (shell, shell.design, shell.lock, motion, motion.target, motion.mechanism)
-    for each in (*first, shell.file.f, shell.file.g):
+    for each in (*first, *(shell.file.target or ())):
         assert len(repr(each)) <= RESULT, each
 
 

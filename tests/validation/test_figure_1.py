@@ -65,7 +65,8 @@ def test_report_has_the_fields_of_the_contract(shell: Shell) -> None:
         "sector_sum_rad",
         "fold_angle_rad",
     }
-    assert set(report["deviation"]) == {"f", "g", "surface", "tilted", "approached"}
+    parts = {"f", "g", "crests", "valleys", "surface", "tilted", "approached"}
+    assert set(report["deviation"]) == parts
     sizes = {"max", "rms", "mean", "p95", "sample_spacing"}
     surface = report["deviation"]["surface"]
     assert set(surface) == sizes | {"shell_to_surface", "surface_to_shell"}

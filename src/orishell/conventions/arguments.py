@@ -87,7 +87,8 @@ def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
         except (KeyError, IndexError, TypeError):
             continue
         found.append(key)
-    return (*found, location[-1]) if kind == "missing" else tuple(found)
+    there = tuple(found) == location  # what lacks something, of which the details say what
+    return (*found, location[-1]) if kind == "missing" and not there else tuple(found)
 
 
 def _fault(

@@ -14,10 +14,10 @@ class AskedSurface(Protocol):
     """A surface: f swept along g, formulas, or a mesh."""
 
     def points(self, u: Array, v: Array) -> Array:
-        """Points (..., 3) at two parameters (...)."""
+        """Points (..., 3) at the two parameters u and v (...)."""
 
     def normals(self, u: Array, v: Array) -> Array:
-        """Unit normals (..., 3) at two parameters (...)."""
+        """Unit normals (..., 3) at the two parameters u and v (...)."""
 
     def lattice(
         self,
@@ -27,7 +27,19 @@ class AskedSurface(Protocol):
         *,
         most: int | None = None,
     ) -> Lattice:
-        """A lattice of points as close as asked for."""
+        """A lattice of points as close as asked for.
+
+        Parameters
+        ----------
+        step
+            Distance of neighbours to the right, at most (length).
+        sagitta
+            How far cells may leave the surface, about (length); a share of the step if None.
+        longer
+            Neighbours upwards are at most so many steps apart.
+        most
+            Cells, at most.
+        """
 
     def area(self, step: float | None = None) -> float:
         """Area, of cells with sides of about ``step``; roughly, if none is given."""

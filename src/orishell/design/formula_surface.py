@@ -59,7 +59,16 @@ class FormulaSurface:
     ) -> Lattice:
         """A lattice of points as close as asked for, even in both parameters.
 
-        See :meth:`Surface.lattice <orishell.design.Surface.lattice>`.
+        Parameters
+        ----------
+        step
+            Distance of neighbours to the right, at most (length).
+        sagitta
+            How far cells may leave the surface, about (length); a share of the step if None.
+        longer
+            Neighbours upwards are at most so many steps apart.
+        most
+            Cells, at most.
         """
         sagitta = step / LOOSE if sagitta is None else sagitta
         points = self._probe[0]

@@ -23,7 +23,7 @@ class MeshSurface:
 
     @classmethod
     def of(cls, vertices: Array, triangles: Integers, corners: Array | None = None) -> MeshSurface:
-        """The surface of triangles (T, 3), with corners at or next to given places (4, 3).
+        """The surface of triangles (T, 3) of vertices (V, 3), with corners near places (4, 3).
 
         Raises
         ------
@@ -61,7 +61,7 @@ class MeshSurface:
         return np.asarray(points.reshape(between.shape))
 
     def normals(self, u: Array, v: Array) -> Array:
-        """Unit normals (..., 3) where :meth:`points` are."""
+        """Unit normals (..., 3) where :meth:`points` at u and v (...) are."""
         points = self.points(u, v)
         return self.piece.nearest(points.reshape(-1, 3))[1].reshape(points.shape)
 
@@ -73,7 +73,17 @@ class MeshSurface:
         *,
         most: int | None = None,
     ) -> Lattice:
-        """A lattice of points, neighbours about a ``step`` apart, even along the sides."""
+        """A lattice of points, even along the sides, for pictures.
+
+        Parameters
+        ----------
+        step
+            Distance of neighbours to the right, about (length).
+        sagitta, most
+            Not asked for here: its points lie on the surface.
+        longer
+            Neighbours upwards are about so many steps apart.
+        """
         wide, high = self.piece.extents
         rows = int(np.clip(np.ceil(high / (longer * step)), 1, MOST_DRAWN))
         columns = int(np.clip(np.ceil(wide / step), 1, MOST_DRAWN))
@@ -81,7 +91,7 @@ class MeshSurface:
         return Lattice(u, v, self.points(u[:, None], v[None, :]), 0.0)
 
     def area(self, step: float | None = None) -> float:
-        """Area of its triangles."""
+        """Area of its triangles, whatever the ``step``."""
         p, q, r = np.moveaxis(self.piece.vertices[self.piece.triangles], 1, 0)
         return float(0.5 * lengths(np.cross(q - p, r - p)).sum())
 

@@ -109,9 +109,16 @@ class FlatFoldable:
         return self.placed(places, theta / self.target_drive, drives.shape)
 
     def placed(self, places: Array, shares: Array, states: tuple[int, ...]) -> Array:
-        """Vertices (..., rows, columns, 3) from those about the middle crease (3, ..., B).
+        """Vertices (..., rows, columns, 3) where they stand.
 
-        shares: Of the turn as a whole (B,).
+        Parameters
+        ----------
+        places
+            Vertices about the middle crease (3, rows, columns, B).
+        shares
+            Of the turn as a whole (B,).
+        states
+            Shape (...) of the B states.
         """
         if self.turn.any():
             places = turned(places, self.turn[:, None] * shares)
