@@ -18,7 +18,9 @@ from orishell.design_file import check_design
 from orishell.families.registry import FAMILIES
 from orishell.shell.families import in_family, packs_flat
 from orishell.shell.make import make_shell
+from orishell.shell.steps import Step
 
+WITHOUT: tuple[Step, ...] = ("remedies",)
 ONE, SMALL = [-1.0, 1.0], [-0.5, 0.5]
 ARC = [-math.radians(40), math.radians(40)]
 SURFACES: dict[str, dict[str, Any]] = {
@@ -59,7 +61,7 @@ def trial(surface: str, family: str, size: int) -> tuple[Shell | None, str, floa
     start = time.process_time()
     try:
         file = in_family(check_design(tables, Path("surface.toml")), family)
-        shell = make_shell(file, skip=("remedies",))
+        shell = make_shell(file, skip=WITHOUT)
     except OrishellError as error:
         why_not = str(error).removeprefix("surface.toml: ").splitlines()[0]
         return None, why_not, time.process_time() - start
@@ -128,7 +130,7 @@ def draw(path: Path, shells: dict[str, Shell]) -> None:
         )
         low, high = points.min(axis=0), points.max(axis=0)
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-        axes.set_box_aspect(np.maximum(high - low, 1e-3), zoom=1.4)
+        axes.set_box_aspect(np.maximum(high - low, 1e-3), zoom=1.1)
         axes.view_init(32, -60)
         axes.set_axis_off()
         axes.set_title(f"{name}: {shell.file.family}", fontsize=9)

@@ -136,7 +136,9 @@ def good(number: int, rng: Generator) -> Tables:
     """A good design, or one whose tables do not suit each other: small, of any family."""
     family = [*FAMILIES][number % len(FAMILIES)]
     every = shown(family)
-    tables = {name: every.pop(name) for name in ("shell", "target", "pattern") if name in every}
+    tables: Tables = {
+        name: every.pop(name) for name in ("shell", "target", "pattern") if name in every
+    }
     tables["motion"] = {"frames": 3}
     tables["pattern"] |= {"rows": 5, "columns": 6}
     if family == "flat-foldable":
