@@ -6,8 +6,10 @@ fitted to meshes of 20,000 triangles of the same surfaces.
 
 from __future__ import annotations
 
+import runpy
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,25 +19,8 @@ from orishell.design_file.surface import SurfaceTable
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
 
-CAP, ONE = [-0.5, 0.5], [-1.0, 1.0]
-TORUS = ["(2 + cos(v))*sin(u)", "sin(v)", "(2 + cos(v))*cos(u)"]
-ARC = [-40 * np.pi / 180, 40 * np.pi / 180]
-SURFACES: dict[str, dict[str, Any]] = {
-    "cap .5": {"formula": "sqrt(1 - x**2 - y**2) - 1", "x": CAP, "y": CAP},
-    "ellipsoid": {
-        "formula": "0.8*(sqrt(1 - x**2/1.5**2 - y**2) - 1)",
-        "x": [-0.825, 0.825],
-        "y": [-0.55, 0.55],
-    },
-    "saddle .5": {"formula": "0.25*(x**2 - y**2)", "x": ONE, "y": ONE},
-    "hypar .5": {"formula": "0.5*x*y", "x": ONE, "y": ONE},
-    "saddle 1": {"formula": "0.5*(x**2 - y**2)", "x": ONE, "y": ONE},
-    "monkey": {"formula": "0.2*(x**3 - 3*x*y**2)", "x": ONE, "y": ONE},
-    "free-form": {"formula": "0.25*sin(pi*x)*cos(pi*y/2)", "x": ONE, "y": ONE},
-    "torus": {"formula": TORUS, "u": ARC, "v": ARC},
-    "half cylinder": {"formula": ["v", "-cos(u)", "sin(u)"], "u": [0, np.pi], "v": [-1.5, 1.5]},
-}
-"""Those of the design page; lengths in any unit."""
+EXAMPLES = Path(__file__).parents[1] / "examples"
+SURFACES: dict[str, dict[str, Any]] = runpy.run_path(str(EXAMPLES / "surfaces.py"))["SURFACES"]
 CELLS = 100
 """Along each side of a mesh: twice the square of it are its triangles."""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from typing import Final, Generic, Protocol, TypeAlias, TypeVar
+from typing import Any, Final, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -76,9 +76,9 @@ def the_variable(variable: J, rules: Rules[J], /) -> J:
 def one_of(number: int) -> Run:
     """The formula that is one variable of several, which are then given as a tuple."""
 
-    def run(variable: J, rules: Rules[J], /) -> J:
-        several: tuple[J, ...] = variable  # type: ignore[assignment]
-        return several[number]
+    def run(variable: Any, rules: Rules[J], /) -> J:
+        found: J = variable[number]
+        return found
 
     return run
 

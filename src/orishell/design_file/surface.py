@@ -15,7 +15,7 @@ from orishell.conventions.table import Number, Table
 from orishell.curves import FormulaOfTwo, parse_formula_of_two
 from orishell.design import FormulaSurface, MeshSurface
 from orishell.design.mesh_files import read_mesh
-from orishell.design_file.target import Ends, beside, numbers
+from orishell.design_file.target import Ends, beside, numbers, one_source
 
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
@@ -70,18 +70,9 @@ class SurfaceTable(Table):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        given = [key for key in type(self).model_fields if key in self.model_fields_set]
-        sources = [key for key in given if key in FITTING]
-        if len(sources) != 1:
-            found = {"found": " and ".join(sources) or "none of them"}
-            raise PydanticCustomError("source", "a surface comes from a formula or a mesh", found)
-        source = sources[0]
-        for key in given:
-            if key not in {source, *FITTING[source], *ALWAYS}:
-                what = f"this key does not go with {source}"
-                raise PydanticCustomError("source", what, {"key": key})
+        source = one_source(self, FITTING, ALWAYS, "a surface comes from a formula or a mesh")
         if source == "formula":
-            self._check_ranges(given)
+            self._check_ranges()
         if source == "vertices":
             if self.triangles is None:
                 raise PydanticCustomError("source", "vertices need triangles", {"key": "triangles"})
@@ -91,7 +82,8 @@ class SurfaceTable(Table):
                 raise PydanticCustomError("source", what, {"key": "triangles"})
         return self
 
-    def _check_ranges(self, given: list[str]) -> None:
+    def _check_ranges(self) -> None:
+        given = [key for key in type(self).model_fields if key in self.model_fields_set]
         three = isinstance(self.formula, list)
         wanted, other = (("u", "v"), ("x", "y")) if three else (("x", "y"), ("u", "v"))
         for key in given:

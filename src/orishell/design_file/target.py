@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Final, Self
@@ -51,6 +52,29 @@ Ends = Annotated[list[Number | str], Field(min_length=2, max_length=2)]
 Factor = Annotated[Number, Field(gt=0)]
 
 
+def one_source(
+    table: Table, fitting: Mapping[str, set[str]], always: set[str], otherwise: str
+) -> str:
+    """The one source of a curve or a surface that a table gives, whose keys all go with it.
+
+    fitting: Sources, and the keys that have a meaning for each.
+    always: Keys that have one for all.
+    otherwise: What to say if there is not one source.
+    """
+    given = [key for key in type(table).model_fields if key in table.model_fields_set]
+    sources = [key for key in given if key in fitting]
+    if len(sources) != 1:
+        found = {"found": " and ".join(sources) or "none of them"}
+        raise PydanticCustomError("source", otherwise, found)
+    source = sources[0]
+    for key in given:
+        if key not in {source, *fitting[source], *always}:
+            owners = [each for each, keys in fitting.items() if key in keys]
+            what = f"this key goes with {' or '.join(owners)}, not with {source}"
+            raise PydanticCustomError("source", what, {"key": key})
+    return source
+
+
 class Target(Table):
     """A target curve: one source, and what is done with it."""
 
@@ -71,18 +95,8 @@ class Target(Table):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        given = [key for key in type(self).model_fields if key in self.model_fields_set]
-        sources = [key for key in given if key in FITTING]
-        if len(sources) != 1:
-            found = {"found": " and ".join(sources) or "none of them"}
-            what = "a curve comes from either a formula, points, svg, dxf or a path"
-            raise PydanticCustomError("source", what, found)
-        source = sources[0]
-        for key in given:
-            if key not in {source, *FITTING[source], *ALWAYS}:
-                owners = [each for each, keys in FITTING.items() if key in keys]
-                what = f"this key goes with {' or '.join(owners)}, not with {source}"
-                raise PydanticCustomError("source", what, {"key": key})
+        what = "a curve comes from either a formula, points, svg, dxf or a path"
+        source = one_source(self, FITTING, ALWAYS, what)
         if source == "formula" and self.range is None:
             raise PydanticCustomError("source", "a formula needs its range, as in range = [0, 1]")
         if self.layer is not None and self.handle is not None:

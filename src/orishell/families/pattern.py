@@ -260,6 +260,14 @@ class Pattern(Table):
         return 0.0
 
 
+def _undecided() -> InputError:
+    return InputError(
+        "the family is still to be chosen",
+        keys=("shell.family",),
+        remedy="name a family; orishell design tries all and says what each does",
+    )
+
+
 class AnyPattern(Pattern):
     """What a file says of the pattern where its family is to be chosen."""
 
@@ -271,11 +279,7 @@ class AnyPattern(Pattern):
         InputError
             Always.
         """
-        raise InputError(
-            "the family is still to be chosen",
-            keys=("shell.family",),
-            remedy="name a family; orishell design tries all and says what each does",
-        )
+        raise _undecided()
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Refuse to design anything before there is a family.
@@ -285,11 +289,7 @@ class AnyPattern(Pattern):
         InputError
             Always.
         """
-        raise InputError(
-            "the family is still to be chosen",
-            keys=("shell.family",),
-            remedy="name a family; orishell design tries all and says what each does",
-        )
+        raise _undecided()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The fewest panels whose shell comes near enough to a surface that it is fitted to.
+"""Few panels whose shell comes near enough to a surface: the fewest of the sizes that are tried.
 
 Each size is a fit of its own, which takes seconds: so only sizes of the surface's own proportions
 are tried, and few of them. A corrugation of panels half as large is half as deep, so that the
@@ -33,7 +33,7 @@ Measure = Callable[[int, int, Progress], tuple[Trial, float]]
 
 @dataclass(slots=True, eq=False)
 class SurfaceSearch:
-    """Looks for the fewest panels."""
+    """Looks for few panels: of the sizes that it tries, the fewest that do."""
 
     measure: Measure
     extents: tuple[float, float]  # of the surface, to the right and upwards (lengths)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,9 +20,10 @@ from mechanisms import (
 )
 from orishell.conventions.errors import DesignError
 from orishell.design_file import read_design_file
-from orishell.families.flat_foldable.design import design_flat_foldable
+from orishell.families.flat_foldable.design import SheetKind, design_flat_foldable
 from orishell.families.flat_foldable.locks.columns import FlapColumns, with_flaps
 from orishell.families.flat_foldable.locks.straight import straight_bordered
+from orishell.families.flat_foldable.net import Net
 from orishell.locking import find_lock
 from orishell.motion import FoldedState, FoldingMotion, measure_fold_angles
 from orishell.shell import make_shell
@@ -86,7 +88,7 @@ def test_the_crease_between_sheet_and_flaps_folds_less_than_a_right_angle() -> N
 
 @pytest.mark.parametrize("width", [0.2, 1.0])
 @pytest.mark.parametrize("make", [miura_net, lambda: random_net(6, 5, 3)])
-def test_flaps_lock_and_nothing_touches_before(make, width: float) -> None:  # type: ignore[no-untyped-def]
+def test_flaps_lock_and_nothing_touches_before(make: Callable[[], Net], width: float) -> None:
     sheet = with_flap_columns(make(), (0.0, width))
     design = design_flat_foldable(rows=5, columns=5)
     lock = find_lock(replace(design, mechanism=sheet))
@@ -96,12 +98,12 @@ def test_flaps_lock_and_nothing_touches_before(make, width: float) -> None:  # t
 
 
 @pytest.mark.parametrize("kind", ["miura", "arch", "fan"])
-def test_named_sheets_lock(kind: str) -> None:
-    design = design_flat_foldable(rows=5, columns=6, sheet=kind, flap="auto")  # type: ignore[arg-type]
+def test_named_sheets_lock(kind: SheetKind) -> None:
+    design = design_flat_foldable(rows=5, columns=6, sheet=kind, flap="auto")
     assert len(design.mechanism.flap_columns) == 2
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("flaps", False)
-    bare = design_flat_foldable(rows=5, columns=6, sheet=kind)  # type: ignore[arg-type]
+    bare = design_flat_foldable(rows=5, columns=6, sheet=kind)
     assert bare.mechanism.flap_columns == ()
     assert bare.parameters["flap"] == 0
 

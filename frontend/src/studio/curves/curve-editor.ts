@@ -11,7 +11,7 @@ import { h, pickFile, setAttribute } from "../parts/dom.ts";
 import { faultOf, isAbout } from "../state/faults.ts";
 import { FormulaFields } from "./formula-fields.ts";
 import { headOf, profileGround } from "./ground.ts";
-import { icon } from "../parts/icons.ts";
+import { Note } from "../parts/note.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
 import type { Store } from "../state/store.ts";
@@ -23,7 +23,7 @@ export class CurveEditor {
   private readonly formula: FormulaFields;
   private readonly fields: PointFields;
   private readonly dimensions: Dimensions;
-  private readonly note = h("p", { class: "note", hidden: true });
+  private readonly note = new Note();
   private readonly mode: Segmented<tables.Mode>;
   private readonly draw: HTMLButtonElement;
   /** The formula that the curve had, for the way back from the spline. */
@@ -145,7 +145,7 @@ export class CurveEditor {
       this.plot.element,
       this.fields.element,
       this.formula.element,
-      this.note,
+      this.note.element,
     );
   }
 
@@ -155,7 +155,7 @@ export class CurveEditor {
     const handles = tables.handlesIn(table);
     if (this.shown !== table) {
       // What was said was of another curve.
-      if (!isAbout(this.store.fault.value, this.name)) this.say("");
+      if (!isAbout(this.store.fault.value, this.name)) this.note.say("");
       const before = this.shown && tables.modeOf(this.shown);
       const drawn = handles.length > 0 && mode !== "file";
       // Another kind of curve, or one from elsewhere: show all of it.
@@ -170,7 +170,7 @@ export class CurveEditor {
       this.formula.element.hidden = mode !== "formula";
       if (mode === "formula") this.formula.show(table);
       if (drawn) this.fields.show(handles.map(({ at }) => at));
-      if (mode === "file") this.say(`The design names a file; drop it here: ${tables.fileOf(table)}`);
+      if (mode === "file") this.note.say(`The design names a file; drop it here: ${tables.fileOf(table)}`);
     }
     const blank = Array.isArray(table.points) && !table.points.length;
     this.plot.show({
@@ -240,7 +240,7 @@ export class CurveEditor {
     const table = tables.given(this.table, mode, this.samples);
     if (!table) {
       this.mode.set(now);
-      this.say("There is no curve yet to put points on.");
+      this.note.say("There is no curve yet to put points on.");
       return;
     }
     this.store.setCurve(this.name, table, `${this.name} as ${mode === "spline" ? "a spline" : mode === "lines" ? "lines" : "a path"}`);
@@ -254,9 +254,9 @@ export class CurveEditor {
       this.plot.refit();
       this.store.setCurve(this.name, table as CurveTable, `${this.name} from ${file.name}`);
       const beyond = tables.piecesBeyond(table as CurveTable);
-      this.say(sentence(note) + (beyond ? " These are too many to be dragged one by one: Spline puts few points on it." : ""));
+      this.note.say(sentence(note) + (beyond ? " These are too many to be dragged one by one: Spline puts few points on it." : ""));
     } catch (error) {
-      this.say(sentence(faultOf(error).message), true);
+      this.note.say(sentence(faultOf(error).message), true);
     }
   }
 
@@ -285,13 +285,6 @@ export class CurveEditor {
     const fault = this.store.fault.value;
     const mine = isAbout(fault, this.name);
     this.element.classList.toggle("faulty", mine);
-    if (mine) this.say(sentence(this.store.labels.said(fault!.what)), true);
-    else if (this.note.classList.contains("error")) this.say("");
-  }
-
-  private say(text: string, wrong = false): void {
-    this.note.replaceChildren(...(wrong ? [icon("warning"), text] : [text]));
-    this.note.hidden = !text;
-    this.note.classList.toggle("error", wrong);
+    this.note.showFault(mine ? this.store.labels.said(fault!.what) : null);
   }
 }

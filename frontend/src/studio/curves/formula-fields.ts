@@ -1,15 +1,9 @@
 // A curve by its formula: y(x), or x(t) and y(t), and a range.
 
-import { makeRoom, segmented } from "../parts/controls.ts";
+import { segmented } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
-import { short } from "../parts/numbers.ts";
-import type { Bound, CurveName, CurveTable } from "../state/types.ts";
-
-/** Typing rests this long before the formula is read, in milliseconds. */
-const TYPING = 250;
-
-/** Characters of an end of the range that there is always room for. */
-const ROOM = 4;
+import { TypedLines, bound, put, shown } from "../parts/typed.ts";
+import type { CurveName, CurveTable } from "../state/types.ts";
 
 type Form = "single" | "pair";
 
@@ -29,7 +23,7 @@ export class FormulaFields {
     ],
     (form) => this.setForm(form),
   );
-  private timer = 0;
+  private readonly lines = new TypedLines((gesture) => this.publish(gesture));
   private table: CurveTable = {};
 
   constructor(
@@ -88,25 +82,8 @@ export class FormulaFields {
 
   private text(key: "formula" | "range", testid: string, label: string): HTMLInputElement {
     const gesture = `${key}-${this.name}`;
-    const input = h("input", {
-      type: "text",
-      class: key === "range" ? "formula number" : "formula",
-      spellcheck: "false",
-      autocomplete: "off",
-      autocapitalize: "off",
-      "aria-label": `${this.name}, ${label}`,
-      "data-testid": testid,
-    });
-    input.addEventListener("input", () => {
-      makeRoom(input, ROOM);
-      clearTimeout(this.timer);
-      this.timer = window.setTimeout(() => this.publish(gesture), TYPING);
-    });
-    input.addEventListener("change", () => {
-      clearTimeout(this.timer);
-      this.publish(gesture);
-    });
-    return input;
+    const kind = key === "range" ? "formula number" : "formula";
+    return this.lines.line(kind, testid, `${this.name}, ${label}`, gesture);
   }
 
   private publish(gesture: string): void {
@@ -122,20 +99,4 @@ export class FormulaFields {
     if (same) return;
     this.changed({ ...table, formula, range: [low, high] }, gesture);
   }
-}
-
-/** What is typed as an end of a range: a number, or a formula of constants as in "pi/2". */
-function bound(text: string): Bound {
-  const typed = text.trim();
-  return typed && Number.isFinite(Number(typed)) ? Number(typed) : typed;
-}
-
-function shown(end: Bound): string {
-  return typeof end === "number" ? short(end, 12) : end;
-}
-
-function put(input: HTMLInputElement, text: string): void {
-  if (input.value === text || document.activeElement === input) return;
-  input.value = text;
-  makeRoom(input, ROOM);
 }

@@ -3,7 +3,7 @@
 import { sentence } from "../../shared/words.ts";
 import { button, numberBox, segmented, setNumber } from "../parts/controls.ts";
 import { h, pickFile } from "../parts/dom.ts";
-import { icon } from "../parts/icons.ts";
+import { Note } from "../parts/note.ts";
 import { short } from "../parts/numbers.ts";
 import { readSurface } from "../server/api.ts";
 import { faultOf, isAboutSurface } from "../state/faults.ts";
@@ -60,7 +60,7 @@ export class SurfaceEditor {
     testid: "by-curves",
     act: () => this.store.set(this.store.report.value?.by_curves ?? {}, "the curves of the surface"),
   });
-  private readonly note = h("p", { class: "note", hidden: true });
+  private readonly note = new Note();
   /** Tables as they were left, for the way back. */
   private readonly left = new Map<Kind, SurfaceTable>();
   private shown: SurfaceTable | null = null;
@@ -110,7 +110,7 @@ export class SurfaceEditor {
       this.mesh,
       this.plan.element,
       this.sizes,
-      this.note,
+      this.note.element,
       this.curves,
     );
     this.plan.element.append(h("div", { class: "drop-hint" }, "Drop an OBJ, STL, PLY or glTF file"));
@@ -150,7 +150,7 @@ export class SurfaceEditor {
     const kind = kindOf(table);
     const drawn = this.store.surface.value;
     if (this.shown !== table) {
-      if (!isAboutSurface(this.store.fault.value)) this.say("");
+      if (!isAboutSurface(this.store.fault.value)) this.note.say("");
       if (!this.shown || kindOf(this.shown) !== kind) this.plan.refit();
       this.shown = table;
       this.left.set(kind, table);
@@ -202,7 +202,7 @@ export class SurfaceEditor {
     if (other) return this.set(other, "surface");
     // There is no mesh yet.
     this.kind.set(now);
-    this.say("Drop an OBJ, STL, PLY or glTF file here, or choose one.");
+    this.note.say("Drop an OBJ, STL, PLY or glTF file here, or choose one.");
     void pickFile(MESHES).then((file) => file && this.read(file));
   }
 
@@ -210,15 +210,15 @@ export class SurfaceEditor {
   async read(file: File): Promise<void> {
     const { files } = this.store;
     files.set(files.value + 1);
-    this.say(`Reading ${file.name}\u2026`);
+    this.note.say(`Reading ${file.name}\u2026`);
     try {
       const { table, note } = await readSurface(file, this.store.design.value.shell.unit);
       this.refit();
       const { store } = this;
       store.change(changed(designFor(store, "surface"), { target: { surface: table } }), `surface from ${file.name}`);
-      this.say(sentence(note));
+      this.note.say(sentence(note));
     } catch (error) {
-      this.say(sentence(faultOf(error).message), true);
+      this.note.say(sentence(faultOf(error).message), true);
     } finally {
       files.set(files.value - 1);
     }
@@ -241,13 +241,6 @@ export class SurfaceEditor {
     const fault = this.store.fault.value;
     const mine = isAboutSurface(fault);
     this.element.classList.toggle("faulty", mine);
-    if (mine) this.say(sentence(this.store.labels.said(fault!.what)), true);
-    else if (this.note.classList.contains("error")) this.say("");
-  }
-
-  private say(text: string, wrong = false): void {
-    this.note.replaceChildren(...(wrong ? [icon("warning"), text] : [text]));
-    this.note.hidden = !text;
-    this.note.classList.toggle("error", wrong);
+    this.note.showFault(mine ? this.store.labels.said(fault!.what) : null);
   }
 }

@@ -1,14 +1,9 @@
 // A surface by its formulas: z(x, y), or x, y and z of u and v, and the ranges of both variables.
 
-import { makeRoom } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
-import { short } from "../parts/numbers.ts";
-import type { Bound, Ends, SurfaceTable } from "../state/types.ts";
+import { TypedLines, bound, put, shown } from "../parts/typed.ts";
+import type { Ends, SurfaceTable } from "../state/types.ts";
 
-/** Typing rests this long before a formula is read, in milliseconds. */
-const TYPING = 300;
-/** Characters of an end of a range that there is always room for. */
-const ROOM = 4;
 const FORMS = {
   height: { formulas: ["z(x, y)"], variables: ["x", "y"] },
   map: { formulas: ["x(u, v)", "y(u, v)", "z(u, v)"], variables: ["u", "v"] },
@@ -40,16 +35,16 @@ class Form {
   private readonly ends: HTMLInputElement[];
   private readonly ranges: HTMLElement;
   private table: SurfaceTable = {};
-  private timer = 0;
+  private readonly lines = new TypedLines((gesture) => this.publish(gesture));
 
   constructor(
     private readonly form: keyof typeof FORMS,
     private readonly changed: (table: SurfaceTable, gesture: string) => void,
   ) {
     const { formulas, variables } = FORMS[form];
-    this.formulas = formulas.map((name, k) => this.text(`formula-surface-${form}-${k}`, `surface, ${name}`, "formula"));
+    this.formulas = formulas.map((name, k) => this.line(`formula-surface-${form}-${k}`, `surface, ${name}`, "formula"));
     this.ends = variables.flatMap((name) =>
-      ["begins", "ends"].map((end) => this.text(`range-surface-${name}-${end}`, `surface, ${name} ${end} at`, "formula number")),
+      ["begins", "ends"].map((end) => this.line(`range-surface-${name}-${end}`, `surface, ${name} ${end} at`, "formula number")),
     );
     this.ranges = h(
       "div",
@@ -87,20 +82,8 @@ class Form {
     });
   }
 
-  private text(testid: string, label: string, kind: string): HTMLInputElement {
-    const input = h("input", {
-      type: "text", class: kind, spellcheck: "false", autocomplete: "off", autocapitalize: "off", "aria-label": label, "data-testid": testid,
-    });
-    input.addEventListener("input", () => {
-      makeRoom(input, ROOM);
-      clearTimeout(this.timer);
-      this.timer = window.setTimeout(() => this.publish(testid), TYPING);
-    });
-    input.addEventListener("change", () => {
-      clearTimeout(this.timer);
-      this.publish(testid);
-    });
-    return input;
+  private line(testid: string, label: string, kind: string): HTMLInputElement {
+    return this.lines.line(kind, testid, label, testid);
   }
 
   private publish(gesture: string): void {
@@ -115,20 +98,4 @@ class Form {
     };
     if (JSON.stringify(typed) !== JSON.stringify(this.table)) this.changed(typed, gesture);
   }
-}
-
-/** What is typed as an end of a range: a number, or a formula of constants as in "pi/2". */
-function bound(text: string): Bound {
-  const typed = text.trim();
-  return typed && Number.isFinite(Number(typed)) ? Number(typed) : typed;
-}
-
-function shown(end: Bound): string {
-  return typeof end === "number" ? short(end, 12) : end;
-}
-
-function put(input: HTMLInputElement, text: string): void {
-  if (input.value === text || document.activeElement === input) return;
-  input.value = text;
-  makeRoom(input, ROOM);
 }

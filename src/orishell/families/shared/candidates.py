@@ -167,3 +167,24 @@ def _units(f: Curve, g: Curve) -> Iterator[Slip]:
 def _size(curve: Curve) -> float:
     points = curve.position(np.linspace(curve.start, curve.stop, SAMPLES))
     return float(np.hypot(*np.ptp(points, axis=0)))
+
+
+def refuse_stop(stop: float, limit: float, where: str) -> DesignError:
+    """The error for flaps that would stop too far short of folding flat.
+
+    Parameters
+    ----------
+    stop, limit
+        By how much, and the least that is too much (radians).
+    where
+        What is so at the limit.
+    """
+    most, asked = tidy_degrees(limit), tidy_degrees(stop)
+    return DesignError(
+        "flaps cannot stop so far short of folding flat",
+        keys=("panel.stop_deg",),
+        size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
+        f"{in_degrees(limit)}, {where}",
+        candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
+        excess=(stop - limit) / np.pi,
+    )

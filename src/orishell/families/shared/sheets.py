@@ -19,9 +19,8 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import between, in_degrees, tidy_degrees
 from orishell.curves import Trace
+from orishell.families.shared.candidates import refuse_stop
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import Staircase, Zigzag
@@ -111,15 +110,7 @@ class FlapSheet:
             return self
         limit = self._sharpest_angle() / 2
         if stop >= limit:
-            most, asked = tidy_degrees(limit), tidy_degrees(stop)
-            raise DesignError(
-                "flaps cannot stop so far short of folding flat",
-                keys=("panel.stop_deg",),
-                size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
-                f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
-                candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
-                excess=(stop - limit) / np.pi,
-            )
+            raise refuse_stop(stop, limit, "half of the sharpest angle of the columns beside them")
         return self._stopped(stop)
 
     @property

@@ -72,7 +72,8 @@ def corner_numbers(rows: int, columns: int) -> tuple[Integers, Integers, Integer
     number = np.arange(rows * columns).reshape(rows, columns)
     ring = [number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]]
     around = np.stack(ring, axis=-1).reshape(-1, 4)
-    return tuple(np.roll(around, shift, axis=1).ravel() for shift in (0, -1, 1))  # type: ignore[return-value]
+    after, before = (np.roll(around, shift, axis=1).ravel() for shift in (-1, 1))
+    return around.ravel(), after, before
 
 
 @lru_cache(maxsize=16)

@@ -26,10 +26,9 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import between, in_degrees, tidy_degrees
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.rates import Rates
+from orishell.families.shared.candidates import refuse_stop
 from orishell.numerics.arrays import Array
 
 
@@ -55,15 +54,7 @@ class Locked:
         """
         limit = float(np.arctan(1 / self._steepest))
         if stop >= limit:
-            most, asked = tidy_degrees(limit), tidy_degrees(stop)
-            raise DesignError(
-                "flaps cannot stop so far short of folding flat",
-                keys=("panel.stop_deg",),
-                size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
-                f"{in_degrees(limit)}, where they fold as far as the row creases beside them",
-                candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
-                excess=(stop - limit) / np.pi,
-            )
+            raise refuse_stop(stop, limit, "where they fold as far as the row creases beside them")
         return replace(self, stop=stop)
 
     @property
