@@ -15,6 +15,7 @@ from orishell.deployment.ties import Tie, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 from orishell.design import Design, PanelSpec
 from orishell.locking import Cause, Lock
+from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
 
 PACKS = 9
@@ -53,7 +54,7 @@ def describe_deployment(
     Raises InputError if ties do not fit the sheet.
     """
     mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
-    clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
+    clipped, folded = design.clipped is not None, has_flaps(mechanism)
     end = max(lock.closes_to, lock.target_drive)
     ties = find_ties(mechanism, site.ties, lock.closes_to)
     caught = lock.cause if lock.closes_to <= lock.target_drive else None
