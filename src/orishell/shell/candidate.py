@@ -19,6 +19,7 @@ from orishell.shell.designed import designed, ended
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Step
 from orishell.shell.tolerance import meet_tolerance
+from orishell.shell.turn_search import TurnChoice, choose_turn
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """What becomes of a shell whose panels meet before its target: it is refused, or made and said to
@@ -30,6 +31,7 @@ class Candidate:
     """A shell whose states are not verified yet, nor measured otherwise than for its target."""
 
     file: DesignFile  # with a family, rows and columns
+    turned: TurnChoice | None  # how its rectangle was turned, if that was left open
     choice: Choice | None  # how rows and columns were chosen, if there was a tolerance
     design: Design  # what the family made of it
     lock: Lock  # how its motion ends
@@ -52,7 +54,11 @@ def find_candidate(
 
     Raises InputError or DesignError as :func:`orishell.shell.make_shell` does.
     """
-    choice, clock = None, clock or Clock()
+    clock = clock or Clock()
+    file, turned = choose_turn(file, progress)
+    if turned is not None:
+        clock.lap("turn")
+    choice = None
     if file.tolerance is not None:
         file, choice = meet_tolerance(file, file.tolerance, progress)
         clock.lap("choose")
@@ -79,6 +85,7 @@ def find_candidate(
     end = None if file.deployment.start == "flat" else lock.closes_to
     return Candidate(
         file=file,
+        turned=turned,
         choice=choice,
         design=design,
         lock=lock,

@@ -192,6 +192,7 @@ def _step_by_step(
         parameters=design.parameters,
         families=families,
         by_curves=design.by_curves,
+        turned=found.turned,
         chosen=found.choice,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(

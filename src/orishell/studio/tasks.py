@@ -151,7 +151,8 @@ class Task:
             self.send(list(tried))
 
         _, choice = choose_family(self._design(tolerated=True), self.progress, tell)
-        return as_table(choice)
+        table: dict[str, Any] = as_table(choice)
+        return table
 
     def draw_surface(self) -> DrawnSurface:
         """The target surface, before a shell is fitted to it."""
