@@ -151,8 +151,7 @@ class Task:
             self.send(list(tried))
 
         _, choice = choose_family(self._design(tolerated=True), self.progress, tell)
-        table: dict[str, Any] = as_table(choice)
-        return table
+        return dict(as_table(choice))
 
     def draw_surface(self) -> DrawnSurface:
         """The target surface, before a shell is fitted to it."""
