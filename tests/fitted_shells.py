@@ -1,4 +1,4 @@
-"""Sheets fitted to surfaces of the benchmark, few panels from one start: each in about a second."""
+"""Sheets fitted to surfaces of the benchmark and to a roof, few panels from one start: each in about a second."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ from orishell.design_file.surface import SurfaceTable
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
-SURFACES: dict[str, dict[str, Any]] = runpy.run_path(str(EXAMPLES / "surfaces.py"))["SURFACES"]
+SURFACES: dict[str, dict[str, Any]] = {
+    **runpy.run_path(str(EXAMPLES / "surfaces.py"))["SURFACES"],
+    "roof": {"mesh": "roof.obj", "unit": "mm"},
+}
 
 
 @cache
 def fitted(surface: str, panels: int = 8) -> Design:
     """The design of so many panels each way on a surface of ``examples/surfaces.py``."""
-    pattern = FlatFoldablePattern(
-        rows=panels - 1, columns=panels - 1, direction_deg=0, fold_deg=92
-    )
-    return pattern.design_on(SurfaceTable.model_validate(SURFACES[surface]).surface(None, "m"))
+    pattern = FlatFoldablePattern(rows=panels - 1, columns=panels - 1, direction_deg=0, fold_deg=92)
+    return pattern.design_on(SurfaceTable.model_validate(SURFACES[surface]).surface(EXAMPLES, "m"))
