@@ -1,4 +1,4 @@
-"""Sheets fitted to surfaces of the benchmark and to a roof, few panels from one start: each in about a second."""
+"""Sheets of few panels, fitted to surfaces of the benchmark and to a roof, a second each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much boards have in common, as manifold3d finds it: what proofs of contact are held against."""
+"""What boards have in common, as manifold3d finds it: proofs of contact are held against it."""
 
 from __future__ import annotations
 
