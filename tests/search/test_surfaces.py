@@ -52,6 +52,7 @@ def unbeaten(figures: np.ndarray) -> list[tuple[float, ...]]:
     return sorted(tuple(each) for each in figures[~np.array(beaten)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "figure", ["sheet_area", pytest.param("deviation.surface.max", marks=thorough)]
 )
