@@ -52,6 +52,7 @@ def test_a_mesh_with_a_hole_is_refused_by_place() -> None:
     with pytest.raises(InputError, match="holes") as refused:
         MeshSurface.of(points, np.delete(triangles, [inner, inner + 1], axis=0))
     assert "2 rims, one of 4 edges near (1.125, 0.5833" in refused.value.got
+    assert refused.value.remedy.startswith("close the holes, or name a rectangle")
 
 
 def test_several_pieces_are_refused_by_place() -> None:
@@ -74,6 +75,47 @@ def test_a_closed_mesh_is_refused() -> None:
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     with pytest.raises(InputError, match="closed"):
         MeshSurface.of(points, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]))
+
+
+def folded(turn: float, radius: float) -> tuple[Array, Integers]:
+    """A strip along x whose last third is turned under by an angle, over a roll of a radius."""
+    angle = np.linspace(0, turn, 25 if radius else 2)
+    roll = radius * np.stack([np.sin(angle), np.cos(angle) - 1], axis=-1)
+    way = np.array([np.cos(turn), -np.sin(turn)])
+    flat = np.stack([np.linspace(-2, 0, 9), np.zeros(9)], axis=-1)
+    under = roll[-1] + np.linspace(0.1, 1, 9)[:, None] * way
+    line = np.concatenate([flat, roll[1:] if radius else roll[:0], under])
+    y = np.linspace(0, 1, 5)
+    points = np.stack(
+        [np.tile(line[:, 0], (5, 1)), np.tile(y[:, None], len(line)), np.tile(line[:, 1], (5, 1))],
+        axis=-1,
+    )
+    number = np.arange(points[..., 0].size).reshape(5, -1)
+    a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
+    return points.reshape(-1, 3), np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
+
+
+def test_a_rim_that_is_folded_under_is_refused_by_place() -> None:
+    with pytest.raises(InputError, match="folds over") as refused:
+        MeshSurface.of(*folded(np.deg2rad(175), 0.0))
+    assert "folded by 175 degrees near (0, " in refused.value.got
+    assert "remove what is folded" in refused.value.remedy
+
+
+def test_a_rim_that_rolls_under_is_refused_and_a_half_cylinder_is_not() -> None:
+    with pytest.raises(InputError, match="folds over") as refused:
+        MeshSurface.of(*folded(np.deg2rad(175), 0.2))
+    assert "from its mean normal" in refused.value.got
+    turn, y = np.meshgrid(np.linspace(0, np.pi, 41), np.linspace(0, 3, 9))
+    points = np.stack([-np.cos(turn), y, np.sin(turn)], axis=-1).reshape(-1, 3)
+    _, triangles = sheet(40, 8)
+    assert MeshSurface.of(points, triangles).area() == pytest.approx(3 * np.pi, rel=1e-3)
+
+
+def test_triangles_that_are_there_twice_are_taken_once() -> None:
+    points, triangles = sheet()
+    surface = MeshSurface.of(points, np.concatenate([triangles, triangles[::2, ::-1]]))
+    assert len(surface.piece.triangles) == len(triangles)
 
 
 def test_a_strip_with_a_twist_is_refused() -> None:

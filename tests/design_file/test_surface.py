@@ -11,6 +11,7 @@ import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.design_file.file import DesignFile, check_design
+from surface_files import obj
 
 CAP = {"formula": "sqrt(4 - x**2 - y**2)", "x": [-1, 1], "y": [-1, "sqrt(2)/2"]}
 
@@ -64,6 +65,14 @@ def test_a_mesh_comes_from_a_file_in_its_own_unit(tmp_path: Path, ending: str) -
         ({**CAP, "formula": "x*q"}, "target.surface.formula"),
         ({**CAP, "x": [1, -1]}, "target.surface.x"),
         ({**CAP, "x": [-3, 3]}, "target.surface.formula"),
+        ({"mesh": "roof.obj", "x": [0, 1]}, "target.surface.y"),
+        ({"mesh": "roof.obj", "centre": [0, 1]}, "target.surface.centre"),
+        ({"mesh": "roof.obj", "size": [1, 1], "x": [0, 1]}, "target.surface.size"),
+        (
+            {"mesh": "roof.obj", "size": [1, 1], "corners": [[0, 0, 0]] * 4},
+            "target.surface.corners",
+        ),
+        ({**CAP, "turn_deg": "auto"}, "target.surface.turn_deg"),
         ({"mesh": "roof.docx"}, "target.surface.mesh"),
         ({"mesh": "missing.obj"}, "target.surface.mesh"),
     ],
@@ -88,3 +97,27 @@ def test_files_are_not_opened_where_they_may_not_be() -> None:
     }
     with pytest.raises(InputError, match="files are not opened here"):
         check_design(tables, Path("x.toml"), files=False)
+
+
+def test_a_rectangle_of_a_mesh_is_in_the_unit_of_the_mesh(tmp_path: Path) -> None:
+    (tmp_path / "roof.obj").write_text(obj())
+    roof = {"mesh": "roof.obj", "unit": "mm"}
+    ranges = checked({**roof, "x": [-0.5, 0.3], "y": [-1, 0.2]}, tmp_path / "x.toml").surface
+    turned = {**roof, "size": [0.8, 1.2], "centre": [-0.1, -0.1], "turn_deg": 20}
+    surface = checked(turned, tmp_path / "x.toml").surface
+    assert ranges is not None
+    assert surface is not None
+    assert np.ptp(ranges.piece.vertices[:, 0]) == pytest.approx(0.8e-3)
+    assert np.ptp(ranges.piece.vertices[:, 1]) == pytest.approx(1.2e-3)
+    assert surface.piece.extents == pytest.approx((0.8e-3, 1.2e-3), rel=0.1)
+
+
+def test_an_open_turn_is_tried_at_a_few_angles_of_which_some_need_not_fit(tmp_path: Path) -> None:
+    (tmp_path / "roof.obj").write_text(obj())
+    roof = {"mesh": "roof.obj", "turn_deg": "auto"}
+    file = checked({**roof, "size": [1, 0.8]}, tmp_path / "x.toml")
+    assert file.open_turns == (0, 30, 60, 90, 120, 150)
+    assert checked({**roof, "size": [1, 1]}, tmp_path / "x.toml").open_turns == (0, 30, 60)
+    assert file.changed({"target.surface.turn_deg": 30}).open_turns == ()
+    with pytest.raises(InputError, match="ends within"):
+        checked({**roof, "size": [4, 4]}, tmp_path / "x.toml")

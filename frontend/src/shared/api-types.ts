@@ -1039,6 +1039,8 @@ export interface Report {
   families: FamilyChoice | null;
   /** With which values of its keys the design file asks for the same shell by f and g, where these were fitted to a surface. */
   by_curves: Record<string, unknown>;
+  /** How the rectangle of its surface is turned, if the file leaves that open. */
+  turned: TurnChoice | null;
   /** How rows and columns were chosen, if there was a tolerance. */
   chosen: Choice | null;
   /** Whether it reaches its target without contact; None if that was not examined. */
@@ -1284,6 +1286,23 @@ export interface Trial {
   shortest: number;
   /** Edges of its panels in the flat sheet (length). */
   longest: number;
+}
+
+/** The turns that were tried, and the one that was taken: the nearest. */
+export interface TurnChoice {
+  /** That was taken (degrees). */
+  turn_deg: number;
+  tried: TurnTrial[];
+}
+
+/** A turn of the rectangle, and what comes of it. */
+export interface TurnTrial {
+  /** From x (degrees). */
+  turn_deg: number;
+  /** The largest distance between a shell of few panels and the surface, both ways (length); None if there is none. */
+  distance: number | null;
+  /** Why there is no shell. */
+  why_not: string;
 }
 
 /** Shares of what is borne, by what can be borne. */

@@ -13,6 +13,7 @@ from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, PanelSpec, Setback
 from orishell.design.path import Path
 from orishell.design.piece import Piece
+from orishell.design.plan_rectangle import PlanRectangle
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
 
@@ -30,6 +31,7 @@ __all__ = [
     "Path",
     "Piece",
     "PiecedSurface",
+    "PlanRectangle",
     "Rail",
     "Setback",
     "Sliding",

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design.open_mesh import find_corners, open_mesh
+from orishell.design.mesh_facing import vertex_normals
+from orishell.design.open_mesh import OpenMesh, find_corners, open_mesh
 from orishell.design.piece import Piece
+from orishell.design.plan_rectangle import PlanRectangle, mesh_over
 from orishell.design.surface import Lattice
-from orishell.motion.quads import dots, lengths
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
 MOST_DRAWN = 200
@@ -31,13 +33,28 @@ class MeshSurface:
             If they are no open piece of surface with one rim.
         """
         mesh = open_mesh(vertices, triangles)
-        ends = find_corners(mesh, corners)
+        normals = vertex_normals(mesh.vertices, mesh.triangles)
+        return cls._between(mesh, normals, find_corners(mesh, corners))
+
+    @classmethod
+    def over(cls, rectangle: PlanRectangle, vertices: Array, triangles: Integers) -> MeshSurface:
+        """The part of triangles (T, 3) of vertices (V, 3) over a rectangle in plan.
+
+        Raises
+        ------
+        InputError
+            If that is no open piece of surface that covers the rectangle once.
+        """
+        return cls._between(*mesh_over(rectangle, vertices, triangles))
+
+    @classmethod
+    def _between(cls, mesh: OpenMesh, normals: Array, ends: Integers) -> MeshSurface:
+        """A mesh whose rim has its corners at four places in the order of its rim."""
         count = len(mesh.rim)
         top, right, bottom, left = (
             mesh.rim[np.arange(first, first + 1 + (last - first) % count) % count]
             for first, last in zip(ends, np.roll(ends, -1), strict=True)
         )
-        normals = _normals(mesh.vertices, mesh.triangles)
         return cls(Piece(mesh.vertices, normals, mesh.triangles, (top, right, bottom, left)))
 
     def points(self, u: Array, v: Array) -> Array:
@@ -104,21 +121,3 @@ def _along(line: Array, share: Array) -> Array:
     """Points (..., 3) at shares (...) of the length of a line (K, 3)."""
     arc = np.concatenate([[0.0], np.cumsum(lengths(np.diff(line, axis=0)))])
     return np.stack([np.interp(share * arc[-1], arc, each) for each in line.T], axis=-1)
-
-
-def _normals(vertices: Array, triangles: Integers) -> Array:
-    """Unit normals (V, 3) of vertices: those of their triangles, weighted by angles.
-
-    After G. Thuermer and C. A. Wuethrich, J. Graphics Tools 3 (1998) 43.
-    """
-    corners = vertices[triangles]  # (T, 3, 3)
-    forth = np.roll(corners, -1, axis=1) - corners
-    back = np.roll(corners, 1, axis=1) - corners
-    across = np.cross(forth, back)
-    angles = np.arctan2(lengths(across), dots(forth, back))
-    across = np.cross(forth[:, 0], back[:, 0])
-    across /= np.maximum(lengths(across), 1e-300)[:, None]
-    normals = np.zeros_like(vertices)
-    for k in range(3):
-        np.add.at(normals, triangles[:, k], angles[:, k, None] * across)
-    return np.asarray(normals / np.maximum(lengths(normals), 1e-300)[:, None])

@@ -6,6 +6,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.design.mesh_facing import require_no_folds
+from orishell.design.mesh_refusal import ELSE_PART, place_in_words, refused_mesh
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -38,17 +40,24 @@ def open_mesh(vertices: Array, triangles: Integers) -> OpenMesh:
     InputError
         Where it is none.
     """
-    if len(triangles) > MOST:
-        raise _refused("the mesh is too large", f"{len(triangles)} triangles", f"at most {MOST}")
-    vertices, triangles = _joined(vertices, triangles)
-    if not len(triangles):
-        raise _refused("the mesh has no triangles", "", "an open piece of surface")
+    mesh = open_piece(*joined_vertices(vertices, triangles))
+    require_no_folds(mesh.vertices, mesh.triangles)
+    return mesh
+
+
+def open_piece(vertices: Array, triangles: Integers) -> OpenMesh:
+    """One open piece of surface with one rim, of triangles whose vertices are there once.
+
+    Raises InputError where it is none.
+    """
     _require_two_each(vertices, triangles)
     triangles = _oriented(vertices, triangles)
     rim = _rim(vertices, triangles)
     edges = (3 * len(triangles) + len(rim)) // 2
     if len(vertices) - edges + len(triangles) != 1:
-        raise _refused("the mesh has a handle", "", "a piece of surface without")
+        raise refused_mesh(
+            "the mesh has a handle", "", "a piece of surface without", "remove it" + ELSE_PART
+        )
     p, q, r = np.moveaxis(vertices[triangles], 1, 0)
     upward = np.cross(q - p, r - p).sum(axis=0)
     main = upward[2] if abs(upward[2]) > 1e-6 * lengths(upward) else upward[np.abs(upward).argmax()]
@@ -123,21 +132,34 @@ def _sharpest(points: Array) -> Integers:
         away[chosen] = np.inf
         chosen.append(int(away.argmin()))
     if len(chosen) < 4:
-        raise _refused("the rim has too few vertices", f"{count}", "four at least")
+        raise refused_mesh("the rim has too few vertices", f"{count}", "four at least")
     return np.sort(np.array(chosen))
 
 
-def _joined(vertices: Array, triangles: Integers) -> tuple[Array, Integers]:
-    """The same with every vertex once, without triangles that have lost a side, or vertices left.
+def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Integers]:
+    """The same with every vertex once, without vertices left.
 
-    Neighbours are sought in a tree, so that none are parted by rounding.
+    And without triangles that have lost a side, or that are there repeatedly. Neighbours are sought
+    in a tree, so that none are parted by rounding.
+
+    Raises
+    ------
+    InputError
+        If there are no triangles, or too many.
     """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
+    if len(triangles) > MOST:
+        raise refused_mesh(
+            "the mesh is too large",
+            f"{len(triangles)} triangles",
+            f"at most {MOST}",
+            "write it with larger triangles",
+        )
     if not np.isfinite(vertices).all():
-        raise _refused("the mesh has coordinates that are no numbers", "", "finite coordinates")
+        raise refused_mesh("the mesh has coordinates that are no numbers", "", "finite coordinates")
     size = float(lengths(np.ptp(vertices, axis=0))) if len(vertices) else 0.0
     pairs = cKDTree(vertices).query_pairs(SAME * size, output_type="ndarray")
     links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
@@ -147,6 +169,10 @@ def _joined(vertices: Array, triangles: Integers) -> tuple[Array, Integers]:
     vertices = vertices[first]
     p, q, r = triangles.T
     triangles = triangles[(p != q) & (q != r) & (r != p)]
+    if not len(triangles):
+        raise refused_mesh("the mesh has no triangles", "", "an open piece of surface")
+    first = np.unique(np.sort(triangles, axis=1), axis=0, return_index=True)[1]
+    triangles = triangles[np.sort(first)]
     used, inverse = np.unique(triangles, return_inverse=True)
     return vertices[used], inverse.reshape(-1, 3).astype(np.int64)
 
@@ -157,10 +183,11 @@ def _require_two_each(vertices: Array, triangles: Integers) -> None:
     found, counts = np.unique(edges, axis=0, return_counts=True)
     if counts.max() > 2:
         place = vertices[found[counts.argmax()]].mean(axis=0)
-        raise _refused(
+        raise refused_mesh(
             "more than two triangles meet at an edge",
-            f"{counts.max()} near {_at(place)}",
+            f"{counts.max()} near {place_in_words(place)}",
             "a surface without branches",
+            "remove what stands on it there" + ELSE_PART,
         )
     from scipy import sparse
     from scipy.sparse.csgraph import connected_components
@@ -170,8 +197,11 @@ def _require_two_each(vertices: Array, triangles: Integers) -> None:
     if count > 1:
         smallest = int(np.bincount(piece).argmin())
         place = vertices[piece == smallest].mean(axis=0)
-        raise _refused(
-            "the mesh has several pieces", f"{count}, the smallest near {_at(place)}", "one piece"
+        raise refused_mesh(
+            "the mesh has several pieces",
+            f"{count}, the smallest near {place_in_words(place)}",
+            "one piece",
+            "remove the others, or join them" + ELSE_PART,
         )
 
 
@@ -184,8 +214,11 @@ def _oriented(vertices: Array, triangles: Integers) -> Integers:
     found, counts = np.unique(edges, axis=0, return_counts=True)
     if counts.max() > 1:
         place = vertices[found[counts.argmax()]].mean(axis=0)
-        raise _refused(
-            "the mesh has no two sides", f"a twist near {_at(place)}", "a surface with two sides"
+        raise refused_mesh(
+            "the mesh has no two sides",
+            f"a twist near {place_in_words(place)}",
+            "a surface with two sides",
+            "cut it there" + ELSE_PART,
         )
     return np.asarray(turned, np.int64)
 
@@ -197,13 +230,19 @@ def _rim(vertices: Array, triangles: Integers) -> Integers:
     forth, back = edges[:, 0] * count + edges[:, 1], edges[:, 1] * count + edges[:, 0]
     rim = edges[~np.isin(forth, back)]
     if not len(rim):
-        raise _refused("the mesh is closed", "no rim", "an open piece of surface")
+        raise refused_mesh(
+            "the mesh is closed",
+            "no rim",
+            "an open piece of surface",
+            "remove its underside" + ELSE_PART,
+        )
     start, times = np.unique(rim[:, 0], return_counts=True)
     if times.max() > 1:
-        raise _refused(
+        raise refused_mesh(
             "the rim of the mesh meets itself",
-            f"at {_at(vertices[start[times.argmax()]])}",
+            f"at {place_in_words(vertices[start[times.argmax()]])}",
             "a rim that passes every vertex once",
+            "close the hole there" + ELSE_PART,
         )
     after = np.full(count, -1)
     after[rim[:, 0]] = rim[:, 1]
@@ -220,17 +259,10 @@ def _rim(vertices: Array, triangles: Integers) -> Integers:
     if len(loops) > 1:
         loops.sort(key=lambda loop: float(lengths(np.ptp(vertices[loop], axis=0))))
         place = vertices[loops[0]].mean(axis=0)
-        raise _refused(
+        raise refused_mesh(
             "the mesh has holes",
-            f"{len(loops)} rims, one of {len(loops[0])} edges near {_at(place)}",
+            f"{len(loops)} rims, one of {len(loops[0])} edges near {place_in_words(place)}",
             "one rim",
+            "close the holes" + ELSE_PART,
         )
     return loops[0]
-
-
-def _at(place: Array) -> str:
-    return "({:.4g}, {:.4g}, {:.4g})".format(*place)
-
-
-def _refused(what: str, got: str, expected: str) -> InputError:
-    return InputError(what, keys=("mesh",), where="mesh", got=got, expected=expected)

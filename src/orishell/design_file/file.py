@@ -116,7 +116,10 @@ class DesignFile:
     structure: Structure | None = None
     search: Search | None = None  # what is searched for among its variants; None if nothing is
     files: bool = True  # whether its curves and its surface may come from files
-    surface: PiecedSurface | None = None  # the surface in place of f and g, or None
+    # the surface in place of f and g, or None; the first that there is, where its turn is open
+    surface: PiecedSurface | None = None
+    # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
+    open_turns: tuple[float, ...] = ()
 
     @property
     def panel_count(self) -> int:
@@ -280,4 +283,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         search=file.search,
         tables=raw,
         files=files,
+        open_turns=()
+        if file.target is None or file.target.surface is None
+        else file.target.surface.open_turns,
     )

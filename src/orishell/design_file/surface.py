@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Final, Self
+from typing import Annotated, Any, Final, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -13,19 +13,22 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Unit, conversion
 from orishell.conventions.table import Number, Table
 from orishell.curves import FormulaOfTwo, parse_formula_of_two
-from orishell.design import FormulaSurface, MeshSurface
+from orishell.design import FormulaSurface, MeshSurface, PlanRectangle
 from orishell.design.mesh_files import read_mesh
 from orishell.design_file.target import Ends, beside, numbers, one_source
 
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
-    "mesh": {"unit", "corners"},
-    "vertices": {"triangles", "unit", "corners"},
+    "mesh": {"unit", "corners", "x", "y", "centre", "size", "turn_deg"},
+    "vertices": {"triangles", "unit", "corners", "x", "y", "centre", "size", "turn_deg"},
 }
 """The sources of a surface, and the keys that have a meaning for each."""
 MOST_VERTICES: Final = 100_000
 """Vertices that are listed in a design file, at most."""
 RECTANGLE: Final = ("centre", "size", "turn_deg")
+"""The keys of a rectangle that may be turned."""
+TURNS: Final = (0.0, 30.0, 60.0, 90.0, 120.0, 150.0)
+"""Turns of a rectangle that are tried where the file leaves them open (degrees)."""
 ALWAYS: Final = {"scale"}
 
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
@@ -60,7 +63,7 @@ class SurfaceTable(Table):
     v: Ends | None = None
     centre: Pair | None = None
     size: Sizes | None = None
-    turn_deg: Annotated[Number, Field(ge=-360, le=360)] = 0.0
+    turn_deg: Annotated[Number, Field(ge=-360, le=360)] | Literal["auto"] = 0.0
     mesh: str | None = None
     vertices: Listed | None = None
     triangles: Triples | None = None
@@ -72,7 +75,9 @@ class SurfaceTable(Table):
     def _check(self) -> Self:
         source = one_source(self, FITTING, ALWAYS, "a surface comes from a formula or a mesh")
         if source == "formula":
-            self._check_ranges()
+            self._check_formula()
+        else:
+            self._check_part()
         if source == "vertices":
             if self.triangles is None:
                 raise PydanticCustomError("source", "vertices need triangles", {"key": "triangles"})
@@ -82,28 +87,55 @@ class SurfaceTable(Table):
                 raise PydanticCustomError("source", what, {"key": "triangles"})
         return self
 
-    def _check_ranges(self) -> None:
-        given = [key for key in type(self).model_fields if key in self.model_fields_set]
+    def _check_formula(self) -> None:
         three = isinstance(self.formula, list)
         wanted, other = (("u", "v"), ("x", "y")) if three else (("x", "y"), ("u", "v"))
-        for key in given:
+        for key in self._given():
             if key in other or (three and key in RECTANGLE):
                 what = (
                     "this key goes with z(x, y)" if three else "this key goes with three formulas"
                 )
                 raise PydanticCustomError("source", what, {"key": key})
+        if not self._turnable():
+            self._require(wanted, "a formula needs its ranges, as in {key} = [-1, 1]")
+
+    def _check_part(self) -> None:
+        turnable = self._turnable()
+        if not turnable and self.x is None and self.y is None:
+            return
+        if self.corners is not None:
+            what = "the corners of a rectangle are its own"
+            raise PydanticCustomError("source", what, {"key": "corners"})
+        if not turnable:
+            self._require(("x", "y"), "a rectangle has both ranges, as in {key} = [-1, 1]")
+
+    def _turnable(self) -> bool:
+        """Whether there is a rectangle by its size, and all its keys go together."""
         if self.size is not None:
             if self.x is not None or self.y is not None:
                 what = "a rectangle has either size (and centre), or the ranges x and y"
                 raise PydanticCustomError("source", what, {"key": "size"})
-            return
+            return True
         for key in ("centre", "turn_deg"):
-            if key in given:
+            if key in self.model_fields_set:
                 raise PydanticCustomError("source", "this key goes with size", {"key": key})
-        for key in wanted:
+        return False
+
+    def _require(self, keys: tuple[str, str], what: str) -> None:
+        for key in keys:
             if getattr(self, key) is None:
-                what = f"a formula needs its ranges, as in {key} = [-1, 1]"
-                raise PydanticCustomError("source", what, {"key": key})
+                raise PydanticCustomError("source", what.format(key=key), {"key": key})
+
+    def _given(self) -> list[str]:
+        return [key for key in type(self).model_fields if key in self.model_fields_set]
+
+    @property
+    def open_turns(self) -> tuple[float, ...]:
+        """Turns that are to be tried (degrees), fewer of a square; none if the file says one."""
+        if self.turn_deg != "auto":
+            return ()
+        assert self.size is not None
+        return TURNS[: len(TURNS) // 2] if self.size[0] == self.size[1] else TURNS
 
     def surface(self, directory: Path | None, unit: str) -> FormulaSurface | MeshSurface:
         """The surface that the table describes, in ``unit``.
@@ -111,21 +143,37 @@ class SurfaceTable(Table):
         Without a directory no file may be read. Raises InputError if there is none.
         """
         try:
-            made = self._mesh(directory, unit) if self.formula is None else self._formulas()
-            _ = made.piece  # refuses what has none
+            return self._made(directory, unit)
         except InputError as error:
             raise error.at_key("target.surface", "[target.surface]") from None
-        return made
+
+    def _made(self, directory: Path | None, unit: str) -> FormulaSurface | MeshSurface:
+        if self.turn_deg != "auto":
+            made = self._mesh(directory, unit) if self.formula is None else self._formulas()
+            _ = made.piece  # refuses what has none
+            return made
+        # The first that there is stands for all until the nearest is found.
+        first: InputError | None = None
+        for turn in self.open_turns:
+            try:
+                return self.model_copy(update={"turn_deg": turn})._made(directory, unit)
+            except InputError as error:
+                first = first or error
+        assert first is not None
+        raise first
 
     def _formulas(self) -> FormulaSurface:
         texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
         names = ("x", "y") if len(texts) == 1 else ("u", "v")
         formulas = tuple(_formula(text, names) for text in texts)
         if self.size is not None:
-            x, y = self.centre or (0.0, 0.0)
-            (width, height), turn = self.size, float(np.deg2rad(self.turn_deg))
-            first, second = (-0.5 * width, 0.5 * width), (-0.5 * height, 0.5 * height)
-            return FormulaSurface(formulas, first, second, (x, y), turn, self.scale)
+            part = self._rectangle()
+            first, second = ((-0.5 * size, 0.5 * size) for size in part.size)
+            return FormulaSurface(formulas, first, second, part.centre, part.turn, self.scale)
+        first, second = self._ranges(names)
+        return FormulaSurface(formulas, first, second, scale=self.scale)
+
+    def _ranges(self, names: tuple[str, str]) -> list[tuple[float, float]]:
         ranges = [numbers(name, getattr(self, name)) for name in names]
         for name, (low, high) in zip(names, ranges, strict=True):
             if not low < high:
@@ -135,7 +183,15 @@ class SurfaceTable(Table):
                     where=name,
                     got=f"{low:g} to {high:g}",
                 )
-        return FormulaSurface(formulas, ranges[0], ranges[1], scale=self.scale)
+        return ranges
+
+    def _rectangle(self) -> PlanRectangle:
+        if self.size is None:
+            (a, b), (c, d) = self._ranges(("x", "y"))
+            return PlanRectangle((0.5 * (a + b), 0.5 * (c + d)), (b - a, d - c))
+        (x, y), (wide, high) = self.centre or (0.0, 0.0), self.size
+        assert self.turn_deg != "auto"
+        return PlanRectangle((x, y), (wide, high), float(np.deg2rad(self.turn_deg)))
 
     def _mesh(self, directory: Path | None, unit: str) -> MeshSurface:
         path = None if self.mesh is None else _opened(directory, self.mesh)
@@ -145,6 +201,8 @@ class SurfaceTable(Table):
         factor = self.scale * conversion(self.unit or unit, unit)
         corners = None if self.corners is None else np.array(self.corners)
         try:
+            if self.size is not None or self.x is not None:
+                return MeshSurface.over(self._rectangle().times(factor), factor * vertices, faces)
             return MeshSurface.of(
                 factor * vertices, faces, None if corners is None else factor * corners
             )

@@ -40,6 +40,7 @@ from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
 from orishell.shell.tolerance import meet_tolerance
+from orishell.shell.turn_search import choose_turn
 from orishell.shell.verdict import find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
@@ -161,6 +162,9 @@ def _step_by_step(
     file, families = _in_family(file, progress)
     if families is not None:
         clock.lap("family")
+    file, turned = choose_turn(file, progress)
+    if turned is not None:
+        clock.lap("turn")
     file, choice = _sized(file, progress)
     if choice is not None:
         clock.lap("choose")
@@ -221,6 +225,7 @@ def _step_by_step(
         parameters=design.parameters,
         families=families,
         by_curves=design.by_curves,
+        turned=turned,
         chosen=choice,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(

@@ -22,6 +22,7 @@ from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.families import FamilyChoice
 from orishell.shell.size_trials import Choice
+from orishell.shell.turn_search import TurnChoice
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -77,6 +78,8 @@ class Report:
     # with which values of its keys the design file asks for the same shell by f and g, where these
     # were fitted to a surface
     by_curves: Mapping[str, Any]
+    # how the rectangle of its surface is turned, if the file leaves that open
+    turned: TurnChoice | None
     chosen: Choice | None  # how rows and columns were chosen, if there was a tolerance
     # whether it reaches its target without contact; None if that was not examined
     feasible: bool | None
@@ -105,7 +108,7 @@ class Report:
     def as_dict(self) -> dict[str, object]:
         """The report as nested tables for JSON, without what was not asked for."""
         tables: dict[str, object] = as_table(self)
-        for key in ("families", "by_curves", "chosen"):
+        for key in ("families", "by_curves", "turned", "chosen"):
             if not getattr(self, key):
                 del tables[key]
         return tables

@@ -43,6 +43,7 @@ def find_verdict(report: Report, stronger: str = "") -> tuple[Row, ...]:
         *_stands(report),
         *_surface(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
+        *(() if report.turned is None else report.turned.rows(report.unit)),
         *_sizes(report),
         *_travels(report.deployment, report.unit),
     ]

@@ -45,7 +45,7 @@ export interface SurfaceTable {
   /** A rectangle in plan. */
   centre?: Point;
   size?: Point;
-  turn_deg?: number;
+  turn_deg?: number | "auto";
   [more: string]: Value | undefined;
 }
 

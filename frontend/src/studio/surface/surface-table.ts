@@ -15,7 +15,7 @@ export function kindOf(table: SurfaceTable): Kind {
 export function patchOf(table: SurfaceTable, drawn: DrawnSurface | null): Patch | null {
   // Three formulas are over a rectangle of other variables than x and y, and a scale moves all.
   if (kindOf(table) !== "height" || table["scale"] !== undefined) return null;
-  if (table.size) return { centre: table.centre ?? [0, 0], size: table.size, turn_deg: table.turn_deg ?? 0 };
+  if (table.size) return { centre: table.centre ?? [0, 0], size: table.size, turn_deg: typeof table.turn_deg === "number" ? table.turn_deg : 0 };
   const ends = [table.x, table.y].flatMap((each) => each ?? []).map((each) => (typeof each === "number" ? each : NaN));
   // Ends that are formulas are known to the server only.
   if (ends.length < 4 || !ends.every(Number.isFinite)) return drawn?.patch ?? null;
@@ -31,9 +31,9 @@ export function withPatch(table: SurfaceTable, { centre, size, turn_deg }: Patch
   return { ...rest, x: ends(0), y: ends(1) };
 }
 
-/** The corners of a mesh in space; null: it has none that could be moved. */
+/** The corners of a mesh in space; null: it has none that could be moved, as those of a rectangle. */
 export function cornersOf(table: SurfaceTable, drawn: DrawnSurface | null): Place[] | null {
-  if (kindOf(table) !== "mesh" || !drawn) return null;
+  if (kindOf(table) !== "mesh" || !drawn || table.size || table.x) return null;
   return table.corners?.map((at) => at.map((value) => value * drawn.factor) as Place) ?? drawn.corners;
 }
 
