@@ -11,9 +11,14 @@ from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Size, Table
 
-Construction = Literal["sandwich", "bevel"]
-"""Boards on both faces of a membrane that is the hinge, cut square; or solid panels about the hinge
-plane, chamfered where they close."""
+Construction = Literal["sandwich", "bevel", "hinged"]
+"""Boards on both faces of a membrane that is the hinge, cut square; solid panels about the hinge
+plane, chamfered where they close; or whole boards on hinges beside them, of sheets that fold flat.
+"""
+
+ARM_WIDTH = 0.1
+"""Thickness of the fins that carry hinges off the faces, in thicknesses of the boards, where none
+is given: sheet metal of 1 mm beside boards of 10 mm. Thicker fins meet other boards sooner."""
 
 
 class Setback(Table):
@@ -43,6 +48,8 @@ class PanelSpec(Table):
     gap: Size = 0.0
     largest_setback: Setback = Setback()
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
+    largest_arm: Size | None = None
+    arm_width: Annotated[Number, Field(gt=0)] | None = None
     density: Size = 0.0
     membrane_density: Size = 0.0
 
@@ -72,6 +79,8 @@ class PanelSpec(Table):
                     'between boards, construction = "sandwich"',
                     {"key": "gap", "got": self.gap},
                 )
+        elif self.construction == "hinged":
+            self._check_hinged()
         elif not 0 < self.membrane < self.thickness:
             raise PydanticCustomError(
                 "no_hinge",
@@ -79,7 +88,43 @@ class PanelSpec(Table):
                 '({most}): it is their hinge. Without one, construction = "bevel"',
                 {"most": self.thickness, "key": "membrane", "got": self.membrane},
             )
+        if self.construction != "hinged":
+            for key in ("largest_arm", "arm_width"):
+                if getattr(self, key) is not None:
+                    raise PydanticCustomError(
+                        "no_arms",
+                        'construction = "hinged", because only its hinges stand on arms',
+                        {"key": key, "got": getattr(self, key)},
+                    )
         return self
+
+    def _check_hinged(self) -> None:
+        """Refuse what whole boards do not have."""
+        for key in ("membrane", "membrane_density"):
+            if getattr(self, key):
+                raise PydanticCustomError(
+                    "no_membrane",
+                    'no membrane: "hinged" boards are joined by hinges. A membrane asks for '
+                    'construction = "sandwich"',
+                    {"key": key, "got": getattr(self, key)},
+                )
+        for key in ("largest_setback", "stop_deg"):
+            if key in self.model_fields_set:
+                raise PydanticCustomError(
+                    "no_setbacks",
+                    f'no {key}: "hinged" boards are whole and fold flat',
+                    {"key": key, "got": str(getattr(self, key))},
+                )
+
+    @property
+    def longest_arm(self) -> float:
+        """How far a hinge may stand off a board, infinite if that is not limited (length)."""
+        return math.inf if self.largest_arm is None else self.largest_arm
+
+    @property
+    def fin(self) -> float:
+        """How thick the fins are that carry hinges off the faces (length)."""
+        return ARM_WIDTH * self.thickness if self.arm_width is None else self.arm_width
 
     @property
     def height(self) -> float:

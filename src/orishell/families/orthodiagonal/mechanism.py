@@ -38,7 +38,7 @@ by the stop at the sharpest vertex: sin eta = sin(stop)/sin(beta_min/2).
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -62,6 +62,9 @@ from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Complex, Integers
 from orishell.polylines import alternating
+
+ALIKE = 1e-9
+"""Directions of a row's edges that differ by no more are those of a zigzag (radians)."""
 
 
 @record
@@ -95,6 +98,21 @@ class Orthodiagonal(FlapSheet):
     def __post_init__(self) -> None:
         self._freeze("lengths", "angles", "points", "kept")
         object.__setattr__(self, "_columns", self._steps())
+
+    def straightened(self) -> Orthodiagonal:
+        """The same with a row that is a zigzag to the last digit, if it nearly is one.
+
+        Then all columns are straight in the flat sheet, and the sheet folds flat. Chords between
+        crests and troughs of a wave are as exact as these are traced.
+        """
+        edges = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
+        size = np.arctan2(np.abs(edges.imag), np.abs(edges.real))
+        by_turns = np.sign(edges.real[0]) * alternating(len(edges))
+        if np.abs(size - size.mean()).max() > ALIKE or (np.sign(edges.real) != by_turns).any():
+            return self
+        steps = by_turns * np.cos(size.mean()) + 1j * np.sign(edges.imag) * np.sin(size.mean())
+        steps = np.abs(edges) * steps * np.exp(-1j * self.heading)
+        return replace(self, points=self.points[0] + np.append(0.0, np.cumsum(steps)))
 
     def shifts(self) -> Array:
         """Shifts K (n+2,) of every column, 0 at column 1; (n,) without flaps."""

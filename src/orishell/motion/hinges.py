@@ -1,0 +1,68 @@
+"""Hinges beside the creases of a sheet: whole boards fold as its panels do, and are shifted.
+
+Panels fold as without a thickness, by the same angles, about hinges that stand at heights h over
+the flat sheet, parallel to their creases. A point of a hinge is one of its crease and h n, as seen
+from either panel beside it, n being the panel's unit normal. So a panel q beyond a hinge from a
+panel p is shifted, from where its crease would have it, by
+
+    s_q = s_p + h (n_p - n_q).
+
+Around a vertex these steps sum up to nothing in all states if the heights fulfil two conditions
+(:mod:`~orishell.solids.hinged.conditions`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion.grid import CreaseValues, Grid, Positions
+from orishell.motion.mechanism import panel_normals
+from orishell.numerics.arrays import Array
+
+
+@record
+class Hinges:
+    """Where the hinges of whole boards are, and where the boards lie in the flat sheet."""
+
+    heights: CreaseValues  # of the hinges of all creases over the flat sheet (length)
+    levels: Array  # heights (rows-1, columns-1) of the undersides of boards over it (length)
+    thickness: float  # of the boards (length)
+    # how far each hinge stands off the faces of the two boards that it joins (length): off the
+    # board above and the one below (2, rows-2, columns-1), left and right (2, rows-1, columns-2)
+    arms: tuple[Array, Array]
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of the sheet."""
+        rows, columns = self.levels.shape
+        return Grid(rows + 1, columns + 1)
+
+    @property
+    def longest_arm(self) -> float:
+        """The farthest that a hinge stands off a board (length)."""
+        return float(max(each.max(initial=0.0) for each in self.arms))
+
+    def shifts(self, normals: Array) -> Array:
+        """Shifts (F, 3) of all panels in a state with these unit normals (F, 3).
+
+        They leave the panels' mean where it is.
+        """
+        n = normals.reshape(*self.levels.shape, 3)
+        down, across = self._steps(n)
+        shifts = np.zeros_like(n)
+        np.cumsum(down[:, 0], axis=0, out=shifts[1:, 0])
+        shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
+        shifts -= shifts.mean(axis=(0, 1))
+        return shifts.reshape(-1, 3)
+
+    def _steps(self, n: Array) -> tuple[Array, Array]:
+        """Steps of the shift from panels to those below and to their right, by normals."""
+        down = self.heights.row[..., None] * (n[:-1] - n[1:])
+        return down, self.heights.column[..., None] * (n[:, :-1] - n[:, 1:])
+
+    def gap(self, positions: Positions) -> float:
+        """How far the loop around any inner vertex is from closing in a state (length)."""
+        down, across = self._steps(panel_normals(positions))
+        around = across[:-1] + down[:, 1:] - down[:, :-1] - across[1:]
+        return float(np.sqrt((around**2).sum(axis=-1)).max(initial=0.0))
