@@ -43,7 +43,10 @@ class Bodies:
         self.lying: Array = (flat * [1.0, 1.0, 0.0])[faces]
         self.start, self.axes = panel_axes(self.lying, self.lying)
         self.height = float(np.abs(boards.outlines[..., 2]).max(initial=0.0))
-        outlines = boards.outlines
+        self.hinges, outlines = boards.hinges, boards.outlines
+        if self.hinges is not None:
+            outlines = outlines[:, [0, -1]]  # they are upright
+        self.low, self.high = outlines[:, 0, 0, 2], outlines[:, -1, 0, 2]
         self.corners = outlines.reshape(len(boards), -1, 3)
         self.normals, self.edges = _directions(outlines)
         order = np.arange(len(boards)) - np.searchsorted(boards.panels, boards.panels)
@@ -53,6 +56,8 @@ class Bodies:
     def carried(self, points: Array) -> BodyState:
         """The bodies in a state (V, 3)."""
         origin, moved = panel_axes(points[self.faces], self.lying)
+        if self.hinges is not None:
+            origin = origin + self.hinges.shifts(moved[..., 2])
         turn = (moved @ np.swapaxes(self.axes, 1, 2))[self.panels]
         back = np.swapaxes(turn, 1, 2)
         away = self.corners - self.start[self.panels, None]
@@ -76,11 +81,13 @@ class Bodies:
         there = (a >= 0) & (b >= 0)
         return (a[there], b[there]), np.flatnonzero(there) // count**2
 
-    def components(self, numbers: Integers, vertices: Integers) -> Array:
+    def components(
+        self, numbers: Integers, vertices: Integers, base: Array | float = 0.0
+    ) -> Array:
         """Shares (3, C, P) of corners of bodies (P,) along a row, down a column and over the panel.
 
         Absolute values, seen from a vertex (P,) of each body's panel: the first two in edges of the
-        panel from there, the third as a length.
+        panel from there, the third as a length from a height (P,) over the panel, the ``base``.
         """
         panel = self.panels[numbers]
         corner = (self.faces[panel] == vertices[:, None]).argmax(axis=1)
@@ -91,7 +98,8 @@ class Bodies:
         away = self.corners[numbers][..., :2] - origin[:, None]
         area = _turned(u, w)[:, None]
         along, down = _turned(away, w[:, None]) / area, _turned(u[:, None], away) / area
-        return np.abs(np.stack([along, down, self.corners[numbers][..., 2]])).swapaxes(1, 2)
+        over = self.corners[numbers][..., 2] - np.reshape(base, (-1, 1))
+        return np.abs(np.stack([along, down, over])).swapaxes(1, 2)
 
 
 def directions(state: BodyState, pairs: Pairs, *, of_faces: bool = False) -> Array:

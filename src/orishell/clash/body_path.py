@@ -27,6 +27,7 @@ from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import BASE, TICKS, Outcome, PathContact, PathResult, search_ranges
 from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.grid import Grid
 from orishell.motion.quads import grid_corners
@@ -52,26 +53,40 @@ def find_first_body_contact(
 
     Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
     """
-    search = _BodySearch(mechanism, end, tolerance, bodies)
-    opposite = OppositeBoards(search, settled)
+    def search(until: float) -> BodySearch:
+        return BodySearch(mechanism, until, tolerance, bodies)
+
+    near = NearPairs.opposite(bodies, mechanism.grid, settled)
+    return first_contact(search, end, near, progress)
+
+
+def first_contact(
+    search: Callable[[float], BodySearch], end: float, near: NearPairs, progress: Progress
+) -> PathResult:
+    """The first contact of pairs that are near all the way, and of all others up to there.
+
+    ``search`` makes the search of the others up to a drive.
+    """
+    others = search(end)
+    opposite = NearBodies(others, near)
     everything = np.arange(len(opposite.pairs[0]))
     found, clear = search_ranges(opposite.examine, everything, stretch(progress, 0.0, OPPOSITE))
-    contact = None
+    contact, carriers = None, others.bodies.carriers
     if found is not None:
-        ends = search.states.drive(found[0]), search.states.drive(clear)
-        contact = PathContact(*ends, bodies.carriers(found[1]), found[1])
-        search = _BodySearch(mechanism, ends[0], tolerance, bodies)
-    result = search.run(stretch(progress, OPPOSITE, 1.0))
+        ends = others.states.drive(found[0]), others.states.drive(clear)
+        contact = PathContact(*ends, carriers(found[1]), found[1])
+        others = search(ends[0])
+    result = others.run(stretch(progress, OPPOSITE, 1.0))
     ranges, tests = result.proof.ranges + opposite.ranges, result.proof.tests + opposite.tests
     proof = replace(result.proof, ranges=ranges, tests=tests)
     if result.contact is not None:
         first = result.contact
         until = min(each.clear_until for each in (first, contact) if each is not None)
-        contact = PathContact(first.drive, until, bodies.carriers(first.panels), first.panels)
+        contact = PathContact(first.drive, until, carriers(first.panels), first.panels)
     return PathResult(contact, proof)
 
 
-class _BodySearch(PathSearch):
+class BodySearch(PathSearch):
     """A search for the first contact of boards whose panels have no common vertex."""
 
     def __init__(self, mechanism: Mechanism, end: float, tolerance: float, bodies: Bodies) -> None:
@@ -79,7 +94,7 @@ class _BodySearch(PathSearch):
         self.grid, self.bodies = mechanism.grid, bodies
         self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
 
-    def _swung(self, part: PathRange) -> float:
+    def _swung(self, part: PathRange, level: int, pairs: Pairs) -> float:
         return 2 * float(self._swings(part).max())
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
@@ -102,22 +117,45 @@ class _BodySearch(PathSearch):
         return self.bodies.height * self.normals.within(*part.bounds.steps)
 
 
-class OppositeBoards:
-    """All pairs of boards that are opposite each other at a vertex.
+@record
+class NearPairs:
+    """Pairs of bodies (P,) whose panels have a vertex in common."""
 
-    Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
-    """
+    bodies: Pairs
+    vertices: Integers  # (P,), that their panels share
+    # Heights (2, P) over each panel from which its corners are seen: those of hinges beside it.
+    bases: Array
+    # the panel (P,) between the two, and how far the hinges at its sides are apart in height (P,)
+    between: Integers
+    steps: Array
 
-    def __init__(self, search: _BodySearch, settled: Booleans) -> None:
+    @classmethod
+    def opposite(cls, bodies: Bodies, grid: Grid, settled: Booleans) -> NearPairs:
+        """Those that are opposite each other at a vertex, with hinges in the creases.
+
+        Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
+        """
+        panels, vertex = opposite_panels(grid, settled)
+        pairs, which = bodies.pairs_of(panels)
+        none = np.zeros(len(which))
+        return cls(pairs, vertex[which], np.stack([none, none]), bodies.panels[pairs[0]], none)
+
+
+class NearBodies:
+    """All pairs of bodies that are near all the way, and not settled."""
+
+    def __init__(self, search: BodySearch, near: NearPairs) -> None:
         self.bodies, self.states = search.bodies, search.states
         self.tolerance = search.tolerance + search.rounding
         self.edges, self.normals = search.bounds, search.normals
-        panels, vertex = opposite_panels(search.grid, settled)
-        self.pairs, which = self.bodies.pairs_of(panels)
-        self.columns = search.grid.columns - 1
-        self.parts = [self.bodies.components(numbers, vertex[which]) for numbers in self.pairs]
-        self.kept_by = np.zeros(len(which), np.int64)
-        self.sleep = np.full(len(which), np.inf)
+        self.pairs, self.columns = near.bodies, search.grid.columns - 1
+        self.parts = [
+            self.bodies.components(numbers, near.vertices, base)
+            for numbers, base in zip(self.pairs, near.bases, strict=True)
+        ]
+        self.between, self.steps = near.between, np.stack([near.steps, 0.0 * near.steps])
+        self.kept_by = np.zeros(len(near.vertices), np.int64)
+        self.sleep = np.full(len(near.vertices), np.inf)
         self.tests = self.ranges = 0
 
     def examine(self, start: int, stop: int, pending: Integers) -> Outcome[Integers]:
@@ -131,12 +169,14 @@ class OppositeBoards:
 
         def errors(which: Integers) -> list[Array]:
             found = []
-            for numbers, parts in zip(self.pairs, self.parts, strict=True):
+            swung = swing[self.between[which]]
+            for numbers, parts, step_h in zip(self.pairs, self.parts, self.steps, strict=True):
                 panel = self.bodies.panels[numbers[which]]
                 row, column = np.divmod(panel, self.columns)
                 along, down, over = parts[..., which]
                 total = along * bounds.steps[0][column] + down * bounds.steps[1][row]
-                found.append(step**2 / 8 * (total + over * swing[panel]))
+                total = total + over * swing[panel] + step_h[which] * swung
+                found.append(step**2 / 8 * total)
             return found
 
         if stop - start == TICKS // BASE:

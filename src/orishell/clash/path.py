@@ -43,7 +43,7 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.layout import Layout
-from orishell.numerics.arrays import Booleans
+from orishell.numerics.arrays import Array, Booleans
 
 ROUNDING = 1e-14
 """Rounding of coordinates, relative to the largest."""
@@ -127,13 +127,19 @@ class PathSearch:
     ) -> None:
         layout = Layout.of(mechanism)
         self.tolerance, self.lenient = tolerance, lenient
-        self.tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
-        self.bounds = EdgeBounds(mechanism, end, self.tree)
+        self.tree, self.bounds = self._tree(mechanism, end, layout, bodies)
         self.wanted = _held(self.tree, only)
         self.states = States(mechanism, end, self.tree, bodies)
         self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
         self.rounding = ROUNDING * float(np.abs(self.states.at(0).points).max())
+
+    def _tree(
+        self, mechanism: Mechanism, end: float, layout: Layout, bodies: Bodies | None
+    ) -> tuple[PanelTree, EdgeBounds]:
+        """The tree of panels, and bounds between its nodes."""
+        tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
+        return tree, EdgeBounds(mechanism, end, tree)
 
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
@@ -163,8 +169,8 @@ class PathSearch:
             None if clear else (waiting, found.open), pair, found.at_start, found.at_stop
         )
 
-    def _swung(self, part: PathRange) -> float:
-        """Acceleration to add to the bounds between vertices of panels."""
+    def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
+        """Acceleration to add to the bounds between vertices of panels of two nodes (P,)."""
         return 0.0
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
@@ -181,7 +187,7 @@ class PathSearch:
 
     def _broad_phase(self, part: PathRange) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
-        bounds, swung = part.bounds, self._swung(part)
+        bounds = part.bounds
         start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
         waiting: list[Pairs] = []
         children: Pairs = joined([])
@@ -194,9 +200,11 @@ class PathSearch:
             self.tests += len(pairs[0])
             gap = gaps((start.extents, stop.extents), level, pairs)
             room = gap - self.tolerance - self.rounding
+            swung = np.broadcast_to(self._swung(part, level, pairs), gap.shape)
             chord_error = part.step**2 / 8 * (bounds.between_nodes(level, *pairs) + swung)
             near = room <= chord_error
             pairs, room, chord_error = selected(pairs, near), room[near], chord_error[near]
+            swung = swung[near]
             crowded = len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE
             if crowded and self._mostly_open(part, level, pairs):
                 waiting[level] = pairs

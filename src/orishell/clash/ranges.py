@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Generic, TypeVar
 
+import numpy as np
+
 from orishell.clash.bodies import Bodies, BodyState
-from orishell.clash.broad_phase import Extents, PanelTree
+from orishell.clash.broad_phase import DIRECTIONS, Extents, PanelTree
 from orishell.clash.narrow_phase import Slabs
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import Angle, record
@@ -138,6 +140,10 @@ class State:
     def extents(self) -> Extents:
         """What the nodes of the tree span, with the height of bodies."""
         bodies = self.carriers
+        if bodies is not None and bodies.hinges is not None:
+            # The tree holds bodies: they are shifted from their panels.
+            views = np.einsum("dx,xcb->dcb", DIRECTIONS, self.bodies.corners)
+            return self.tree.enclosing(views.min(axis=1).T, views.max(axis=1).T)
         over = None if bodies is None else bodies.height * self.slabs.normals.T
         return self.tree.extents(self.points, over)
 

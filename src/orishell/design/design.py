@@ -14,6 +14,7 @@ from orishell.conventions.record import record
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
 from orishell.motion import Mechanism
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
@@ -64,6 +65,8 @@ class Design:
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
+    # the hinges of whole boards, where panels are made of them
+    hinges: Hinges | None = None
     # whether boards are set back for the way to the pack, and not to the target alone
     opens_from_pack: bool = False
     may_stand: bool = False  # whether its first and last rows may be feet although it has no f
@@ -106,6 +109,7 @@ class Design:
             self.ending_at(drive),
             largest_fold=self.largest_fold,
             panel=self.panel,
+            hinges=self.hinges,
             opens_from_pack=self.opens_from_pack,
         )
 

@@ -117,6 +117,11 @@ class PanelSpec(Table):
                 )
 
     @property
+    def is_solid(self) -> bool:
+        """Whether a panel is one board, and no membrane joins it to others."""
+        return self.construction != "sandwich"
+
+    @property
     def longest_arm(self) -> float:
         """How far a hinge may stand off a board, infinite if that is not limited (length)."""
         return math.inf if self.largest_arm is None else self.largest_arm

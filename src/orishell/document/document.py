@@ -17,7 +17,7 @@ from orishell.conventions.record import record
 from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
 from orishell.document.loaded import LoadedShell
-from orishell.motion.boards import SIDES, Boards
+from orishell.motion.boards import Boards
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
@@ -163,8 +163,8 @@ class Document:
         """What a board is called: its panel and its side, as in "3,12 top"."""
         assert self.boards is not None
         name = self.panel_name(int(self.boards.panels[board]))
-        side = int(self.boards.sides[board])
-        return f"{name} {SIDES[side]}" if side else name
+        called = self.boards.called(board)
+        return f"{name} {called}" if called else name
 
     def in_world(self, points: Array) -> Array:
         """World coordinates (..., 3) of points (..., 3) of the document's frame."""

@@ -15,6 +15,7 @@ from orishell.clash import PathContact, PathResult
 from orishell.clash.bodies import Apartness, Bodies
 from orishell.clash.body_path import find_first_body_contact, opposite_panels
 from orishell.clash.broad_phase import Pairs
+from orishell.clash.hinged_path import find_first_hinged_contact
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
@@ -98,11 +99,14 @@ def prove_boards(
         )
 
     def first_contact(built: BuiltPanels) -> PathResult:
+        bodies = corners(end).bodies(built)
+        if bodies.hinges is not None:
+            return find_first_hinged_contact(mechanism, end, tolerance, bodies, progress)
         return find_first_body_contact(
             mechanism,
             end,
             tolerance,
-            corners(end).bodies(built),
+            bodies,
             settled=settled,
             progress=progress,
         )

@@ -103,7 +103,7 @@ class Sheet:
         assert found.bodies is not None
         panels, _, sides = zip(
             *sorted(
-                (self.panel(number), body, SIDES[int(boards.sides[body])])
+                (self.panel(number), body, boards.called(body) or SIDES[0])
                 for number, body in zip(found.panels, found.bodies, strict=True)
             ),
             strict=True,

@@ -5,14 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.hinges import Hinges
 from orishell.motion.quads import longer_diagonals, signed_areas, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""
 
-SIDES = {1: "top", -1: "bottom", 0: "panel"}
+ARM = 2
+"""The side of what is no board, but stands on one and carries a hinge."""
+SIDES = {1: "top", -1: "bottom", 0: "panel", ARM: "arm"}
 """What a board is called after its side."""
+EDGES = ("left", "bottom", "right", "top")
+"""Edges of a panel, as :meth:`~orishell.motion.grid.Grid.faces_edges` has them."""
 
 
 @record
@@ -21,20 +26,27 @@ class Boards:
 
     panels: Integers  # number (B,) of the panel that carries each, ascending
     # the face (B,) of the flat sheet that it lies on: 1 on top, -1 at the bottom, 0 for a panel
-    # that is one solid on both sides of the hinge plane
+    # that is one solid on both sides of the hinge plane; ARM for arms, which carry hinges
     sides: Integers
     # Corners (B, H, K, 3) of every board's outlines at H heights, lowest first, counter-clockwise
     # seen from +z: x and y in the flat sheet, z the height over it (length). Corners with the same
     # number lie above each other, joined by an edge; neighbours may coincide. The board is what
     # lies between its outlines: their convex hull.
     outlines: Array
+    # where the hinges are, if they are not in the creases: boards are shifted in folded states
+    hinges: Hinges | None = None
+    # numbers (B,) in EDGES of the edges whose hinges arms carry, -1 for boards; None without arms
+    edges: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.panels)
 
     def chosen(self, which: Booleans) -> Boards:
         """Those of the boards at which ``which`` (B,) is true."""
-        return Boards(self.panels[which], self.sides[which], self.outlines[which])
+        edges = None if self.edges is None else self.edges[which]
+        return Boards(
+            self.panels[which], self.sides[which], self.outlines[which], self.hinges, edges
+        )
 
     def carried(self, faces: Integers, flat: Array, positions: Array) -> Array:
         """Corners (B, H, K, 3) of all outlines in a folded state.
@@ -45,9 +57,23 @@ class Boards:
         lying = np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
         start, axes = panel_axes(lying[faces], lying[faces])
         origin, moved = panel_axes(positions[faces], lying[faces])
+        if self.hinges is not None:
+            origin = origin + self.hinges.shifts(moved[..., 2])
         turn = (moved @ np.swapaxes(axes, 1, 2))[self.panels]
         away = self.outlines - start[self.panels, None, None]
         return np.asarray(np.einsum("bij,bhkj->bhki", turn, away) + origin[self.panels, None, None])
+
+    @property
+    def arms(self) -> Booleans:
+        """Which (B,) are arms."""
+        return np.asarray(self.sides == ARM)
+
+    def called(self, board: int) -> str:
+        """What a board is called beside its panel: "top", "bottom", "arm left", or nothing."""
+        side = int(self.sides[board])
+        if self.edges is not None and side == ARM:
+            return f"arm {EDGES[int(self.edges[board])]}"
+        return SIDES[side] if side else ""
 
     def areas(self) -> Array:
         """Area (B,) of every board's largest outline."""

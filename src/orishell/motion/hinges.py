@@ -25,6 +25,7 @@ from orishell.numerics.arrays import Array
 class Hinges:
     """Where the hinges of whole boards are, and where the boards lie in the flat sheet."""
 
+    signs: CreaseValues  # of all creases: +1 valley, -1 mountain, 0 where one does not fold
     heights: CreaseValues  # of the hinges of all creases over the flat sheet (length)
     levels: Array  # heights (rows-1, columns-1) of the undersides of boards over it (length)
     thickness: float  # of the boards (length)

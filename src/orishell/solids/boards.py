@@ -11,6 +11,8 @@ from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans
+from orishell.motion.hinges import Hinges
+from orishell.solids.hinged.arms import build_whole_boards
 from orishell.solids.setbacks import find_set_backs
 
 INSIDE = 1e-12
@@ -77,13 +79,14 @@ def build_boards(
     build: PanelSpec,
     folds: CreaseValues,
     reliefs: Array | None = None,
+    hinges: Hinges | None = None,
 ) -> Boards:
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
     A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
     panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
     plane it stands back by half the gap, on its faces as far as boards do, and it is straight in
-    between.
+    between. Whole boards on hinges, square cut, stand back by half the gap; arms follow on each.
 
     Parameters
     ----------
@@ -91,6 +94,8 @@ def build_boards(
         Vertices (rows, columns, 3) of the flat sheet.
     reliefs
         How far corners are cut off at every vertex (rows, columns) (length); None if none is.
+    hinges
+        The hinges of whole boards; None if hinges are in the creases.
 
     Raises
     ------
@@ -110,6 +115,10 @@ def build_boards(
         kept = None if cut is None else cut[present]
         return inset_panels(panels[present], distance[edges][present], grid, kept)
 
+    if hinges is not None:
+        middle = find_set_backs(folds, 0.0, build.gap).top
+        inset = inset_panels(panels, middle[edges], grid, cut)
+        return build_whole_boards(panels, inset, hinges, build)
     if build.construction == "bevel":
         middle = find_set_backs(folds, 0.0, build.gap).top
         solid = there[0] & there[1]

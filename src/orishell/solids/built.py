@@ -23,6 +23,7 @@ from orishell.motion.grid import UNFOLDED, CreaseValues
 from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.boards import build_boards
+from orishell.solids.hinged import find_hinges
 from orishell.solids.setbacks import find_set_backs, largest_folds
 
 
@@ -91,7 +92,10 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     grid, folds = mechanism.grid, largest_folds(mechanism, limit)
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:
-        boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs)
+        hinges = design.hinges
+        if build.construction == "hinged" and hinges is None:
+            hinges = find_hinges(mechanism, build)
+        boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs, hinges)
         return BuiltPanels(build, limit, folds, cut, boards, None)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     inner = design.clipped.inner_columns

@@ -82,6 +82,7 @@ def hinges_of(signs: CreaseValues, heights: CreaseValues, levels: Array) -> Hing
 
     across, down = (levels[:, :-1], levels[:, 1:]), (levels[:-1], levels[1:])
     return Hinges(
+        signs,
         heights,
         levels,
         1.0,
@@ -95,7 +96,7 @@ def hinges_of(signs: CreaseValues, heights: CreaseValues, levels: Array) -> Hing
 def _scaled(unit: Hinges, thickness: float) -> Hinges:
     heights = CreaseValues(thickness * unit.heights.row, thickness * unit.heights.column)
     row, column = (thickness * each for each in unit.arms)
-    return Hinges(heights, thickness * unit.levels, thickness, (row, column))
+    return Hinges(unit.signs, heights, thickness * unit.levels, thickness, (row, column))
 
 
 THINNER = (0.999, 0.5, 0.1)

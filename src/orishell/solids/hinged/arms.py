@@ -1,0 +1,115 @@
+"""Whole boards and their arms: fins that stand on a board and carry a hinge off its faces.
+
+A fin stands upright over its crease, on its board's side of it, from the face of the board to the
+hinge. So board and fins lie within the quarter of space that is below a valley's hinge, or above a
+mountain's, on their side of the crease.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import rounded_down
+from orishell.design import PanelSpec
+from orishell.motion.boards import ARM, EDGES, Boards
+from orishell.motion.hinges import Hinges
+from orishell.numerics.arrays import Array, Integers
+
+TRIMMED = 0.2
+"""Share of a crease that a fin leaves out at either end: room for other boards at the vertices."""
+SHORT = 1e-6
+"""A hinge that is nearer to a face than this share of the thickness needs no fin."""
+
+
+def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: PanelSpec) -> Boards:
+    """Boards with arms, each board followed by its own.
+
+    Parameters
+    ----------
+    panels
+        Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise, top left first.
+    inset
+        Corners (F, K, 2) of what the boards are.
+
+    Raises
+    ------
+    DesignError
+        If a fin is thicker than a panel has room for.
+    """
+    low = hinges.levels.ravel()
+    boards = _upright(inset, low, low + hinges.thickness)
+    carrier, edge, arms = _arms(panels, hinges, build)
+    spare = ((0, 0), (0, 0), (0, boards.shape[2] - 4), (0, 0))
+    number = np.arange(len(panels))
+    carriers, edges = np.concatenate([number, carrier]), np.concatenate([0 * number - 1, edge])
+    outlines = np.concatenate([boards, np.pad(arms, spare, mode="edge")])
+    order = np.lexsort([edges, carriers])
+    sides = np.where(edges < 0, 0, ARM)
+    return Boards(carriers[order], sides[order], outlines[order], hinges, edges[order])
+
+
+def _upright(outline: Array, low: Array, high: Array) -> Array:
+    """Upright prisms (B, 3, K, 3) over outlines (B, K, 2) between two heights (B,)."""
+    levels = np.stack([low, 0.5 * (low + high), high], axis=1)
+    prisms = np.empty((*levels.shape, outline.shape[1], 3))
+    prisms[..., :2], prisms[..., 2] = outline[:, None], levels[..., None]
+    return prisms
+
+
+def _arms(panels: Array, hinges: Hinges, build: PanelSpec) -> tuple[Integers, Integers, Array]:
+    """Carriers (A,), edges (A,) and prisms (A, 3, 4, 3) of all fins."""
+    number = np.arange(hinges.levels.size).reshape(hinges.levels.shape)
+    heights, low, t = hinges.heights, hinges.levels.ravel(), hinges.thickness
+    row, column = hinges.arms
+    found = []
+    for edge, carrier, arm, height, sign in (
+        (1, number[:-1], row[0], heights.row, hinges.signs.row),
+        (3, number[1:], row[1], heights.row, hinges.signs.row),
+        (2, number[:, :-1], column[0], heights.column, hinges.signs.column),
+        (0, number[:, 1:], column[1], heights.column, hinges.signs.column),
+    ):
+        there = arm > SHORT * t
+        own, h, up = carrier[there], height[there], sign[there] > 0
+        outline = _fins(panels[own], edge, 0.5 * build.gap, build.fin)
+        _require_room(panels[own], own, outline, edge, hinges, build)
+        ends = np.where(up, low[own] + t, h), np.where(up, h, low[own])
+        found.append((own, np.full(len(own), edge), _upright(outline, *ends)))
+    carriers, edges, prisms = (np.concatenate(each) for each in zip(*found, strict=True))
+    return carriers, edges, prisms
+
+
+def _fins(panels: Array, edge: int, away: float, thick: float) -> Array:
+    """Outlines (A, 4, 2) of fins beside an edge of panels (A, 4, 2), so far away from it."""
+    start, end = panels[:, edge], panels[:, (edge + 1) % 4]
+    run = end - start
+    along = run / np.hypot(*run.T)[:, None]
+    inward = np.stack([-along[:, 1], along[:, 0]], axis=-1)
+    start, end = start + TRIMMED * run, end - TRIMMED * run
+    near, far = away * inward, (away + thick) * inward
+    return np.stack([start + near, end + near, end + far, start + far], axis=1)
+
+
+def _require_room(
+    panels: Array, own: Integers, outline: Array, edge: int, hinges: Hinges, build: PanelSpec
+) -> None:
+    """Refuse fins (A, 4, 2) that reach beyond their panels (A, 4, 2)."""
+    if not len(own):
+        return
+    run = np.roll(panels, -1, axis=1) - panels
+    inward = np.stack([-run[..., 1], run[..., 0]], axis=-1)
+    inward /= np.hypot(*np.moveaxis(run, -1, 0))[..., None]
+    inside = ((outline[:, :, None] - panels[:, None]) * inward[:, None]).sum(axis=-1)
+    room = inside.min(axis=(1, 2))
+    if room.min() >= -SHORT * hinges.thickness:
+        return
+    worst = int(room.argmin())
+    panel = list(divmod(int(own[worst]), hinges.levels.shape[1]))
+    narrower = [0.5, 0.1, 0.02]
+    raise DesignError(
+        "the fin that carries a hinge is thicker than its panel has room for",
+        place=f"at the {EDGES[edge]} edge of panel {panel}",
+        keys=("panel.arm_width",),
+        size=f"it is {build.fin:.4g} thick",
+        candidates=[Remedy({"panel.arm_width": rounded_down(k * build.fin)}) for k in narrower],
+    )
