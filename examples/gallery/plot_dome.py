@@ -28,3 +28,15 @@ draw_to_stack(shell, camera(-50, 28))
 
 figure, axes = plt.subplots(figsize=(8, 7), layout="constrained")
 draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mechanism), line=0.9)
+
+# %%
+# Locked: ``examples/dome_locked.toml`` is the same dome without a thickness. Two flaps at either
+# end of every row are folded flat upon each other at the target, and stop it there.
+#
+# .. live:: dome_locked
+
+locked = fitted("dome_locked")
+count = len(locked.design.mechanism.flap_folds(0.0))
+print(
+    f"{count} pairs of flaps, {locked.design.parameters['flap']:.2f} m wide, cause: {locked.lock.cause}"
+)

@@ -38,6 +38,7 @@ from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.layout import lay_out
+from samples import thorough
 
 Array = np.ndarray
 RANGES = 512
@@ -326,3 +327,56 @@ def test_a_design_file_asks_for_them(flap: float | str) -> None:
     assert width == flap if flap != "auto" else 0.1 < width < 2
     assert shell.report.deployment.flap_attachment == "folded"
     assert shell.report.quantities.panels == 36 + 4 * 5
+
+
+@pytest.mark.parametrize("apart", [1e-4, 1e-3])
+def test_how_far_flaps_are_open_short_of_the_lock(apart: float) -> None:
+    # Guide: 2 sqrt(d/x), short of the lock by a fold angle d of the row's crease. The next term is
+    # smaller by about d/x.
+    sheet = sheet_of(2)
+    x = np.abs(sheet.bare.sheet.net.x).ravel()
+    for row, tangent in enumerate(x):
+        folded = np.tan(np.arctan(tangent) - apart / 2) / tangent
+        drive = 2 * np.arcsin(folded)
+        open_by = np.pi - np.abs(sheet.flap_folds(drive)[row])
+        assert open_by == pytest.approx(2 * np.sqrt(apart / tangent), rel=5 * apart / tangent)
+
+
+BENCHMARK = {
+    "cap": {"formula": "sqrt(1 - x**2 - y**2)", "x": [-0.5, 0.5], "y": [-0.5, 0.5]},
+    "small cap": {"formula": "sqrt(1 - x**2 - y**2)", "x": [-0.35, 0.35], "y": [-0.35, 0.35]},
+    "ellipsoid": {
+        "formula": "0.8*sqrt(1 - x**2/2.25 - y**2)",
+        "x": [-0.825, 0.825],
+        "y": [-0.55, 0.55],
+    },
+    "saddle": {"formula": "0.25*(x**2 - y**2)", "x": [-1, 1], "y": [-1, 1]},
+    "hypar": {"formula": "0.5*x*y", "x": [-1, 1], "y": [-1, 1]},
+    "half cylinder": {"formula": ["u", "-cos(v)", "sin(v)"], "u": [0, 3], "v": [0, np.pi]},
+    "torus": {
+        "formula": ["(2 + cos(v))*sin(u)", "sin(v)", "(2 + cos(v))*cos(u)"],
+        "u": [-0.69813, 0.69813],
+        "v": [-0.69813, 0.69813],
+    },
+}
+
+
+@pytest.mark.slow
+@thorough
+@pytest.mark.parametrize("name", BENCHMARK)
+def test_surfaces_of_the_benchmark_lock(name: str) -> None:
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": BENCHMARK[name]},
+        "pattern": {"rows": 15, "columns": 15, "flap": "auto"},
+        "motion": {"frames": 5},
+    }
+    shell = make_shell(check_design(tables, Path("shell.toml")), skip=["deviation", "pack"])
+    lock, sheet = shell.report.lock, shell.design.mechanism
+    assert isinstance(sheet, SlitFlaps)
+    assert (lock.cause, lock.early, lock.touching_at_end) == ("flaps", False, ())
+    assert lock.path is not None
+    drives = np.append(np.linspace(0, np.pi, 30), np.pi * (1 - 1e-9))
+    assert changes_of_lengths(sheet, drives) < 1e-12
+    np.testing.assert_allclose(angles_between_flaps(sheet, np.pi), 180.0, rtol=0, atol=1e-6)
+    assert len(sheet.layout.pairs) == 30
