@@ -24,9 +24,9 @@ from orishell.families.flat_foldable.design import (
     Corners,
     SheetKind,
     design_flat_foldable,
-    require_lists,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+from orishell.families.flat_foldable.lists import require_lists
 from orishell.families.flat_foldable.locks.columns import locked
 from orishell.families.pattern import (
     Aim,
