@@ -81,15 +81,20 @@ class Tie:
     shrinks: tuple[float, float] | None = None
 
 
-def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[VertexPair]:
-    """One pair of vertices for each inner column, in two rows of the grid.
+def feet_ties(
+    mechanism: Mechanism, rows: tuple[int, int], columns: Iterable[int] | None = None
+) -> list[VertexPair]:
+    """One pair of vertices for each column, in two rows of the grid.
 
     Parameters
     ----------
     rows
         The two rows, such as those of the feet.
+    columns
+        The columns; all inner ones if None.
     """
-    columns = range(mechanism.grid.columns)[mechanism.inner_columns]
+    if columns is None:
+        columns = range(mechanism.grid.columns)[mechanism.inner_columns]
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 

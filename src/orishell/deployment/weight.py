@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.motion.quads import dots, grid_corners, lengths
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 NODES = 11
 """States that the polynomials go through."""
@@ -80,7 +80,7 @@ class OwnWeight:
     drives: tuple[Angle, ...]
     forces: tuple[float | None, ...]
     # at the same drives (N,), potential energy of the panels over the feet (force times length),
-    # and distance of the feet, the mean of all inner columns (length)
+    # and distance of the feet, the mean of all columns that have feet (length)
     energy: Array
     span: Array
 
@@ -92,6 +92,7 @@ def measure_weight(
     *,
     metres: float = 1.0,
     pack: float | None = None,
+    columns: Integers | None = None,
     states: int = 91,
 ) -> OwnWeight:
     """Return what a shell's own weight does along its motion.
@@ -110,10 +111,14 @@ def measure_weight(
         The unit of length, for work (m).
     pack
         Drive angle of the pack (radians); None for the end of the motion.
+    columns
+        Columns (K,) in which both rows have a foot; all inner ones if None.
     states
         Number of states from flat to the pack, the target not counted.
     """
-    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0)
+    if columns is None:
+        columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
+    body = _Body.of(mechanism, feet_rows, columns, weight_per_area or 1.0)
     total = body.weight * float(body.shares.sum())
     unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
@@ -147,12 +152,15 @@ class _Body:
 
     mechanism: Mechanism
     feet_rows: tuple[int, int]
+    columns: Integers
     weight: float
     shares: Array
     slope: Array
 
     @classmethod
-    def of(cls, mechanism: Mechanism, feet_rows: tuple[int, int], weight: float) -> _Body:
+    def of(
+        cls, mechanism: Mechanism, feet_rows: tuple[int, int], columns: Integers, weight: float
+    ) -> _Body:
         grid = mechanism.grid
         corners = grid_corners(mechanism.positions(0.0)).reshape(-1, 4, 3)
         shares = np.zeros(grid.vertex_count)
@@ -160,23 +168,25 @@ class _Body:
             p, q, r = (corners[:, k] for k in triangle)
             area = 0.5 * np.cross(q - p, r - p)[:, 2]
             np.add.at(shares, grid.faces_vertices()[:, triangle], area[:, None] / 3)
-        feet = mechanism.positions(mechanism.target_drive)[list(feet_rows), mechanism.inner_columns]
+        feet = mechanism.positions(mechanism.target_drive)[np.ix_(feet_rows, columns)]
         line = (feet[1] - feet[0]).mean(axis=0)
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(mechanism, feet_rows, weight, shares.reshape(grid.rows, grid.columns), slope)
+        return cls(
+            mechanism, feet_rows, columns, weight, shares.reshape(grid.rows, grid.columns), slope
+        )
 
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
         positions = self.mechanism.positions(drives)
         centre = np.einsum("rc,...rcx->...x", self.shares, positions) / self.shares.sum()
         first, last = self.feet_rows
-        feet = positions[..., self.mechanism.inner_columns, :]
+        feet = positions[..., self.columns, :]
         apart = feet[..., last, :, :] - feet[..., first, :, :]
         along = apart.mean(axis=-2)
         met = lengths(along) < MET * np.sqrt(self.shares.sum())
         if met.any():
             before = self.mechanism.positions(np.asarray(drives)[met] * (1 - BEFORE))
-            feet_before = before[..., self.mechanism.inner_columns, :]
+            feet_before = before[..., self.columns, :]
             along[met] = (feet_before[..., last, :, :] - feet_before[..., first, :, :]).mean(
                 axis=-2
             )
