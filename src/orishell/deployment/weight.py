@@ -116,9 +116,7 @@ def measure_weight(
     states
         Number of states from flat to the pack, the target not counted.
     """
-    if columns is None:
-        columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
-    body = _Body.of(mechanism, feet_rows, columns, weight_per_area or 1.0)
+    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns)
     total = body.weight * float(body.shares.sum())
     unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
@@ -159,8 +157,14 @@ class _Body:
 
     @classmethod
     def of(
-        cls, mechanism: Mechanism, feet_rows: tuple[int, int], columns: Integers, weight: float
+        cls,
+        mechanism: Mechanism,
+        feet_rows: tuple[int, int],
+        weight: float,
+        columns: Integers | None = None,
     ) -> _Body:
+        if columns is None:
+            columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
         grid = mechanism.grid
         corners = grid_corners(mechanism.positions(0.0)).reshape(-1, 4, 3)
         shares = np.zeros(grid.vertex_count)
