@@ -4,72 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import Phase, event, given, reject, settings
 from hypothesis import strategies as st
 
+from mechanisms import random_net
 from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
+from orishell.families.flat_foldable.design import completed
 from orishell.locking import Lock, find_lock
-from orishell.motion import Mechanism
-from orishell.motion.boards import Boards
-from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import largest_folds, largest_height
+from overlaps import NOTHING, overlap
 from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 STATES = 40
-NOTHING = 1e-12
-"""Overlap below this share of all boards' volume is none."""
 FEW = {"rows": (1, 3, 5), "columns": (3, 4, 5, 6)}
-
-
-def solids(corners: Array, boards: Boards) -> list[Any]:
-    manifold3d = pytest.importorskip("manifold3d")
-    triangles, there = boards.triangles()
-    made = []
-    for own, all_sides, kept in zip(corners, triangles, there, strict=True):
-        used, sides = np.unique(all_sides[kept], return_inverse=True)
-        points = own.reshape(-1, 3)[used]
-        mesh = manifold3d.Mesh64(points, sides.reshape(-1, 3).astype(np.uint64))
-        made.append(manifold3d.Manifold(mesh))
-        assert made[-1].status() == manifold3d.Error.NoError
-    return made
-
-
-def beyond_a_face(corners: Array, pairs: Integers) -> Booleans:
-    """Whether all of the second board lies beyond an upright side, top or bottom of the first."""
-    first, second = (
-        corners[each].reshape(len(pairs), corners.shape[1] * corners.shape[2], 3)
-        for each in pairs.T
-    )
-    outline = corners[pairs[:, 0]][:, 0]
-    up = np.cross(outline[:, 2] - outline[:, 0], outline[:, 3] - outline[:, 1])
-    sides = np.cross(np.roll(outline, -1, axis=1) - outline, up[:, None])
-    normals = np.concatenate([sides, up[:, None], -up[:, None]], axis=1)
-    own = np.einsum("pnx,pcx->pnc", normals, first).max(axis=-1)
-    other = np.einsum("pnx,pcx->pnc", normals, second).min(axis=-1)
-    return np.asarray((other > own).any(axis=1))
-
-
-def overlap(mechanism: Mechanism, boards: Boards, drive: float) -> float:
-    """The largest common volume of two boards of different panels, relative to that of all."""
-    faces, flat = mechanism.grid.faces_vertices(), mechanism.positions(0.0).reshape(-1, 3)
-    corners = boards.carried(faces, flat[:, :2], mechanism.positions(drive).reshape(-1, 3))
-    made = solids(corners, boards)
-    low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
-    near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)
-    near &= boards.panels[:, None] < boards.panels
-    pairs = np.argwhere(near)
-    pairs = pairs[~beyond_a_face(corners, pairs) & ~beyond_a_face(corners, pairs[:, ::-1])]
-    common = [(made[a] ^ made[b]).volume() for a, b in pairs]
-    return max(common, default=0.0) / float(boards.volumes().sum())
 
 
 def with_panels(design: Design, draw: st.DataObject) -> Design:
@@ -137,6 +91,12 @@ def test_longitudinal(start: float, rows: int, columns: int, data: st.DataObject
     except DesignError:
         reject()
     check(with_panels(design, data))
+
+
+@generated
+@given(st.integers(0, 10**6), st.booleans(), st.data())
+def test_flat_foldable(seed: int, mixed: bool, data: st.DataObject) -> None:
+    check(with_panels(completed(random_net(5, 4, seed, mixed=mixed), {}, flap=0.0), data))
 
 
 def few(request: Request, data: st.DataObject) -> Request:

@@ -15,8 +15,9 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
 from orishell.design_file.file import check_design
 from orishell.families.registry import FAMILIES
+from orishell.shell.candidate import Candidate, find_candidate
 from orishell.shell.export import write_shell
-from orishell.shell.families import choose_family, packs_flat
+from orishell.shell.families import FamilyTrial, choose_family, packs_flat
 from orishell.shell.make import Shell, make_shell
 
 VAULT: dict[str, dict[str, Any]] = {
@@ -92,12 +93,27 @@ def test_even_rows_leave_the_families_that_take_them() -> None:
 
 
 def test_no_family_is_refused_with_all_reasons() -> None:
-    def refused(file: DesignFile, progress: Progress) -> Shell:
+    def refused(file: DesignFile, progress: Progress) -> Candidate:
         raise DesignError("it cannot", size=f"{file.family} is unable")
 
     with pytest.raises(DesignError, match="no family makes a shell") as error:
-        choose_family(vault(), refused, no_progress)
+        choose_family(vault(), no_progress, make=refused)
     assert all(f"{name}: it cannot: {name} is unable" in str(error.value) for name in FAMILIES)
+
+
+def test_every_shell_is_made_once_and_told_at_once() -> None:
+    done: list[str] = []
+    told: list[FamilyTrial] = []
+
+    def made(file: DesignFile, progress: Progress) -> Candidate:
+        assert len(told) == len(done)
+        done.append(file.family)
+        return find_candidate(file, progress)
+
+    found, choice = choose_family(vault(), no_progress, told.append, made)
+    assert done == list(FAMILIES)
+    assert choice.tried == tuple(told)
+    assert found.file.family == choice.family
 
 
 def test_keys_of_one_family_are_refused_where_it_is_open() -> None:

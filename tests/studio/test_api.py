@@ -17,7 +17,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
 from orishell.structure.equilibrium import GOVERNING
-from orishell.studio import api
+from orishell.studio import api, info
 from orishell.studio.refusals import make_refusal
 from typescript import declarations, fits
 
@@ -25,8 +25,8 @@ SHARED = Path(__file__).parents[2] / "frontend" / "src" / "shared"
 TYPES = SHARED / "api-types.ts"
 WORDS = SHARED / "api-words.ts"
 HEAD = """\
-// What the server sends and pages have in them, from orishell.studio.api, orishell.io.view and
-// orishell.search.page. Do not edit:
+// What the server sends and pages have in them, from orishell.studio.api and orishell.studio.info,
+// orishell.io.view and orishell.search.page. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 """
@@ -39,13 +39,15 @@ WORDS_HEAD = """\
 MESSAGES: tuple[Any, ...] = (
     Header,
     FrontPage,
-    api.Info,
+    info.Info,
     api.Ranges,
     api.Parsed,
     api.Written,
     api.DroppedCurve,
     api.DrawnSurface,
     api.DroppedSurface,
+    api.FamiliesFound,
+    api.FamiliesResult,
     api.FitFound,
     api.FitResult,
     api.Advance,
@@ -74,7 +76,7 @@ def test_pages_have_the_programs_words() -> None:
 
 
 def test_what_the_page_asks_for_first(client: httpx.Client) -> None:
-    assert fits(client.get("/api/info").json(), api.Info)
+    assert fits(client.get("/api/info").json(), info.Info)
 
 
 THICK = "[panel]\nthickness = 0.02\nmembrane = 0.001\n"

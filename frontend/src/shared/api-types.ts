@@ -1,5 +1,5 @@
-// What the server sends and pages have in them, from orishell.studio.api, orishell.io.view and
-// orishell.search.page. Do not edit:
+// What the server sends and pages have in them, from orishell.studio.api and orishell.studio.info,
+// orishell.io.view and orishell.search.page. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 /** The share of the work that is done, from 0 to 1, and what the work is. */
@@ -426,6 +426,16 @@ export interface Example {
   title: string;
   text: string;
   design: Record<string, unknown>;
+}
+
+/** A line of the answer: what the families make of the target that were tried so far. */
+export interface FamiliesFound {
+  found: FamilyTrial[];
+}
+
+/** The last line of the answer: what all make of it, and the one that is taken. */
+export interface FamiliesResult {
+  result: FamilyChoice;
 }
 
 /** A family of crease patterns. */

@@ -8,6 +8,7 @@ import { DeploymentControls } from "./design/deployment.ts";
 import { Drop } from "./files/drop.ts";
 import { ExportMenu } from "./files/export-menu.ts";
 import { Families } from "./design/families.ts";
+import { familyTrials } from "./design/family-trials.ts";
 import { Files } from "./files/files.ts";
 import { Help } from "./page/help.ts";
 import { addInspection } from "./shell/inspection.ts";
@@ -101,7 +102,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         "div",
         { class: "inputs", role: "region", "aria-label": "Design" },
         tourHint(store, () => help.tour()),
-        h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
+        h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element, familyTrials(store)),
         targetSection(store, editors, surface),
         parameters.element,
         new PanelControls(store).element,

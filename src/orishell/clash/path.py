@@ -14,6 +14,7 @@ the drive, so what is found is the first contact, and everything before it is pr
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -49,8 +50,11 @@ ROUNDING = 1e-14
 LENIENCE = 1e-4
 """Share of the tolerance that is used for panels that are meant to clash at the end."""
 CROWD = 64
-"""Pairs per node from which it is better to halve the range than to look at each: where a sheet
-runs through itself all over at the end of a range, its first contact is far from there."""
+"""Pairs per node from which a sample tells whether to halve the range rather than to look at each:
+where a sheet runs through itself all over at the end of a range, its first contact is far from
+there."""
+SAMPLE = 512
+"""Pairs of panels in such a sample, at most; the range is halved if half of them stay open."""
 CROWDED_ABOVE = TICKS >> 20
 """Ranges no longer than this are looked at, whatever the crowd (ticks)."""
 WORTH_HALVING = 4.0
@@ -193,7 +197,8 @@ class PathSearch:
             chord_error = part.step**2 / 8 * (bounds.between_nodes(level, *pairs) + swung)
             near = room <= chord_error
             pairs, room, chord_error = selected(pairs, near), room[near], chord_error[near]
-            if len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE:
+            crowded = len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE
+            if crowded and self._mostly_open(part, level, pairs):
                 waiting[level] = pairs
                 continue
             halving = np.zeros(len(room), np.bool_)
@@ -210,6 +215,14 @@ class PathSearch:
                 return waiting, self._panels(pairs)
             children = self._wanted(level + 1, child_pairs(pairs))
         return waiting, joined([])
+
+    def _mostly_open(self, part: PathRange, level: int, pairs: Pairs) -> bool:
+        """Whether most panels of pairs of nodes (P,) of a level stay open, by a sample of them."""
+        few = selected(pairs, np.arange(0, len(pairs[0]), -(-len(pairs[0]) // SAMPLE)))
+        below = self.tree.depth - level
+        sample = self._panels((few[0] << below, few[1] << below))
+        found = self._narrow_phase(replace(part, open=joined([])), sample)
+        return 2 * len(found.open[0]) >= len(sample[0])
 
     def _panels(self, pairs: Pairs) -> Pairs:
         """Pairs of panels from pairs of lowest nodes, those that share a vertex left out."""

@@ -22,7 +22,7 @@ from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 
 if TYPE_CHECKING:
-    from orishell.shell.make import ClashPolicy
+    from orishell.shell.candidate import ClashPolicy
 
 
 def design(

@@ -16,7 +16,7 @@ from orishell.cli.files import say
 from orishell.conventions.errors import InputError
 
 if TYPE_CHECKING:
-    from orishell.studio.api import NamedDesign
+    from orishell.studio.info import NamedDesign
 
 CONNECTIONS = 150
 """Connections at a time, at most: all of them together must not take the machine's memory."""

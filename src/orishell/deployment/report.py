@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -15,6 +16,7 @@ from orishell.deployment.ties import Tie, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 from orishell.design import Design, PanelSpec
 from orishell.locking import Cause, Lock
+from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
 
 PACKS = 9
@@ -43,18 +45,13 @@ class DeploymentReport:
     weight: OwnWeight | None
 
 
-def describe_deployment(
-    design: Design, lock: Lock, site: Site, start: Start, *, packed: bool, weighed: bool
-) -> DeploymentReport:
+def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
-
-    packed, weighed: Whether pack and largest thickness, and own weight, are asked for.
 
     Raises InputError if ties do not fit the sheet.
     """
     mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
-    clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
-    end = max(lock.closes_to, lock.target_drive)
+    clipped, folded = design.clipped is not None, has_flaps(mechanism)
     ties = find_ties(mechanism, site.ties, lock.closes_to)
     caught = lock.cause if lock.closes_to <= lock.target_drive else None
     return DeploymentReport(
@@ -62,12 +59,31 @@ def describe_deployment(
         flap_attachment="clipped" if clipped else "folded" if folded else None,
         largest_fold=design.largest_fold,
         thickness=thickness,
-        largest_thickness=_largest_thickness(design) if packed else None,
+        largest_thickness=None,
         end_drive=lock.closes_to,
         closing="clipped flaps" if clipped else caught,
         opening="ties" if ties else None,
-        packed=find_pack(mechanism, end, PACKS, thickness) if packed else None,
+        packed=None,
         ties=ties,
+        weight=None,
+    )
+
+
+def with_measures(
+    report: DeploymentReport,
+    design: Design,
+    lock: Lock,
+    site: Site,
+    *,
+    packed: bool,
+    weighed: bool,
+) -> DeploymentReport:
+    """The report with what is asked for of pack with largest thickness, and of own weight."""
+    mechanism, end = design.mechanism, max(lock.closes_to, lock.target_drive)
+    return replace(
+        report,
+        largest_thickness=_largest_thickness(design) if packed else None,
+        packed=find_pack(mechanism, end, PACKS, report.thickness) if packed else None,
         weight=_weight(design, site, end) if weighed else None,
     )
 

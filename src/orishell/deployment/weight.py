@@ -29,7 +29,8 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
-from orishell.motion.quads import dots, grid_corners, lengths
+from orishell.motion.layout import Layout, points_of
+from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
 NODES = 11
@@ -143,7 +144,7 @@ def measure_weight(
 
 @record
 class _Body:
-    """A mechanism, its feet, the area (rows, columns) that its vertices carry.
+    """A mechanism, its feet, the area (V,) that its vertices carry.
 
     And the sine and the cosine of the slope of the ground.
     """
@@ -165,24 +166,22 @@ class _Body:
     ) -> _Body:
         if columns is None:
             columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
-        grid = mechanism.grid
-        corners = grid_corners(mechanism.positions(0.0)).reshape(-1, 4, 3)
-        shares = np.zeros(grid.vertex_count)
+        flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
+        corners, shares = flat[faces], np.zeros(len(flat))
         for triangle in ([0, 1, 2], [0, 2, 3]):
             p, q, r = (corners[:, k] for k in triangle)
             area = 0.5 * np.cross(q - p, r - p)[:, 2]
-            np.add.at(shares, grid.faces_vertices()[:, triangle], area[:, None] / 3)
-        feet = mechanism.positions(mechanism.target_drive)[np.ix_(feet_rows, columns)]
+            np.add.at(shares, faces[:, triangle], area[:, None] / 3)
+        feet = mechanism.positions(mechanism.target_drive)[np.array(feet_rows)[:, None], columns]
         line = (feet[1] - feet[0]).mean(axis=0)
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(
-            mechanism, feet_rows, columns, weight, shares.reshape(grid.rows, grid.columns), slope
-        )
+        return cls(mechanism, feet_rows, columns, weight, shares, slope)
 
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
         positions = self.mechanism.positions(drives)
-        centre = np.einsum("rc,...rcx->...x", self.shares, positions) / self.shares.sum()
+        points = points_of(self.mechanism, drives)
+        centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
         first, last = self.feet_rows
         feet = positions[..., self.columns, :]
         apart = feet[..., last, :, :] - feet[..., first, :, :]

@@ -27,6 +27,7 @@ WITHOUT_MEANING = ("motion.frames", "shell.unit", "search")
 PALETTE = "workshop.palette"
 FILE_KEYS = (
     *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
+    "target.surface.mesh",
     PALETTE,
 )
 """Keys that may name a file beside the design file."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,10 +13,8 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
 from orishell.families.registry import FAMILIES
-from orishell.motion import Mechanism
-
-if TYPE_CHECKING:
-    from orishell.shell.make import Shell
+from orishell.motion import Mechanism, sheet_area
+from orishell.shell.candidate import Candidate, find_candidate
 
 FLAT = 1e-3
 """A crease whose fold angle is this near to none or to half a turn lies flat (radians)."""
@@ -69,14 +66,19 @@ class FamilyChoice:
 
 
 def choose_family(
-    file: DesignFile, make: Callable[[DesignFile, Progress], Shell], progress: Progress
-) -> tuple[DesignFile, FamilyChoice]:
-    """The file with a family, and what each family makes of its target.
+    file: DesignFile,
+    progress: Progress,
+    tell: Callable[[FamilyTrial], None] | None = None,
+    make: Callable[[DesignFile, Progress], Candidate] = find_candidate,
+) -> tuple[Candidate, FamilyChoice]:
+    """The shell of the best family, and what each family makes of the target.
 
     All have the rows and columns, or the tolerance, of the file.
 
     Parameters
     ----------
+    tell
+        Is told what each family makes of it as soon as that is known.
     make
         Makes the shell of a file with a family, and measures how near it is.
 
@@ -85,24 +87,36 @@ def choose_family(
     DesignError
         If no family makes a shell: with the reasons of all.
     """
+    best: tuple[FamilyTrial, Candidate] | None = None
     tried: list[FamilyTrial] = []
     for number, name in enumerate(FAMILIES):
         part = stretch(progress, number / len(FAMILIES), (number + 1) / len(FAMILIES))
         try:
-            tried.append(_measured(make(in_family(file, name), part)))
+            found = make(in_family(file, name), part)
         except DesignError as error:
-            tried.append(FamilyTrial(name, why_not=_refusal(error)))
+            trial = FamilyTrial(name, why_not=_refusal(error))
         except InputError as error:
-            tried.append(FamilyTrial(name, why_not=_fault(error)))
-    made = [each for each in tried if each.distance is not None]
-    if not made:
+            trial = FamilyTrial(name, why_not=_fault(error))
+        else:
+            trial = _measured(found)
+            if best is None or _rank(trial) < _rank(best[0]):
+                best = trial, found
+        tried.append(trial)
+        if tell is not None:
+            tell(trial)
+    if best is None:
         raise DesignError(
             "no family makes a shell of this target",
             keys=("shell.family",),
             size="; ".join(f"{each.family}: {each.why_not}" for each in tried),
         )
-    best = min(made, key=lambda each: (not each.locks, each.distance))
-    return in_family(file, best.family), FamilyChoice(best.family, RULE, tuple(tried))
+    return best[1], FamilyChoice(best[0].family, RULE, tuple(tried))
+
+
+def _rank(trial: FamilyTrial) -> tuple[bool, float]:
+    """What is smallest in the best family: see RULE."""
+    assert trial.distance is not None
+    return not trial.locks, trial.distance
 
 
 def in_family(file: DesignFile, name: str) -> DesignFile:
@@ -112,16 +126,17 @@ def in_family(file: DesignFile, name: str) -> DesignFile:
     return file.changed({"shell.family": name, **values})
 
 
-def _measured(shell: Shell) -> FamilyTrial:
-    lock, mechanism = shell.lock, shell.design.mechanism
-    assert shell.deviation is not None
+def _measured(found: Candidate) -> FamilyTrial:
+    lock, mechanism = found.lock, found.design.mechanism
+    assert found.deviation is not None
+    assert found.deviation.surface is not None
     return FamilyTrial(
-        family=shell.file.family,
-        distance=shell.deviation.max,
+        family=found.file.family,
+        distance=found.deviation.surface.max,
         panels=mechanism.grid.panel_count,
-        sheet_area=shell.report.sheet.area,
+        sheet_area=sheet_area(found.motion.flat.positions),
         packs_flat=packs_flat(mechanism, lock.closes_to),
-        locks=shell.report.deployment.closing is not None,
+        locks=found.deployment.closing is not None,
     )
 
 

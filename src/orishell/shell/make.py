@@ -5,30 +5,28 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
-from orishell.deployment import Site, find_site
-from orishell.deployment.feet import find_feet, stand
-from orishell.deployment.report import describe_deployment
+from orishell.deployment import Site
+from orishell.deployment.report import with_measures
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
-from orishell.deviation.report import describe_deviation
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
 from orishell.families.registry import AUTO
-from orishell.locking import Lock, lock_without_clash, require_pack
+from orishell.locking import Lock
 from orishell.locking.report import describe_panels
-from orishell.motion import FoldingMotion, extents, sheet_area
+from orishell.motion import FoldingMotion, area_of, extents
+from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.shell.build_warnings import warn_of_building
+from orishell.shell.candidate import ClashPolicy, find_candidate
 from orishell.shell.deployment_warnings import warn_of_deployment
-from orishell.shell.designed import designed, ended
-from orishell.shell.families import FamilyChoice, choose_family
+from orishell.shell.families import choose_family
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -39,8 +37,6 @@ from orishell.shell.report import (
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
-from orishell.shell.tolerance import meet_tolerance
-from orishell.shell.turn_search import choose_turn
 from orishell.shell.verdict import find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
@@ -48,13 +44,10 @@ from orishell.verification.residuals import (
     AssignmentCheck,
     Residuals,
     measure_residuals,
+    measure_with_flaps,
     require_verified,
 )
 from orishell.workshop.quantities import measure_quantities
-
-ClashPolicy = Literal["refused", "allowed", "unexamined"]
-"""What becomes of a shell whose panels meet before its target: it is refused, or made and said to
-clash; or nobody looks, for sheets of hundreds of thousands of panels."""
 
 
 @record
@@ -159,45 +152,21 @@ def _step_by_step(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
     clock = Clock()
-    file, families = _in_family(file, progress)
-    if families is not None:
+    families = None
+    if file.family == AUTO:
+        found, families = choose_family(file, progress)
         clock.lap("family")
-    file, turned = choose_turn(file, progress)
-    if turned is not None:
-        clock.lap("turn")
-    file, choice = _sized(file, progress)
-    if choice is not None:
-        clock.lap("choose")
-    design = designed(file, progress)
-    clock.lap("design")
-    design, lock = _ended(file, design, clash, progress)
-    if clash != "unexamined":
-        clock.lap("clash")
-    if file.deployment.start == "pack":
-        require_pack(design, lock)
-    feet = find_feet(design)
-    if file.ground == "z0":
-        design, feet = stand(design, feet)
-    motion = FoldingMotion(
-        design.mechanism, file.frames, None if file.deployment.start == "flat" else lock.closes_to
-    )
+    else:
+        found = find_candidate(file, progress, clash, skip, clock)
+    file, design, lock, motion = found.file, found.design, found.lock, found.motion
+    feet, site, deviation = found.feet, found.site, found.deviation
     residuals, assignment = _verified(motion, progress, "verification" not in skip)
     clock.lap("fold")
-    deviation = describe_deviation(design, measured="deviation" not in skip)
-    clock.lap("deviation")
-    site = find_site(
-        design,
-        feet,
-        file.deployment,
-        lock.built,
-        unit=file.unit,
-        areal_density=file.workshop.areal_density,
-    )
-    deployment = describe_deployment(
+    deployment = with_measures(
+        found.deployment,
         design,
         lock,
         site,
-        file.deployment.start,
         packed="pack" not in skip,
         weighed="weight" not in skip,
     )
@@ -216,7 +185,7 @@ def _step_by_step(
         "the layout on the stock": quantities.stock is None,
         "the structure": analysis is None and file.structure is not None,
     }
-    width, height, _ = extents(motion.flat.positions)
+    width, height, _ = extents(points_of(design.mechanism, 0.0))
     report = Report(
         family=file.family,
         unit=file.unit,
@@ -225,8 +194,8 @@ def _step_by_step(
         parameters=design.parameters,
         families=families,
         by_curves=design.by_curves,
-        turned=turned,
-        chosen=choice,
+        turned=found.turned,
+        chosen=found.choice,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,
@@ -241,8 +210,8 @@ def _step_by_step(
         not_checked=tuple(words for words, missing in unknown.items() if missing),
         stands=feet,
         deviation=deviation,
-        sheet=SheetReport(width, height, sheet_area(motion.flat.positions)),
-        deployed=BoxReport(*extents(motion.target.positions)),
+        sheet=SheetReport(width, height, area_of(design.mechanism)),
+        deployed=BoxReport(*extents(points_of(design.mechanism, design.mechanism.target_drive))),
         deployment=deployment,
         panel=describe_panels(design, lock),
         structure=analysis,
@@ -261,39 +230,11 @@ def _step_by_step(
         site=site,
         motion=motion,
         deviation=None if deviation is None else deviation.surface,
-        choice=choice,
+        choice=found.choice,
         document=document,
         report=report,
         seconds=clock.seconds,
     )
-
-
-def _in_family(file: DesignFile, progress: Progress) -> tuple[DesignFile, FamilyChoice | None]:
-    """The file with a family, and what all of them make of it if that is left open."""
-    if file.family != AUTO:
-        return file, None
-    return choose_family(file, _compared, progress)
-
-
-def _compared(file: DesignFile, progress: Progress) -> Shell:
-    """The shell of a file in one of the families, as far as these are compared."""
-    skip: tuple[Step, ...] = ("remedies", "verification", "pack", "weight", "stock", "structure")
-    return _made(file, progress, "refused", skip)
-
-
-def _sized(file: DesignFile, progress: Progress) -> tuple[DesignFile, Choice | None]:
-    """The file with rows and columns, and what they were chosen from if it has a tolerance."""
-    if file.tolerance is None:
-        return file, None
-    return meet_tolerance(file, file.tolerance, progress)
-
-
-def _ended(
-    file: DesignFile, design: Design, clash: ClashPolicy, progress: Progress
-) -> tuple[Design, Lock]:
-    if clash == "unexamined":
-        return design, lock_without_clash(design)
-    return ended(file, design, allow_clash=clash == "allowed", progress=progress)
 
 
 def _verified(
@@ -302,8 +243,12 @@ def _verified(
     """How exactly all states fold, if that is asked for; refused if that is wrong."""
     if not asked:
         return None, None
-    states = followed(motion, len(motion), progress, "verifying")
-    residuals, assignment = measure_residuals(states, motion.flat)
+    if isinstance(motion.mechanism, LaidOut):
+        drives = followed(motion.drives, len(motion), progress, "verifying")
+        residuals, assignment = measure_with_flaps(motion.mechanism, drives)
+    else:
+        states = followed(motion, len(motion), progress, "verifying")
+        residuals, assignment = measure_residuals(states, motion.flat)
     require_verified(residuals, assignment)
     return residuals, assignment
 
@@ -327,6 +272,6 @@ def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
     contact = lock.first_contact
     if contact is None:
         return None
-    across = design.mechanism.grid.columns - 1
-    first, second = (row * across + column for row, column in contact.panels)
+    layout = Layout.of(design.mechanism)
+    first, second = (layout.name(row, column) for row, column in contact.panels)
     return FirstContact(tidy_degrees(contact.drive), (first, second))

@@ -1,4 +1,4 @@
-"""What the studio's server sends to its pages, field by field.
+"""What the studio's server answers to its pages, field by field: ``info`` is what they load first.
 
 Their types in ``frontend/src/shared/api-types.ts`` are written from these.
 """
@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from typing import Any, Literal, NotRequired, TypedDict
 
-from orishell.conventions.table import Kind, Measure
 from orishell.document import FirstContact
-from orishell.families.pattern import Aim
 from orishell.io.view import Curves
+from orishell.shell.families import FamilyChoice, FamilyTrial
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
 from orishell.workshop.palettes import Layer
@@ -21,114 +20,6 @@ Tables = dict[str, Any]
 FaultKind = Literal["input", "design", "limit", "time", "key", "fault"]
 NAME = "shell"
 """The name of a design that was given none."""
-
-
-class Parameter(TypedDict):
-    """A parameter of a family, or a setting of the workshop, as a control shows it."""
-
-    key: str
-    label: str
-    help: str
-    kind: Kind
-    auto: bool
-    unit: Measure
-    choices: list[str]
-    default: float | str | bool | None  # null: the design must give it
-    only: Aim | None  # the target without which it has no meaning
-    # how far the slider reaches; left out where that depends on the curves
-    slider: NotRequired[tuple[float, float]]
-    step: NotRequired[float]  # between two of its places
-
-
-class Family(TypedDict):
-    """A family of crease patterns."""
-
-    label: str
-    what: str
-    borders: str  # what the panels beside its inner columns are
-    aims: list[Aim]  # what its shells can follow
-    parameters: list[Parameter]
-
-
-class KeyWords(TypedDict):
-    """A key of the design file in words."""
-
-    label: str
-    help: str  # one line on what it does
-    # its values and their labels, the default first; empty where they are not listed
-    choices: dict[str, str]
-
-
-class TableWords(TypedDict):
-    """A table of the design file in words."""
-
-    label: str  # the section of the page that has its controls; empty where there is none
-    keys: dict[str, KeyWords]
-
-
-class Example(TypedDict):
-    """A design to begin with: its tables, and the text of its file."""
-
-    name: str
-    title: str
-    text: str
-    design: Tables
-
-
-class FileFormat(TypedDict):
-    """A format of files that a shell can be written in."""
-
-    name: str
-    file: str
-    what: str
-
-
-class Largest(TypedDict):
-    """Limits of the studio: vertices of a sheet, bytes of a request, seconds of a design."""
-
-    vertices: int
-    bytes: int
-    seconds: float
-
-
-class NamedDesign(TypedDict):
-    """The design file that the studio was started with."""
-
-    name: str
-    design: Tables
-
-
-class SearchFigure(TypedDict):
-    """A figure that a search can make small, or keep within limits."""
-
-    name: str
-    words: str  # its name in words
-    unit: str  # its unit, "{unit}" standing for that of lengths; empty where it has none
-    of_structure: bool  # whether it is there only where the design has a table [structure]
-    most: float | None  # its limit where the table [search] sets none; null if it has none then
-
-
-class SearchInfo(TypedDict):
-    """What a search can be for."""
-
-    figures: list[SearchFigure]
-    evaluations: int  # designs that are made at most where the table [search] does not say it
-    install: str  # the command that installs what a search needs; empty where that is installed
-
-
-class Info(TypedDict):
-    """What the page loads first: what there is to choose from, limits, the design to open."""
-
-    version: str
-    units: list[str]
-    families: dict[str, Family]
-    examples: list[Example]
-    formats: list[FileFormat]
-    workshop: list[Parameter]
-    tables: dict[str, TableWords]
-    search: SearchInfo
-    limits: Largest
-    start: NamedDesign | None
 
 
 class Remedy(TypedDict):
@@ -296,6 +187,18 @@ class FitResult(TypedDict):
     """The last line of the answer: the view of the sheet that was fitted, in base64."""
 
     result: str
+
+
+class FamiliesFound(TypedDict):
+    """A line of the answer: what the families make of the target that were tried so far."""
+
+    found: list[FamilyTrial]
+
+
+class FamiliesResult(TypedDict):
+    """The last line of the answer: what all make of it, and the one that is taken."""
+
+    result: FamilyChoice
 
 
 class TradeoffResult(TypedDict):

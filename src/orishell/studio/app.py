@@ -20,8 +20,9 @@ from orishell.conventions.memory import Memory
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.io.formats import all_formats
-from orishell.studio.api import Info, NamedDesign, Refusal
+from orishell.studio.api import Refusal
 from orishell.studio.guard import Guard, Key
+from orishell.studio.info import Info, NamedDesign
 from orishell.studio.labels import (
     describe_examples,
     describe_families,
@@ -117,7 +118,7 @@ def make_app(
         headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
-    for task in ("fit", "verify", "tradeoff", "sheets"):
+    for task in ("families", "fit", "verify", "tradeoff", "sheets"):
         _add_stream(app, task, slow)
     _add_stream(app, "search", search)
     _add_task(app, "ranges", slow)

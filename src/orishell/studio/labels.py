@@ -16,15 +16,16 @@ from pydantic import BaseModel
 from orishell.conventions.table import knobs_of
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.families.registry import FAMILIES
-from orishell.studio.api import Example, Family, KeyWords, Parameter, TableWords
+from orishell.families.pattern import AnyPattern
+from orishell.families.registry import AUTO, FAMILIES
+from orishell.studio.info import Example, Family, KeyWords, Parameter, TableWords
 from orishell.workshop import Workshop
 from orishell.workshop.palettes import Layer
 
 
 def describe_families() -> dict[str, Family]:
-    """Names, parameters and defaults of all families."""
-    return {
+    """Names, parameters and defaults of all families, the choice among them last."""
+    described: dict[str, Family] = {
         name: {
             "label": each.label,
             "what": each.what,
@@ -34,6 +35,14 @@ def describe_families() -> dict[str, Family]:
         }
         for name, each in FAMILIES.items()
     }
+    any_family: Family = {
+        "label": "Automatic",
+        "what": "Tries all families; takes the nearest that locks",
+        "borders": "flaps",
+        "aims": AnyPattern.aims(),
+        "parameters": _parameters(AnyPattern),
+    }
+    return {**described, AUTO: any_family}
 
 
 def describe_examples() -> list[Example]:

@@ -16,7 +16,8 @@ from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
 from orishell.search.problem import parse_problem
 from orishell.search.space import key_of
-from orishell.studio.api import SearchedDesign, SearchInfo, SearchState, Tables
+from orishell.studio.api import SearchedDesign, SearchState, Tables
+from orishell.studio.info import SearchInfo
 from orishell.studio.processes import Send, require_small
 
 EVERY = 0.2

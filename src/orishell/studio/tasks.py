@@ -25,6 +25,7 @@ from orishell.io.formats import all_formats, find_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.designed import design_of
 from orishell.shell.export import write_format
+from orishell.shell.families import FamilyTrial, choose_family
 from orishell.shell.make import make_shell
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import STEPS
@@ -137,6 +138,20 @@ class Task:
             with contextlib.suppress(OrishellError):
                 self.send(_text(self._view(small, stretch(self.progress, 0, COARSE))))
         return _text(self._view(file, stretch(self.progress, COARSE, 1)))
+
+    def compare_families(self) -> dict[str, Any]:
+        """What every family makes of a target, and which is taken; each is told of when it is done.
+
+        Raises DesignError if none makes a shell.
+        """
+        tried: list[dict[str, Any]] = []
+
+        def tell(trial: FamilyTrial) -> None:
+            tried.append(as_table(trial))
+            self.send(list(tried))
+
+        _, choice = choose_family(self._design(tolerated=True), self.progress, tell)
+        return dict(as_table(choice))
 
     def draw_surface(self) -> DrawnSurface:
         """The target surface, before a shell is fitted to it."""
@@ -254,6 +269,7 @@ class Task:
 TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "warm_up": Task.warm_up,
     "design": Task.make_view,
+    "families": Task.compare_families,
     "fit": Task.fit,
     "surface": Task.draw_surface,
     "mesh": Task.read_mesh,

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from accelerations import shares_of_bounds
+from fitted_shells import fitted
 from mechanisms import TURNED, flat_foldable, miura_net, random_net
 from orishell.families.flat_foldable.folding import HalfFolds, fold
 from orishell.families.flat_foldable.mechanism import FlatFoldable
@@ -80,9 +81,33 @@ def test_panels_are_rigid_from_flat_to_the_flat_stack(mixed: bool) -> None:
     assert changes_of_distances(sheet, drives) < 1e-12
 
 
+@pytest.mark.parametrize("surface", ["cap", "saddle .5", "roof"])
+@pytest.mark.parametrize("count", [8, pytest.param(30, marks=thorough)])
+def test_panels_of_fitted_sheets_are_rigid_from_flat_to_the_flat_stack(
+    surface: str, count: int
+) -> None:
+    sheet = mechanism_of(surface, count)
+    drives = np.append(np.linspace(0, np.pi, 12), sheet.target_drive)
+    assert changes_of_distances(sheet, drives) < 1e-12
+
+
+def mechanism_of(surface: str, count: int) -> FlatFoldable:
+    mechanism = fitted(surface, count).mechanism
+    assert isinstance(mechanism, FlatFoldable)
+    return mechanism
+
+
+@pytest.mark.parametrize("surface", ["cap", "saddle .5", "roof"])
+def test_fitted_sheets_keep_the_conditions_of_feng_and_others(surface: str) -> None:
+    require_conditions(mechanism_of(surface, 8), mixed=False)
+
+
 @pytest.mark.parametrize("mixed", [False, True])
 def test_vertices_and_panels_keep_the_conditions_of_feng_and_others(mixed: bool) -> None:
-    sheet = flat_foldable(random_net(8, 7, 5, mixed=mixed), **TURNED)
+    require_conditions(flat_foldable(random_net(8, 7, 5, mixed=mixed), **TURNED), mixed=mixed)
+
+
+def require_conditions(sheet: FlatFoldable, *, mixed: bool) -> None:
     sectors = sectors_of(sheet)
     # Kawasaki, and the sum of a panel's angles.
     np.testing.assert_allclose(sectors[..., 0] + sectors[..., 2], np.pi, atol=1e-12)

@@ -7,7 +7,7 @@ import { button, segmented } from "../parts/controls.ts";
 import { download, h, setAttribute } from "../parts/dom.ts";
 import { faultOf } from "../state/faults.ts";
 import { SheetPreview } from "./sheet-preview.ts";
-import { sized } from "../state/sizing.ts";
+import { settled } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
 import type { FileFormat } from "../state/types.ts";
 import { WorkshopSettings } from "./workshop-settings.ts";
@@ -131,7 +131,7 @@ export class ExportMenu {
     try {
       // Sizes that were chosen are not sought again.
       const current = store.freshness.value === "current";
-      const design = current ? sized(store.design.value, store.report.value) : store.design.value;
+      const design = current ? settled(store.info, store.design.value, store.report.value) : store.design.value;
       const file = await exportDesign(design, format.name, state, store.name.value);
       download(file.blob, file.name);
       this.note.textContent = `Written: ${file.name}`;

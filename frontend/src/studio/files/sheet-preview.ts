@@ -7,7 +7,8 @@ import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { faultOf } from "../state/faults.ts";
 import { pretty } from "../parts/numbers.ts";
-import { sized } from "../state/sizing.ts";
+import { isAuto } from "../state/aims.ts";
+import { settled } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
 import { WorkBar } from "../parts/work-bar.ts";
 import { percent } from "./workshop-words.ts";
@@ -72,6 +73,9 @@ export class SheetPreview {
 
   private async draw(): Promise<void> {
     const { design, name, report, freshness } = this.store;
+    if (isAuto(design.value) && freshness.value !== "current") {
+      return this.refuse("No family has been taken yet.");
+    }
     if (design.value.tolerance && freshness.value !== "current") {
       return this.refuse("Rows and columns have not been chosen yet: press Choose beside the tolerance.");
     }
@@ -79,7 +83,7 @@ export class SheetPreview {
     const { signal } = this.stopping;
     this.work.begin("drawing the sheets");
     try {
-      const sheets = await drawSheets(sized(design.value, report.value), name.value, signal, (share, what) => {
+      const sheets = await drawSheets(settled(this.store.info, design.value, report.value), name.value, signal, (share, what) => {
         if (!signal.aborted) this.work.show(share, what);
       });
       if (!signal.aborted) this.take(sheets);

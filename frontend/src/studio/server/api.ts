@@ -94,6 +94,11 @@ export async function readSurface(file: File, unit: string): Promise<Api.Dropped
   return json("mesh", { name: file.name, content: await base64(file), unit });
 }
 
+/** What every family makes of the target of a design, told as it is found; aborting stops the work. */
+export function compareFamilies(design: Design, signal: AbortSignal, progressed: Progressed, found: (tried: Api.FamilyTrial[]) => void): Promise<Api.FamilyChoice> {
+  return streamed<Api.FamilyChoice, Api.FamilyTrial[]>("families", { design }, signal, progressed, found);
+}
+
 /** The view of a design that is fitted to its surface, a coarser one first; aborting stops the fit. */
 export async function fitView(design: Design, states: number, signal: AbortSignal, progressed: Progressed, coarse: (bytes: ArrayBuffer) => void): Promise<ArrayBuffer> {
   return decodeBytes(await streamed<string>("fit", { design, states }, signal, progressed, (view) => coarse(decodeBytes(view))));
@@ -141,7 +146,7 @@ export function searchDesigns(design: Design, name: string, signal: AbortSignal,
 }
 
 /** The result of work whose progress, and what it finds, is told while it is under way. */
-async function streamed<T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed, found?: (value: T) => void): Promise<T> {
+async function streamed<T, Found = T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed, found?: (value: Found) => void): Promise<T> {
   const response = await ask(path, body, signal);
   const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
@@ -152,7 +157,7 @@ async function streamed<T>(path: string, body: unknown, signal: AbortSignal, pro
     rest = lines.pop()!;
     for (const line of lines) {
       if (!line.trim()) continue;
-      const message = JSON.parse(line) as Api.Advance | { found: T } | { result: T } | Api.Refusal;
+      const message = JSON.parse(line) as Api.Advance | { found: Found } | { result: T } | Api.Refusal;
       if ("error" in message) throw refusalOf(message);
       if ("result" in message) return message.result;
       if ("found" in message) found?.(message.found);

@@ -2,14 +2,14 @@
 
 import { type Answer, fetchView as fetchAnew } from "./api.ts";
 import { isWhole } from "../curves/curve-table.ts";
-import { isFitted } from "../state/aims.ts";
+import { isSlow } from "../state/aims.ts";
 import { liveStates } from "./states.ts";
 import type { Design } from "../state/types.ts";
 
 let early: { design: Design; states: number; view: Promise<Answer> } | null = null;
 
 export function askEarly(design: Design): void {
-  if (design.tolerance || isFitted(design) || !isWhole(design)) return;
+  if (design.tolerance || isSlow(design) || !isWhole(design)) return;
   const states = liveStates(design);
   const view = fetchAnew(design, states);
   // Whoever fetches it hears of its fault.

@@ -2,14 +2,14 @@
 // one waiting; when the design rests, its ranges and its proof.
 
 import { decodeView } from "../../shared/view.ts";
-import { aimOf, isFitted } from "../state/aims.ts";
-import { decodeBytes, decodeFloats, fetchRanges, fitView, verify } from "./api.ts";
+import { aimOf, inFamily, isAuto, isFitted, isSlow } from "../state/aims.ts";
+import { compareFamilies, decodeBytes, decodeFloats, fetchRanges, fitView, verify } from "./api.ts";
 import { isWhole } from "../curves/curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "../state/faults.ts";
 import { Flights } from "./flights.ts";
 import { leaveOpen } from "./left-open.ts";
-import { isSameShell, sized } from "../state/sizing.ts";
+import { isSameShell, settled } from "../state/sizing.ts";
 import { isOfFile } from "../state/stale.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "../state/store.ts";
@@ -68,6 +68,7 @@ export class Live {
     store.proof.set({ state: "none" });
     store.busy.set(null);  // a search for sizes is broken off
     store.fitting.set(null);  // and so is a fit
+    store.trials.set(null);
     if (!isWhole(store.design.value) || store.design.value.tolerance) {
       // A curve is being drawn; or sizes are chosen, at the user's word: the search takes seconds.
       this.pending = null;
@@ -76,7 +77,7 @@ export class Live {
       return;
     }
     const design = store.design.value;
-    this.request({ design, changedAt: store.changedAt, states: liveStates(design), from: isFitted(design) ? performance.now() + PAUSE : 0 });
+    this.request({ design, changedAt: store.changedAt, states: liveStates(design), from: isSlow(design) ? performance.now() + PAUSE : 0 });
   }
 
   /** Fit the sheet again, after it was stopped. */
@@ -136,7 +137,7 @@ export class Live {
     // A quick request runs to its end, so that a drag shows every answer that comes in time; the
     // search for sizes is broken off by the next change.
     this.design = new AbortController();
-    const signal = next.design.tolerance || isFitted(next.design) ? this.design.signal : undefined;
+    const signal = next.design.tolerance || isSlow(next.design) ? this.design.signal : undefined;
     try {
       const bytes = await this.answered(next, signal);
       if (this.overtaken(next, sequence)) return;
@@ -161,8 +162,25 @@ export class Live {
     }
   }
 
+  /** The view of a design, in the best family if that is to be chosen. */
+  private async answered(asked: Pending, signal?: AbortSignal): Promise<ArrayBuffer> {
+    if (!isAuto(asked.design)) return this.viewed(asked, signal);
+    const { trials, fitting, info } = this.store;
+    fitting.set({ share: 0, what: "trying the families" });
+    trials.set({ tried: [], family: null });
+    const { tried, family } = await compareFamilies(
+      asked.design,
+      signal!,
+      (share, what) => signal!.aborted || fitting.set({ share, what }),
+      (tried) => signal!.aborted || trials.set({ tried, family: null }),
+    );
+    if (signal!.aborted) throw signal!.reason;
+    trials.set({ tried, family });
+    return this.viewed({ ...asked, design: inFamily(info, asked.design, family) }, signal);
+  }
+
   /** The view of a design; of one that is fitted, coarser ones are drawn on the way. */
-  private async answered({ design, states }: Pending, signal?: AbortSignal): Promise<ArrayBuffer> {
+  private async viewed({ design, states }: Pending, signal?: AbortSignal): Promise<ArrayBuffer> {
     const { store } = this;
     if (!isFitted(design)) {
       const begun = performance.now();
@@ -254,13 +272,13 @@ export class Live {
     const { signal } = this.rested;
     const design = this.store.design.value;
     const all = allStates(design);
-    const refined = shown && !design.tolerance && !isFitted(design) && shown.states < all ? this.refine(design, all, signal) : null;
+    const refined = shown && !design.tolerance && !isSlow(design) && shown.states < all ? this.refine(design, all, signal) : null;
     try {
       await Promise.all([
         // Of a fitted sheet every value that is tried would be a fit.
-        design.tolerance || isFitted(design) ? this.store.ranges.set({}) : this.findRanges(design, signal),
+        design.tolerance || isSlow(design) ? this.store.ranges.set({}) : this.findRanges(design, signal),
         refined,
-        shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
+        shown ? this.prove(settled(this.store.info, design, this.store.report.value), signal) : this.mend(design, signal),
       ]);
     } finally {
       if (!signal.aborted) this.resting = false;
@@ -303,7 +321,8 @@ export class Live {
   /** Of a design that cannot be made: find what would work, by trying it. */
   private async mend(design: Design, signal: AbortSignal): Promise<void> {
     const { fault } = this.store, asked = fault.value;
-    if (!asked || isOfFile(asked)) return;
+    // What no family makes, has a reason for each.
+    if (!asked || isOfFile(asked) || isAuto(design)) return;
     fault.set({ ...asked, searching: true });
     try {
       await verify(design, signal, () => undefined);

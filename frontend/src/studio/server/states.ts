@@ -1,6 +1,6 @@
 // How many states of the motion are asked for: fewer of large sheets while they change.
 
-import { isFitted } from "../state/aims.ts";
+import { isSlow } from "../state/aims.ts";
 import type { Design } from "../state/types.ts";
 
 export const STATES = 25;
@@ -10,7 +10,7 @@ const LARGE = 15000;
 
 /** While the design changes. */
 export function liveStates(design: Design): number {
-  if (isFitted(design)) return allStates(design);
+  if (isSlow(design)) return allStates(design);
   const vertices = verticesOf(design);
   return vertices <= QUICK ? STATES : vertices <= MEDIUM ? 9 : 7;
 }

@@ -6,7 +6,7 @@ import { button, segmented } from "../parts/controls.ts";
 import { contactOf } from "../../shared/stops.ts";
 import { h } from "../parts/dom.ts";
 import { FoldBar } from "./fold-bar.ts";
-import { aimOf, isFitted } from "../state/aims.ts";
+import { aimOf, isSlow } from "../state/aims.ts";
 import type { Store } from "../state/store.ts";
 import type { Design } from "../state/types.ts";
 
@@ -149,7 +149,7 @@ export class Stage {
     const outdated = freshness.value === "outdated" && view.value;
     const { design } = this.store;
     // A fit that was stopped says so itself.
-    const stopped = isFitted(design.value) && !design.value.tolerance && !fault.value;
+    const stopped = isSlow(design.value) && !design.value.tolerance && !fault.value;
     const why = design.value.tolerance && !fault.value ? "choose rows and columns" : "the last shell that worked";
     this.state.textContent = busy.value ? `${busy.value}…` : outdated && !stopped ? `Out of date: ${why}` : "";
     this.state.hidden = !this.state.textContent;

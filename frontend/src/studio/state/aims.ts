@@ -20,6 +20,30 @@ export function isFitted(design: Design): boolean {
   return aimOf(design) === "surface";
 }
 
+/** What a design calls the family that is to be chosen. */
+export const AUTO = "auto";
+
+export function isAuto(design: Design): boolean {
+  return design.shell.family === AUTO;
+}
+
+/** Whether its shell takes seconds: it is fitted, or all families are tried. */
+export function isSlow(design: Design): boolean {
+  return isFitted(design) || isAuto(design);
+}
+
+/** A design whose family is to be chosen, in one of them, as it is compared. */
+export function inFamily(info: Info, design: Design, family: string): Design {
+  const pattern = { ...openKeys(info, family, aimOf(design)), ...design.pattern };
+  return changed(design, { "shell.family": family, pattern });
+}
+
+/** What must be given, and has no value yet, is left to the program. */
+function openKeys(info: Info, family: string, aim: Aim): Record<string, Value> {
+  const open = info.families[family]!.parameters.filter(({ auto, default: value, only }) => value === null && auto && (only ?? aim) === aim);
+  return Object.fromEntries(open.map(({ key }) => [key, "auto"]));
+}
+
 /** What was last followed, and with which parameters of each family. */
 export class Left {
   private readonly targets = new Map<Aim, Target | undefined>();
@@ -100,16 +124,14 @@ function exampleOf(store: Known, family: string, aim: Aim): Design | undefined {
 function patternFor(store: Known, family: string, aim: Aim, same: boolean): Record<string, Value> {
   const design = store.design.value;
   const { parameters } = store.info.families[family]!;
-  const pattern: Record<string, Value> = {};
-  for (const { key, auto, default: value, only } of parameters) {
-    // What must be given, and what has no value yet, is left to the program.
-    if (value === null && auto && (only ?? aim) === aim) pattern[key] = "auto";
-  }
+  const pattern = openKeys(store.info, family, aim);
   // Without a target, a family's own example is what there is to begin with.
   const example = exampleOf(store, family, aim);
   const usual = aim === "none" && example?.shell.family === family ? example.pattern : undefined;
   Object.assign(pattern, store.left.pattern(family, aim) ?? usual);
-  for (const key of same ? SHARED : []) {
+  // Flaps that suit one family do not suit all: where the family is left open, each has its own.
+  const shared = SHARED.filter((key) => family !== AUTO || key !== "flap");
+  for (const key of same ? shared : []) {
     const value = design.pattern[key];
     if (value !== undefined && parameters.some((each) => each.key === key)) pattern[key] = value;
   }

@@ -1,7 +1,8 @@
 // Designs as shells: one whose size was chosen by a tolerance, two that differ in their search only.
 
+import { inFamily, isAuto } from "./aims.ts";
 import { changed } from "./changed.ts";
-import type { Design, Report } from "./types.ts";
+import type { Design, Info, Report } from "./types.ts";
 
 /** What the search settles beside rows and columns, where the design leaves it open. */
 const SETTLED = ["placement", "spacing", "depth"];
@@ -13,6 +14,11 @@ export function sized(design: Design, report: Report | null): Design {
   const settled = Object.fromEntries(SETTLED.flatMap((key) => (key in report.parameters ? [[key, report.parameters[key]]] : [])));
   const { rows, columns } = report;
   return changed(design, { tolerance: null, pattern: { ...settled, ...design.pattern, rows, columns } });
+}
+
+/** The same design with all that was chosen: its family, too. */
+export function settled(info: Info, design: Design, report: Report | null): Design {
+  return sized(isAuto(design) && report ? inFamily(info, design, report.family) : design, report);
 }
 
 /** Whether two designs, one of which came from the other, differ in what is searched for only. */

@@ -1,5 +1,6 @@
 // The state of the studio: the design with its history, and what is known of it.
 
+import type { FamilyTrial } from "../../shared/api-types.ts";
 import type { View } from "../../shared/view.ts";
 import type { DrawnSurface } from "../surface/drawn-surface.ts";
 import { Left } from "./aims.ts";
@@ -42,6 +43,8 @@ export class Store {
   readonly surfaceAt = new Signal<SurfaceTable | null>(null);
   /** A sheet is being fitted: how far that is. */
   readonly fitting = new Signal<{ share: number; what: string } | null>(null);
+  /** What the families make of the target, as far as they were tried, and the one that is taken. */
+  readonly trials = new Signal<{ tried: readonly FamilyTrial[]; family: string | null } | null>(null);
   /** Sizes are being chosen: what is done, in words. */
   readonly busy = new Signal<string | null>(null);
   /** Whether a person stands beside the shell, for its size. */

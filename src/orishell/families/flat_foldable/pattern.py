@@ -28,7 +28,7 @@ from orishell.families.flat_foldable.design import (
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
 from orishell.families.flat_foldable.ground import Ground
-from orishell.families.flat_foldable.locks.columns import locked
+from orishell.families.flat_foldable.locks.flaps import locked
 from orishell.families.pattern import (
     Aim,
     Auto,
@@ -145,7 +145,7 @@ class FlatFoldablePattern(Pattern):
     ] = "free"
     flap: Annotated[
         Width | Auto,
-        Knob("Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"),
+        Knob("Flap", "Width of flaps that lock the shell; 0 for none", "number", True, "length"),
     ] = 0.0
 
     @model_validator(mode="after")
@@ -181,15 +181,6 @@ class FlatFoldablePattern(Pattern):
                 expected='"miura"',
                 remedy='write sheet = "miura", or remove [target.surface]',
             )
-        if self.flap and self.border != "straight":
-            raise InputError(
-                "flaps on the free border of a fitted sheet would be slit from row to row, and "
-                "such flaps cannot be written to files yet",
-                keys=("pattern.flap", "pattern.border"),
-                got=str(self.flap),
-                expected='0, or border = "straight"',
-                remedy='write border = "straight"',
-            )
         if self.ground != "free" and self.border == "straight":
             raise InputError(
                 "creases that end on the ground leave no border straight",
@@ -211,7 +202,9 @@ class FlatFoldablePattern(Pattern):
             ),
             progress,
         )
-        return locked(design, self.flap) if self.flap else design
+        if not self.flap:
+            return design
+        return locked(design, self.flap, straight=self.border == "straight")
 
     def arguments(self) -> dict[str, Any]:
         """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""

@@ -1,0 +1,47 @@
+"""Boards of 2 % of the median edge on fitted shells: apart from the flat sheet to the pack."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fitted_shells import fitted
+from orishell.design import Design, PanelSpec
+from orishell.locking import find_lock
+from overlaps import NOTHING, overlap
+from samples import thorough
+
+STATES = 40
+THICKNESS = 0.02
+"""Of the median edge."""
+BEYOND = 1e-3
+"""Where boards meet, they overlap so far beyond (radians)."""
+
+
+def boards(design: Design, construction: str) -> PanelSpec:
+    flat = design.mechanism.positions(0.0)
+    edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1).ravel() for axis in (0, 1)]
+    thickness = THICKNESS * float(np.median(np.concatenate(edges)))
+    if construction == "sandwich":
+        return PanelSpec(thickness=thickness, membrane=0.05 * thickness)
+    return PanelSpec(thickness=thickness, construction="bevel", gap=0.1 * thickness)
+
+
+@pytest.mark.parametrize("count", [8, pytest.param(16, marks=thorough)])
+@pytest.mark.parametrize("construction", ["sandwich", "bevel"])
+@pytest.mark.parametrize("surface", ["cap", "saddle .5"])
+def test_boards_are_apart_to_the_pack(surface: str, construction: str, count: int) -> None:
+    """Seen of manifold3d: overlaps of 1e-16 at most, and of 1e-7 and more just beyond the pack."""
+    bare = fitted(surface, count)
+    design = replace(bare, panel=boards(bare, construction), opens_from_pack=True)
+    lock = find_lock(design)
+    assert lock.built is not None
+    assert (lock.cause, lock.first_contact) == ("boards", None)
+    # Boards set back so far close to 7 degrees or nearer.
+    assert np.deg2rad(171) < lock.closes_to < np.pi
+    mechanism, placed = design.mechanism, lock.built.boards
+    for drive in np.linspace(0.0, lock.closes_to, STATES):
+        assert overlap(mechanism, placed, drive) < NOTHING
+    assert overlap(mechanism, placed, lock.closes_to + BEYOND) > NOTHING

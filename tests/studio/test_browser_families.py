@@ -1,0 +1,98 @@
+"""The family left open in the studio: all are tried, a table says what each does, one goes on."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from orishell.families.registry import FAMILIES
+from studio_pages import choose, drawn, settle
+from viewer_pages import wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+STORE = "window.__orishell.store"
+SURFACE = """() => {
+    const store = window.__orishell.store, design = structuredClone(store.design.value);
+    const formula = "-0.4*x**2 - 0.1*y**2";
+    design.target = { surface: { formula, x: [-1, 1], y: [-1, 1] } };
+    store.change(design, "surface");
+}"""
+VAULT = """() => {
+    const store = window.__orishell.store, design = structuredClone(store.design.value);
+    design.target = {
+        f: { formula: "-0.5*x**2", range: [-1, 1] },
+        g: { formula: "0*x", range: [0, 3] },
+    };
+    Object.assign(design.pattern, { rows: 5, columns: 5 });
+    store.change(design, "vault");
+}"""
+
+
+def state(page: Page, of: str) -> Any:
+    return page.evaluate(f"{STORE}.{of}")
+
+
+def any_family(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    page.evaluate(VAULT)
+    page.locator("label:has([data-testid=family-auto])").click()
+    settle(page)
+
+
+def test_of_curves_the_best_is_shown_and_another_can_be_taken(page: Page) -> None:
+    any_family(page)
+    trials = state(page, "trials.value")
+    tried = {each["family"]: each for each in trials["tried"]}
+    assert list(tried) == list(FAMILIES)
+    assert state(page, "report.value.family") == trials["family"]
+    assert state(page, "design.value.shell.family") == "auto"
+    # The proof is of the shell in the table, to the last digit.
+    assert state(page, "proof.value.state") == "done"
+    best = tried[trials["family"]]
+    assert state(page, "report.value.deviation.surface.max") == best["distance"]
+    assert state(page, "report.value.sheet.area") == best["sheet_area"]
+    table = page.get_by_test_id("family-trials")
+    assert table.locator("tbody").count() == 4
+    assert table.locator("tbody.taken").get_attribute("data-family") == trials["family"]
+    for family, each in tried.items():
+        said = table.locator(f"[data-family={family}]").inner_text()
+        assert str(each["panels"]) in said if each["distance"] is not None else "Go on" not in said
+    other = next(
+        name for name, each in tried.items() if each["distance"] and name != trials["family"]
+    )
+    page.get_by_test_id(f"go-on-{other}").click()
+    settle(page)
+    assert state(page, "design.value.shell.family") == other
+    assert state(page, "report.value.sheet.area") == tried[other]["sheet_area"]
+    assert not table.is_visible()
+    page.get_by_test_id("undo").click()
+    settle(page)
+    assert state(page, "trials.value.family") == trials["family"]
+
+
+def test_of_a_surface_all_are_tried_and_the_trial_can_be_stopped(page: Page) -> None:
+    any_family(page)
+    page.evaluate(SURFACE)
+    wait_until(page, f"{STORE}.trials.value?.tried.length > 0")
+    assert page.get_by_test_id("fit-work").is_visible()
+    page.get_by_test_id("fit-work-stop").click()
+    assert state(page, "freshness.value") == "outdated"
+    assert "families was stopped" in page.locator(".fit-bar").inner_text()
+    page.get_by_test_id("fit-again").click()
+    settle(page)
+    assert state(page, "freshness.value") == "current"
+    assert state(page, "report.value.family") == state(page, "trials.value.family")
+    assert len(state(page, "trials.value.tried")) == 4
+
+
+def test_where_no_family_makes_a_shell_each_says_why(page: Page) -> None:
+    any_family(page)
+    curve = "{ formula: '0*x + abs(x)', range: [-1, 1] }"
+    page.evaluate(f"{STORE}.set({{ 'target.f': {curve}, 'target.g.formula': '9*x**2' }}, 'bad')")
+    drawn(page)
+    wait_until(page, f"{STORE}.freshness.value !== 'computing'")
+    rows = page.locator("[data-testid=family-trials] tbody")
+    reasons = page.locator("[data-testid=family-trials] .why-not")
+    made = page.locator("[data-testid^=go-on-]")
+    assert rows.count() == reasons.count() + made.count() == 4
