@@ -40,6 +40,7 @@ class Boards:
     end_drive: float = np.pi
     grid = Grid(3, 2)
     inner_columns = slice(0, 2)
+    flap_columns = ()
 
     def positions(self, drive: Any) -> np.ndarray:
         drive = np.asarray(drive, dtype=np.float64)[..., None, None]

@@ -140,7 +140,7 @@ FAULTS: list[tuple[dict[str, Any], str]] = [
         {"faces_vertices": [[0, 1, 4, 3], [1, 2, 5]]},
         "faces_vertices[1]: panel 1 does not fit; got 3 whole numbers, expected 4 whole numbers",
     ),
-    ({"faces_vertices": [[0, 1, 2, 5, 4, 3]]}, "panel 0 does not fit; got 6 whole numbers"),
+    ({"faces_vertices": [[0, 2, 1, 5, 4, 3]]}, "panel 0 does not fit; got 6 whole numbers"),
     ({"faces_vertices": [[0, 1, 4.0, 3]]}, "panel 0 does not fit; got [0, 1, 4.0, 3]"),
     ({"faces_vertices": [[0, 1, 4, -1]]}, "numbers from 0 to 5"),
     ({"faces_vertices": [[0, 1, 4, 2**63]]}, "the numbers are too large"),

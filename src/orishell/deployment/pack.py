@@ -6,8 +6,9 @@ import numpy as np
 
 from orishell.conventions.record import Angle, record
 from orishell.deployment.box import Box, smallest_box
-from orishell.motion import Mechanism, diagonal, panel_normals
-from orishell.motion.quads import area_vectors, grid_corners, lengths
+from orishell.motion import Mechanism, diagonal
+from orishell.motion.layout import Layout, points_of
+from orishell.motion.quads import area_vectors, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
 
 THIN = 1e-3
@@ -56,25 +57,25 @@ def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: f
     thickness
         Thickness of the panels (length): the box holds them as if they stood back from nothing.
     """
+    faces = Layout.of(mechanism).faces
     floor = THIN * diagonal(mechanism.positions(0.0))
     best: tuple[float, float, Box] | None = None
     for drive in np.linspace(limit, mechanism.target_drive, states).tolist():
-        box = smallest_box(_surfaces(mechanism.positions(drive), thickness))
+        box = smallest_box(_surfaces(points_of(mechanism, drive), faces, thickness))
         size = box.length * box.width * max(box.height, floor)
         if best is None or size < best[0]:
             best = size, drive, box
     assert best is not None
     _, drive, box = best
-    points = mechanism.positions(drive).reshape(-1, 3)
-    return Pack(drive, box, count_layers(points, mechanism.grid.faces_vertices(), box.axes))
+    return Pack(drive, box, count_layers(points_of(mechanism, drive), faces, box.axes))
 
 
-def _surfaces(positions: Array, thickness: float) -> Array:
-    """Vertices (V, 3) of panels, or of their upper and lower faces if they have a thickness."""
+def _surfaces(points: Array, faces: Integers, thickness: float) -> Array:
+    """Vertices (V, 3) of panels (F, 4), or of their faces if they have a thickness."""
     if not thickness:
-        return positions.reshape(-1, 3)
-    corners, normals = grid_corners(positions), panel_normals(positions)
-    over = 0.5 * thickness * normals[..., None, :]
+        return points
+    corners = points[faces]
+    over = 0.5 * thickness * unit_normals(corners)[:, None]
     return np.concatenate([corners + over, corners - over]).reshape(-1, 3)
 
 

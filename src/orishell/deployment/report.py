@@ -16,6 +16,7 @@ from orishell.deployment.ties import Tie, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 from orishell.design import Design, PanelSpec
 from orishell.locking import Cause, Lock
+from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
 
 PACKS = 9
@@ -50,7 +51,7 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
     Raises InputError if ties do not fit the sheet.
     """
     mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
-    clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
+    clipped, folded = design.clipped is not None, has_flaps(mechanism)
     ties = find_ties(mechanism, site.ties, lock.closes_to)
     caught = lock.cause if lock.closes_to <= lock.target_drive else None
     return DeploymentReport(
@@ -97,4 +98,11 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
     if site.feet is None:
         return None
     newtons = GRAVITY * site.areal_density * site.metres**2 or None
-    return measure_weight(design.mechanism, site.feet.rows, newtons, metres=site.metres, pack=pack)
+    return measure_weight(
+        design.mechanism,
+        site.feet.rows,
+        newtons,
+        metres=site.metres,
+        pack=pack,
+        columns=site.feet.columns(design.mechanism),
+    )

@@ -9,7 +9,7 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.settings import Deployment
 from orishell.deployment.ties import feet_ties
 from orishell.design import Design
-from orishell.motion import sheet_area
+from orishell.motion import area_of
 from orishell.motion.grid import VertexPair
 from orishell.solids import BuiltPanels
 
@@ -80,15 +80,16 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
             "there are no feet to tie",
             keys=("deployment.ties",),
             got='"feet"',
-            expected="a shell that stands on the two ends of f",
+            expected="a shell that stands on two of its rows",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
         )
-    return tuple(feet_ties(design.mechanism, feet.rows))
+    columns = feet.columns(design.mechanism).tolist()
+    return tuple(feet_ties(design.mechanism, feet.rows, columns))
 
 
 def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
     """Mass of built panels per area of the sheet; 0 where the density of a part is not known."""
-    build, area = built.build, sheet_area(design.mechanism.positions(0.0))
+    build, area = built.build, area_of(design.mechanism)
     boards = build.density * float(built.boards.volumes().sum())
     membrane = build.membrane_density * build.membrane * area
     known = build.density and (build.membrane_density or not build.membrane)

@@ -16,7 +16,14 @@ from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
-from orishell.motion.layout import require_grid
+from orishell.motion.layout import (
+    LaidOut,
+    Layout,
+    edge_folds,
+    edge_signs,
+    mesh_of,
+    points_of,
+)
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Booleans
 
@@ -38,23 +45,24 @@ def document_of_motion(
     Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
     with flaps that are clipped on at the target, and ``flaps`` are its boards.
     """
-    require_grid(motion.mechanism, "written to files")
-    grid = motion.mechanism.grid
-    states = states_of(motion)
+    mechanism = motion.mechanism
+    grid, states = mechanism.grid, states_of(motion)
+    beside = isinstance(mechanism, LaidOut)
     return Document(
         title=title,
         unit=unit,
-        mesh=build_mesh(grid.faces_vertices(), grid.vertex_count, grid.edges_vertices()),
-        assignment=tuple(edges_assignment(find_assignment(motion.mechanism))),
-        flat=_clean(motion.flat.positions[..., :2].reshape(-1, 2)),
-        fold_angles_deg=_degrees(motion.target.fold_angles, states.folds),
+        mesh=mesh_of(mechanism),
+        assignment=tuple(_letters(mechanism)),
+        flat=_clean(points_of(mechanism, 0.0)[:, :2]),
+        fold_angles_deg=_degrees(edge_folds(mechanism, mechanism.target_drive), states.folds),
         states=states,
-        grid_shape=(grid.rows, grid.columns),
+        grid_shape=None if beside else (grid.rows, grid.columns),
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
         named=motion.named,
         panel=panel,
         boards=boards,
+        names=_names(Layout.of(mechanism)) if beside else (),
         clipped=() if clipped is None else _clipped_flaps(clipped, unit, panel, flaps),
     )
 
@@ -83,7 +91,7 @@ def _clipped_flaps(
             CreaseValues(each.row[:, flap : flap + 1], np.zeros((grid.rows - 1, 0)))
             for each in (signs, target.fold_angles)
         )
-        angles = _degrees(folds, mine.on_edges() != 0)
+        angles = _degrees(folds.on_edges(), mine.on_edges() != 0)
         positions = _clean(target.positions[:, ends].reshape(-1, 3))
         strips.append(
             Document(
@@ -113,7 +121,7 @@ def _of_column(boards: Boards, column: int, columns: int) -> Boards:
 
 def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:
     """The states of a motion, made as they are taken; ``what`` is told with their progress."""
-    return States(motion, find_assignment(motion.mechanism).on_edges() != 0, progress, what)
+    return States(motion, edge_signs(motion.mechanism) != 0, progress, what)
 
 
 @record
@@ -130,8 +138,8 @@ class States(Sequence[DocumentState]):
         return len(self.motion)
 
     def __iter__(self) -> Iterator[DocumentState]:
-        states = followed(self.motion, len(self.motion), self.progress, self.what)
-        return (self._written(state) for state in states)
+        states = followed(self.motion.drives, len(self.motion), self.progress, self.what)
+        return (self._written(float(drive)) for drive in states)
 
     @overload
     def __getitem__(self, number: int) -> DocumentState: ...
@@ -142,22 +150,34 @@ class States(Sequence[DocumentState]):
     def __getitem__(self, number: int | slice) -> DocumentState | Sequence[DocumentState]:
         drives = self.motion.drives[number]
         if isinstance(number, slice):
-            return [self._at(float(drive)) for drive in drives]
-        return self._at(float(drives))
+            return [self._written(float(drive)) for drive in drives]
+        return self._written(float(drives))
 
-    def _at(self, drive: float) -> DocumentState:
-        return self._written(FoldedState.of(self.motion.mechanism, drive))
-
-    def _written(self, state: FoldedState) -> DocumentState:
+    def _written(self, drive: float) -> DocumentState:
+        mechanism = self.motion.mechanism
         return DocumentState(
-            positions=_clean(state.positions.reshape(-1, 3)),
-            fold_angles_deg=_degrees(state.fold_angles, self.folds),
-            drive_deg=tidy_degrees(state.drive),
+            positions=_clean(points_of(mechanism, drive)),
+            fold_angles_deg=_degrees(edge_folds(mechanism, drive), self.folds),
+            drive_deg=tidy_degrees(drive),
         )
 
 
-def _degrees(angles: CreaseValues, folds: Booleans) -> Array:
-    return _clean(np.where(folds, np.rad2deg(angles.on_edges()), 0.0))
+def _letters(mechanism: Mechanism) -> list[str]:
+    """Assignment letters of all edges."""
+    if not isinstance(mechanism, LaidOut):
+        return edges_assignment(find_assignment(mechanism))
+    mesh, signs = mesh_of(mechanism), edge_signs(mechanism)
+    letters: list[str] = np.where(mesh.crease, np.array([*"MFV"])[signs + 1], "B").tolist()
+    return letters
+
+
+def _names(layout: Layout) -> tuple[str, ...]:
+    return tuple(f"{row},{column}" for row, column in layout.names.tolist())
+
+
+def _degrees(angles: Array, folds: Booleans) -> Array:
+    """Angles (E,) of edges in degrees, 0 where they do not fold."""
+    return _clean(np.where(folds, np.rad2deg(angles), 0.0))
 
 
 def _clean(array: Array) -> Array:

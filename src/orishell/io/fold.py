@@ -144,7 +144,7 @@ def _mesh(document: Document) -> dict[str, Any]:
     return {
         "edges_vertices": mesh.edges,
         "edges_assignment": document.assignment,
-        "faces_vertices": mesh.faces,
-        "faces_edges": mesh.faces_edges(),
+        "faces_vertices": mesh.around(),
+        "faces_edges": mesh.around_edges(),
         **({"orishell:grid_shape": list(shape)} if shape is not None else {}),
     }

@@ -22,6 +22,7 @@ from orishell.io.fold_frames import (
     read_unit,
     shown,
 )
+from orishell.io.fold_polygons import find_corners, read_loops
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Integers
 
@@ -89,7 +90,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
     edges = _vertex_numbers(frames, "edges_vertices", "edge", 2, vertex_count)
     assignment = _assignment(frames, edges)
     cut = None if assignment is None else np.array([letter == "C" for letter in assignment])
-    mesh = build_mesh(faces, vertex_count, edges, cut)
+    mesh = build_mesh(faces[0], vertex_count, edges, cut, faces[1])
     return FoldFile(
         path,
         read_title(frames) or printable(path.stem),
@@ -151,7 +152,10 @@ def _positions(value: Any, where: str) -> Array:
     return positions
 
 
-def _faces(frames: Frames, coordinates: dict[int, Array], vertex_count: int) -> Integers:
+def _faces(
+    frames: Frames, coordinates: dict[int, Array], vertex_count: int
+) -> tuple[Integers, Integers]:
+    """Corners (F, 4) of all panels, and all vertices (F, K) around them, -1 behind the last."""
     for number in coordinates:
         if "faces_vertices" not in frames.sources[number]:
             raise InputError(
@@ -160,10 +164,17 @@ def _faces(frames: Frames, coordinates: dict[int, Array], vertex_count: int) -> 
                 remedy="add faces_vertices"
                 + (", or frame_parent and frame_inherit: true" if number else ""),
             )
-    faces = _vertex_numbers(frames, "faces_vertices", "panel", 4, vertex_count)
-    if faces is None:
-        raise InputError("this key is missing in every frame", where="faces_vertices")
-    return faces
+    key = "faces_vertices"
+    loops = frames.common(key, lambda value, where: read_loops(value, where, vertex_count))
+    if loops is None:
+        raise InputError("this key is missing in every frame", where=key)
+    corners = find_corners(loops, next(iter(coordinates.values())), key)
+    # A panel begins with a corner.
+    place = (loops == corners[:, :1]).argmax(axis=1)[:, None]
+    count = (loops >= 0).sum(axis=1)[:, None]
+    turned = np.arange(loops.shape[1])[None]
+    turned = np.where(turned < count, (turned + place) % count, turned)
+    return corners, np.take_along_axis(loops, turned, axis=1)
 
 
 def _vertex_numbers(

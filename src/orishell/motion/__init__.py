@@ -11,6 +11,7 @@ from orishell.motion.mechanism import (
 )
 from orishell.motion.sizes import (
     RESOLUTION,
+    area_of,
     corrugation_depth,
     diagonal,
     drive_at_fold,
@@ -25,6 +26,7 @@ __all__ = [
     "FoldedState",
     "FoldingMotion",
     "Mechanism",
+    "area_of",
     "corrugation_depth",
     "diagonal",
     "drive_at_fold",

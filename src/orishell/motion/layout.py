@@ -6,6 +6,7 @@ grid, their vertices too, and they have places beside it, over which acceleratio
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -13,8 +14,9 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
-from orishell.motion.grid import Grid
+from orishell.motion.grid import UNFOLDED, Grid
 from orishell.motion.mechanism import Mechanism
+from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -22,7 +24,10 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 class Layout:
     """All panels of a sheet (F,)."""
 
+    grid: Grid
     faces: Integers  # (F, 4), vertices, counter-clockwise seen from +z in the flat sheet
+    # (F, K), the same with the vertices that lie on sides of panels, -1 behind the last
+    loops: Integers
     # Rows and columns (F, 2) of vertices from which and up to which a panel reaches. A vector
     # between vertices of two panels is a sum of edges over all rows and columns from the first to
     # the last of both.
@@ -33,6 +38,8 @@ class Layout:
     flaps: Booleans  # (F,), which are flaps
     # numbers (K, 2) of panels about the row creases of flaps that are no columns of the grid
     pairs: Integers
+    # numbers (H, 2) of such flaps and of the panels that they are hinged to
+    hinges: Integers
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Layout:
@@ -46,8 +53,36 @@ class Layout:
         """That of a grid whose columns of panels with these numbers are flaps."""
         names = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
         flaps = np.isin(names[:, 1], flap_columns)
-        none = np.zeros((0, 2), np.int64)
-        return cls(grid.faces_vertices(), names, names + 1, names, flaps, none)
+        none, faces = np.zeros((0, 2), np.int64), grid.faces_vertices()
+        return cls(grid, faces, faces, names, names + 1, names, flaps, none, none)
+
+    @cached_property
+    def edges(self) -> tuple[Integers, Booleans]:
+        """Vertices (E, 2) of all edges, and which edges of the grid are among them.
+
+        These come first, in the grid's order; then those about hinges, about pairs, and on borders.
+        """
+        whole = self.grid.edges_vertices()
+        if not len(self.pairs):
+            return whole, np.ones(len(whole), np.bool_)
+        after = np.roll(np.where(self.loops < 0, self.loops[:, :1], self.loops), -1, axis=1)
+        sides = np.stack([self.loops, after], axis=-1)[self.loops >= 0]
+        count = int(self.loops.max()) + 1
+        keys, listed = (np.sort(each, axis=1) @ [count, 1] for each in (sides, whole))
+        kept = np.isin(listed, keys)
+        folding = np.stack([self._between(*pair) for pair in (*self.hinges, *self.pairs)])
+        known = np.concatenate([listed, np.sort(folding, axis=1) @ [count, 1]])
+        rest = np.stack(np.divmod(np.setdiff1d(keys, known), count), axis=-1)
+        return np.concatenate([whole[kept], folding, rest]), kept
+
+    def _between(self, one: int, other: int) -> Integers:
+        """Vertices (2,) that two panels share."""
+        mine = self.loops[one]
+        return np.asarray(mine[(mine >= 0) & np.isin(mine, self.loops[other])])
+
+    def name(self, row: int, column: int) -> int:
+        """The number of the panel that is called so."""
+        return int((self.names == (row, column)).all(axis=1).argmax())
 
 
 @runtime_checkable
@@ -68,6 +103,9 @@ class LaidOut(Protocol):
     def flap_folds(self, drive: ArrayLike) -> Array:
         """Fold angles (..., K) between the pairs of panels of its layout (radians)."""
 
+    def hinge_folds(self, drive: ArrayLike) -> Array:
+        """Fold angles (..., H) of the hinges of its layout (radians)."""
+
 
 def require_grid(mechanism: Mechanism, what: str) -> None:
     """Refuse flaps that are no columns of the grid, where they would be left out.
@@ -87,8 +125,41 @@ def require_grid(mechanism: Mechanism, what: str) -> None:
         )
 
 
-def points_of(mechanism: Mechanism, drive: float) -> Array:
-    """Positions (V, 3) of all vertices of a mechanism in one state."""
+def points_of(mechanism: Mechanism, drive: ArrayLike) -> Array:
+    """Positions (..., V, 3) of all vertices of a mechanism at drives (...)."""
     if isinstance(mechanism, LaidOut):
         return mechanism.points(drive)
-    return mechanism.positions(drive).reshape(-1, 3)
+    positions = mechanism.positions(drive)
+    return positions.reshape(*positions.shape[:-3], -1, 3)
+
+
+def mesh_of(mechanism: Mechanism) -> QuadMesh:
+    """All panels and edges of a mechanism."""
+    layout = Layout.of(mechanism)
+    edges, _ = layout.edges
+    count = int(layout.faces.max()) + 1
+    return build_mesh(layout.faces, count, edges, loops=layout.loops)
+
+
+def edge_folds(mechanism: Mechanism, drive: float) -> Array:
+    """Fold angles (E,) of all edges of a mechanism in one state, 0 at borders (radians)."""
+    folds = mechanism.fold_angles(drive).on_edges()
+    if not isinstance(mechanism, LaidOut):
+        return folds
+    edges, kept = mechanism.layout.edges
+    own = [folds[kept], mechanism.hinge_folds(drive), mechanism.flap_folds(drive)]
+    found = np.zeros(len(edges))
+    known = np.concatenate(own)
+    found[: len(known)] = known
+    return found
+
+
+def edge_signs(mechanism: Mechanism) -> Integers:
+    """Signs (E,) of all edges at the target: +1 valley, -1 mountain, 0 unfolded."""
+    folds = edge_folds(mechanism, mechanism.target_drive)
+    return np.where(np.abs(folds) > UNFOLDED, np.sign(folds), 0).astype(np.int64)
+
+
+def has_flaps(mechanism: Mechanism) -> bool:
+    """Whether flaps are part of a mechanism, as columns of its grid or beside it."""
+    return bool(mechanism.flap_columns) or isinstance(mechanism, LaidOut)

@@ -1,6 +1,8 @@
 """Quadrilateral panels joined along shared edges, in any order: not only grids.
 
-Numbers only: which panels lie beside which edges, which vertices are inside the sheet.
+Numbers only: which panels lie beside which edges, which vertices are inside the sheet. A panel has
+four corners. Further vertices may lie on its sides, where hinges of other panels end: they part a
+side into edges, and bend nothing.
 """
 
 from __future__ import annotations
@@ -23,6 +25,9 @@ class QuadMesh:
     vertex_count: int  # number of vertices; some may belong to no panel
     # Vertices (F, 4) of every panel in order around it. Neighbours go round the same way.
     faces: Integers
+    # All vertices (F, K) around every panel, its first corner first, also those that lie on its
+    # sides; -1 behind the last. Alike ``faces`` where none do.
+    loops: Integers
     edges: Integers  # vertices (E, 2) of every edge
     # panels (E, 2) to the left and to the right of every edge seen from the side from which the
     # panels go counter-clockwise; -1 where there is none
@@ -31,10 +36,34 @@ class QuadMesh:
     pieces: Integers  # number (F,) of the connected piece that a panel belongs to
     reversed_faces: Booleans  # which panels (F,) were listed the other way round
 
+    def loops_edges(self) -> Integers:
+        """Numbers (F, K) of every panel's edges: each from one of ``loops`` on; -1 beyond."""
+        found = np.full(self.loops.shape, -1)
+        sides, owners = _sides(self.loops)
+        keys = _keys(sides, self.vertex_count)
+        found[self.loops >= 0] = _find_edges(keys, owners, self.edges, self.vertex_count)
+        return found
+
     def faces_edges(self) -> Integers:
-        """Numbers (F, 4) of every panel's edges, that from its first to its second corner first."""
-        sides = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=-1)
-        return _find_edges(_keys(sides, self.vertex_count), self.edges, self.vertex_count)
+        """Numbers (F, 4) of every panel's edges, that from its first to its second corner first.
+
+        -1 for a side of several edges.
+        """
+        edges, after = self.loops_edges(), np.where(self.loops < 0, self.loops[:, :1], self.loops)
+        after = np.roll(after, -1, axis=1)
+        begins = self.loops[:, None] == self.faces[..., None]  # (F, 4, K)
+        ends = np.roll(self.faces, -1, axis=1)
+        at = begins.argmax(axis=-1)
+        whole = np.take_along_axis(after, at, axis=1) == ends
+        return np.where(whole, np.take_along_axis(edges, at, axis=1), -1)
+
+    def around(self) -> Integers | list[list[int]]:
+        """Vertices of every panel in order around it, those on its sides included."""
+        return _ragged(self.loops)
+
+    def around_edges(self) -> Integers | list[list[int]]:
+        """Edges of every panel in order around it: each from one of :meth:`around` on."""
+        return _ragged(self.loops_edges())
 
     def inner_vertices(self) -> Integers:
         """Vertices (I,) that panels surround: all edges that end there are creases."""
@@ -50,6 +79,7 @@ def build_mesh(
     vertex_count: int,
     edges: Integers | None = None,
     cut: Booleans | None = None,
+    loops: Integers | None = None,
 ) -> QuadMesh:
     """Find which panels share which edges; turn panels so that all go round the same way.
 
@@ -65,6 +95,9 @@ def build_mesh(
         number the panels' sides by their vertices.
     cut
         Which edges (E,) do not join the panels beside them.
+    loops
+        All vertices (F, K) around every panel, where some lie on sides, its first corner first;
+        -1 behind the last. ``faces`` if None.
 
     Raises
     ------
@@ -73,33 +106,34 @@ def build_mesh(
         panels, or if the sheet has only one side (a Moebius strip).
     """
     _require_corners(faces)
-    sides = np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1)
+    loops = faces if loops is None else loops
+    sides, owners = _sides(loops)
     keys = _keys(sides, vertex_count)
     if edges is None:
         found = np.unique(keys)
         edges = np.stack(np.divmod(found, vertex_count), axis=-1)
     else:
         edges = edges.copy()
-    face_edges = _find_edges(keys, edges, vertex_count)
-    count = np.bincount(face_edges.ravel(), minlength=len(edges))
+    face_edges = _find_edges(keys, owners, edges, vertex_count)
+    count = np.bincount(face_edges, minlength=len(edges))
     if (count > 2).any():
         edge = int(np.argmax(count > 2))
         raise InputError(
             f"edge {_pair(edges[edge])} has more than two panels",
-            got="panels " + ", ".join(map(str, np.flatnonzero((face_edges == edge).any(axis=1)))),
+            got="panels " + ", ".join(map(str, owners[face_edges == edge])),
             expected="one or two",
         )
     crease = count == 2 if cut is None else (count == 2) & ~cut
-    forward = sides[..., 0] == edges[face_edges][..., 0]
-    pieces, turned = _orient(face_edges, forward, crease)
-    forward ^= turned[:, None]
+    forward = sides[:, 0] == edges[face_edges, 0]
+    pieces, turned = _orient(face_edges, forward, crease, owners)
+    forward ^= turned[owners]
     edge_faces = np.full((len(edges), 2), -1)
-    numbers = np.broadcast_to(np.arange(len(faces))[:, None], forward.shape)
-    edge_faces[face_edges, np.where(forward, 0, 1)] = numbers
+    edge_faces[face_edges, np.where(forward, 0, 1)] = owners
     oriented = np.where(turned[:, None], faces[:, REVERSED], faces)
-    for array in (oriented, edges, edge_faces, crease, pieces, turned):
+    around = oriented if loops is faces else np.where(turned[:, None], _reversed(loops), loops)
+    for array in (oriented, around, edges, edge_faces, crease, pieces, turned):
         array.flags.writeable = False
-    return QuadMesh(vertex_count, oriented, edges, edge_faces, crease, pieces, turned)
+    return QuadMesh(vertex_count, oriented, around, edges, edge_faces, crease, pieces, turned)
 
 
 def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
@@ -138,7 +172,33 @@ def measure_sector_sums(mesh: QuadMesh, positions: Array, reflex: Booleans) -> A
     angles = sector_angles(positions[mesh.faces])
     angles = np.where(reflex, 2 * np.pi - angles, angles)
     sums = np.bincount(mesh.faces.ravel(), angles.ravel(), minlength=mesh.vertex_count)
-    return np.asarray(sums, dtype=np.float64)
+    # Those that lie on sides.
+    around, corners = (
+        np.bincount(each[each >= 0], minlength=mesh.vertex_count)
+        for each in (mesh.loops, mesh.faces)
+    )
+    return np.asarray(sums + np.pi * (around - corners), dtype=np.float64)
+
+
+def _sides(loops: Integers) -> tuple[Integers, Integers]:
+    """Vertices (S, 2) of all sides of panels, panel by panel, and the panel (S,) of each."""
+    after = np.roll(np.where(loops < 0, loops[:, :1], loops), -1, axis=1)
+    there = loops >= 0
+    return np.stack([loops[there], after[there]], axis=-1), np.nonzero(there)[0]
+
+
+def _ragged(loops: Integers) -> Integers | list[list[int]]:
+    """Rows (F, K) without what is -1 at their ends."""
+    if (loops >= 0).all():
+        return loops
+    return [row[row >= 0].tolist() for row in loops]
+
+
+def _reversed(loops: Integers) -> Integers:
+    """Loops (F, K) the other way round, the same vertex first."""
+    count = (loops >= 0).sum(axis=1)[:, None]
+    place = np.arange(loops.shape[1])[None]
+    return np.take_along_axis(loops, np.where(place < count, -place % count, place), axis=1)
 
 
 def _require_corners(faces: Integers) -> None:
@@ -158,8 +218,8 @@ def _keys(pairs: Integers, vertex_count: int) -> Integers:
     return np.asarray(pairs.min(axis=-1) * np.int64(vertex_count) + pairs.max(axis=-1))
 
 
-def _find_edges(keys: Integers, edges: Integers, vertex_count: int) -> Integers:
-    """Numbers (F, 4) of the edges that are the panels' sides."""
+def _find_edges(keys: Integers, owners: Integers, edges: Integers, vertex_count: int) -> Integers:
+    """Numbers (S,) of the edges that are sides of panels (S,)."""
     listed = _keys(edges, vertex_count)
     order = np.argsort(listed, kind="stable")
     ordered = listed[order]
@@ -169,29 +229,32 @@ def _find_edges(keys: Integers, edges: Integers, vertex_count: int) -> Integers:
     place = np.minimum(np.searchsorted(ordered, keys), len(ordered) - 1)
     missing = ordered[place] != keys
     if missing.any():
-        face, side = np.argwhere(missing)[0]
+        side = int(missing.argmax())
         raise InputError(
-            f"a side of panel {face} is not among the edges",
-            got=_pair(np.array(divmod(keys[face, side], vertex_count))),
+            f"a side of panel {owners[side]} is not among the edges",
+            got=_pair(np.array(divmod(keys[side], vertex_count))),
             remedy="list all edges, or none",
         )
     return order[place]
 
 
-def _orient(face_edges: Integers, forward: Booleans, crease: Booleans) -> tuple[Integers, Booleans]:
+def _orient(
+    face_edges: Integers, forward: Booleans, crease: Booleans, owners: Integers
+) -> tuple[Integers, Booleans]:
     """Connected pieces (F,) of panels, and which panels (F,) must be turned to agree.
 
+    Sides (S,) of panels, ``owners``, are given by their edges and by whether they go along them.
     Every panel stands for two nodes of a graph, as listed and turned; creases join the nodes
     that agree. The sheet has two sides if no panel is connected with itself turned.
     """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    faces = len(face_edges)
-    slots = np.argsort(face_edges.ravel(), kind="stable")
-    slots = slots[crease[face_edges.ravel()[slots]]].reshape(-1, 2)
-    first, second = (slots // 4).T
-    opposed = forward.ravel()[slots[:, 0]] == forward.ravel()[slots[:, 1]]
+    faces = int(owners[-1]) + 1
+    slots = np.argsort(face_edges, kind="stable")
+    slots = slots[crease[face_edges[slots]]].reshape(-1, 2)
+    first, second = owners[slots].T
+    opposed = forward[slots[:, 0]] == forward[slots[:, 1]]
     one = np.concatenate([first, first + faces])
     two = np.concatenate([second + faces * opposed, second + faces * ~opposed])
     graph = coo_array((np.ones(len(one), dtype=np.int8), (one, two)), shape=(2 * faces, 2 * faces))

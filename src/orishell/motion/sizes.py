@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.motion.grid import Positions
-from orishell.motion.layout import LaidOut
+from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
@@ -31,8 +31,14 @@ def extents(positions: Positions) -> tuple[float, float, float]:
 
 
 def sheet_area(positions: Positions) -> float:
-    """Area of all panels."""
+    """Area of all panels of a grid."""
     return float(np.linalg.norm(area_vectors(grid_corners(positions)), axis=-1).sum())
+
+
+def area_of(mechanism: Mechanism) -> float:
+    """Area of all panels of a mechanism, with its flaps."""
+    corners = points_of(mechanism, 0.0)[Layout.of(mechanism).faces]
+    return float(np.linalg.norm(area_vectors(corners), axis=-1).sum())
 
 
 def corrugation_depth(positions: Positions) -> float:

@@ -14,7 +14,8 @@ from orishell.conventions.quantities import conversion, plain
 from orishell.deployment.feet import Feet
 from orishell.design import Design
 from orishell.locking import Lock
-from orishell.motion import Mechanism, extents, find_assignment, sheet_area
+from orishell.motion import Mechanism, area_of, extents, find_assignment
+from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
 from orishell.workshop import Workshop
@@ -55,12 +56,12 @@ def warn_of_building(
     mechanism = design.mechanism
     shell = mechanism.positions(mechanism.target_drive)
     height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
-    flat = mechanism.positions(0.0)
+    flat = points_of(mechanism, 0.0)
     return [
         *_of_unit(design, shell, unit, workshop),
         *_of_flaps(design, shell, feet, unit),
         *_of_feet(design, feet, unit),
-        *_of_size(design, flat),
+        *_of_size(design),
         *_of_unfolded_columns(design),
         *_of_boards(design, flat, unit, workshop),
         *_of_depth(design, lock, height, unit),
@@ -149,10 +150,10 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     )
 
 
-def _of_size(design: Design, flat: Array) -> Iterator[str]:
+def _of_size(design: Design) -> Iterator[str]:
     if design.swept is None:
         return
-    ratio = sheet_area(flat) / design.swept.area()
+    ratio = area_of(design.mechanism) / design.swept.area()
     if ratio <= WASTEFUL:
         return
     parameters = design.parameters

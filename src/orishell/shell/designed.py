@@ -14,6 +14,7 @@ from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
+from orishell.motion.layout import require_grid
 from orishell.solids import (
     drive_for_height,
     find_stop,
@@ -41,6 +42,7 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     design = design_of(file, file.pattern, progress)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
+        require_grid(design.mechanism, "made of boards")
         design = _with_panels(design, file.panel)
     if file.deployment.flap_attachment == "clipped":
         design = design.with_clipped_flaps()

@@ -21,7 +21,8 @@ from orishell.document.from_design import document_of_motion
 from orishell.families.registry import AUTO
 from orishell.locking import Lock
 from orishell.locking.report import describe_panels
-from orishell.motion import FoldingMotion, extents, sheet_area
+from orishell.motion import FoldingMotion, area_of, extents
+from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.candidate import ClashPolicy, find_candidate
 from orishell.shell.deployment_warnings import warn_of_deployment
@@ -43,6 +44,7 @@ from orishell.verification.residuals import (
     AssignmentCheck,
     Residuals,
     measure_residuals,
+    measure_with_flaps,
     require_verified,
 )
 from orishell.workshop.quantities import measure_quantities
@@ -183,7 +185,7 @@ def _step_by_step(
         "the layout on the stock": quantities.stock is None,
         "the structure": analysis is None and file.structure is not None,
     }
-    width, height, _ = extents(motion.flat.positions)
+    width, height, _ = extents(points_of(design.mechanism, 0.0))
     report = Report(
         family=file.family,
         unit=file.unit,
@@ -208,8 +210,8 @@ def _step_by_step(
         not_checked=tuple(words for words, missing in unknown.items() if missing),
         stands=feet,
         deviation=deviation,
-        sheet=SheetReport(width, height, sheet_area(motion.flat.positions)),
-        deployed=BoxReport(*extents(motion.target.positions)),
+        sheet=SheetReport(width, height, area_of(design.mechanism)),
+        deployed=BoxReport(*extents(points_of(design.mechanism, design.mechanism.target_drive))),
         deployment=deployment,
         panel=describe_panels(design, lock),
         structure=analysis,
@@ -241,8 +243,12 @@ def _verified(
     """How exactly all states fold, if that is asked for; refused if that is wrong."""
     if not asked:
         return None, None
-    states = followed(motion, len(motion), progress, "verifying")
-    residuals, assignment = measure_residuals(states, motion.flat)
+    if isinstance(motion.mechanism, LaidOut):
+        drives = followed(motion.drives, len(motion), progress, "verifying")
+        residuals, assignment = measure_with_flaps(motion.mechanism, drives)
+    else:
+        states = followed(motion, len(motion), progress, "verifying")
+        residuals, assignment = measure_residuals(states, motion.flat)
     require_verified(residuals, assignment)
     return residuals, assignment
 
@@ -266,6 +272,6 @@ def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
     contact = lock.first_contact
     if contact is None:
         return None
-    across = design.mechanism.grid.columns - 1
-    first, second = (row * across + column for row, column in contact.panels)
+    layout = Layout.of(design.mechanism)
+    first, second = (layout.name(row, column) for row, column in contact.panels)
     return FirstContact(tidy_degrees(contact.drive), (first, second))

@@ -47,10 +47,12 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
     if not measured:
         return document
     grid, inner = design.mechanism.grid, design.mechanism.inner_columns
-    shell = document.shell.positions.reshape(grid.rows, grid.columns, 3)
-    distances = np.full((grid.rows, grid.columns), np.nan)
-    distances[:, inner] = measure_points(shell[:, inner], surface)
-    return replace(document, distances=distances.ravel())
+    points = document.shell.positions
+    shell = points[: grid.vertex_count].reshape(grid.rows, grid.columns, 3)
+    distances = np.full(len(points), np.nan)
+    own = distances[: grid.vertex_count].reshape(grid.rows, grid.columns)
+    own[:, inner] = measure_points(shell[:, inner], surface)
+    return replace(document, distances=distances)
 
 
 DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.errors import VerificationError
-from orishell.motion import FoldedState, diagonal, measure_fold_angles
-from orishell.motion.grid import Grid, crease_signs
+from orishell.motion import FoldedState, Mechanism, diagonal, measure_fold_angles
+from orishell.motion.grid import UNFOLDED, Grid, crease_signs
+from orishell.motion.layout import edge_folds, mesh_of, points_of
+from orishell.motion.mesh import measure_mesh_folds, measure_sector_sums
 from orishell.motion.quads import corner_distances, diagonal_gaps, grid_corners, sector_angles
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -101,6 +103,39 @@ def measure_residuals(
     signs = seen.valley.astype(np.float64) - seen.mountain
     met = meets_maekawa(edges, signs, grid.vertex_count)[grid.vertices()[1:-1, 1:-1]]
     return Residuals(*worst.tolist()), AssignmentCheck(constant, bool(met.all()))
+
+
+def measure_with_flaps(
+    mechanism: Mechanism, drives: Iterable[float]
+) -> tuple[Residuals, AssignmentCheck]:
+    """Measure a sheet with flaps beside its grid, all of its panels and edges.
+
+    Vertices at which flaps end at a slit are no inner ones.
+    """
+    mesh, flat = mesh_of(mechanism), points_of(mechanism, 0.0)
+    inner, size = mesh.inner_vertices(), float(np.linalg.norm(np.ptp(flat, axis=0)))
+    distances = corner_distances(flat[mesh.faces])
+    convex = np.zeros(mesh.faces.shape, np.bool_)
+    worst = np.zeros(4)
+    seen, constant = SignsSeen(len(mesh.edges)), True
+    for drive in drives:
+        points, folds = points_of(mechanism, drive), edge_folds(mechanism, drive)
+        corners = points[mesh.faces]
+        sums = measure_sector_sums(mesh, points, convex)[inner]
+        found = np.array(
+            [
+                np.abs(corner_distances(corners) - distances).max(),
+                diagonal_gaps(corners).max(),
+                np.abs(sums - 2 * np.pi).max(initial=0.0),
+                turn_between(measure_mesh_folds(mesh, points), folds).max(),
+            ]
+        )
+        worst = np.maximum(worst, found)
+        signs = np.where(np.abs(folds) > UNFOLDED, np.sign(folds), 0.0)
+        constant &= not seen.see(signs).any()
+    worst[:2] /= size
+    met = meets_maekawa(mesh.edges, seen.valley.astype(np.float64) - seen.mountain, len(flat))
+    return Residuals(*worst.tolist()), AssignmentCheck(constant, bool(met[inner].all()))
 
 
 def _blocks(rows: int, columns: int) -> list[slice]:

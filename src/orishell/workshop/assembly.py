@@ -44,6 +44,16 @@ def with_clipped(document: Document) -> Document:
     def numbered(arrays: Iterable[Integers]) -> Integers:
         return np.concatenate([array + k for array, k in zip(arrays, first, strict=False)])
 
+    longest = max(piece.mesh.loops.shape[1] for piece in pieces)
+    loops = [
+        np.pad(
+            np.where(piece.mesh.loops < 0, -1, piece.mesh.loops + k),
+            ((0, 0), (0, longest - piece.mesh.loops.shape[1])),
+            constant_values=-1,
+        )
+        for piece, k in zip(pieces, first, strict=False)
+    ]
+
     return replace(
         document,
         mesh=build_mesh(
@@ -51,6 +61,7 @@ def with_clipped(document: Document) -> Document:
             int(first[-1]),
             numbered(piece.mesh.edges for piece in pieces),
             np.concatenate([~piece.mesh.crease for piece in pieces]),
+            np.concatenate(loops),
         ),
         assignment=sum((piece.assignment for piece in pieces), ()),
         flat=np.concatenate(flats),
@@ -92,7 +103,7 @@ def lying_beside(document: Document) -> Iterator[Array]:
 
     def rim(piece: Document) -> Polygon:
         flat = piece.require_flat()
-        return Polygon(flat[find_outlines(piece.mesh.faces, flat)[0]])
+        return Polygon(flat[find_outlines(piece.mesh.loops, flat)[0]])
 
     placed, gap = [rim(document)], GAP * mean_edge(document)
     middle = np.array(placed[0].centroid.coords[0])

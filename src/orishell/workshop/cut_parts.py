@@ -49,31 +49,36 @@ def whole_sheet(document: Document) -> CutPart:
         number=0,
         panels=np.arange(len(mesh.faces)),
         creases=np.flatnonzero(mesh.crease),
-        outlines=tuple(flat[loop] for loop in find_outlines(mesh.faces, flat)),
+        outlines=tuple(flat[loop] for loop in find_outlines(mesh.loops, flat)),
     )
 
 
-def find_outlines(faces: Integers, flat: Array) -> tuple[Integers, ...]:
-    """Vertices (k,) of every closed outline of panels (P, 4), either way round, of a sheet (V, 2).
+def find_outlines(loops: Integers, flat: Array) -> tuple[Integers, ...]:
+    """Vertices (k,) of every closed outline of panels (P, K), either way round, of a sheet (V, 2).
 
+    Panels of fewer vertices have -1 behind the last.
     Counter-clockwise around panels, clockwise around holes; the largest area first, each from its
     lowest vertex on. Where outlines only touch at a vertex they do not cross: each keeps to the
     panels that hang together there.
     """
-    corners = flat[faces]
-    faces = np.where((signed_areas(corners) < 0)[:, None], faces[:, ::-1], faces)
-    start = faces.ravel()
-    sides = np.arange(len(start))
-    following = sides - sides % 4 + (sides + 1) % 4
+    there = loops >= 0
+    corners = flat[np.where(there, loops, loops[:, :1])]
+    clockwise = (signed_areas(corners) < 0)[:, None]
+    loops = np.where(clockwise, loops[:, ::-1], loops)
+    there = loops >= 0
+    start, count = loops[there], there.sum(axis=1)
+    last = np.cumsum(count) - 1
+    following = np.arange(1, len(start) + 1)
+    following[last] -= count
     twin = _twins(start, start[following], len(flat))
     rim = np.flatnonzero(twin < 0)
     successor = following[rim]
     while (inside := twin[successor] >= 0).any():
         successor = np.where(inside, following[twin[successor]], successor)
     cycles = _cycles(dict(zip(rim.tolist(), successor.tolist(), strict=True)))
-    loops = [start[np.array(cycle, dtype=np.int64)] for cycle in cycles]
-    loops = [np.roll(loop, -int(np.argmin(loop))) for loop in loops]
-    return tuple(sorted(loops, key=lambda loop: (-float(signed_areas(flat[loop])), int(loop[0]))))
+    found = [start[np.array(cycle, dtype=np.int64)] for cycle in cycles]
+    found = [np.roll(loop, -int(np.argmin(loop))) for loop in found]
+    return tuple(sorted(found, key=lambda loop: (-float(signed_areas(flat[loop])), int(loop[0]))))
 
 
 def without_straight(points: Array) -> Array:
@@ -216,7 +221,7 @@ def _outlines(document: Document, panels: Integers, rooted: Sequence[Joint]) -> 
     flat = document.require_flat()
     ends = {frozenset(document.mesh.edges[j.edge].tolist()): j.tabs[0][2:] for j in rooted}
     outlines = []
-    for loop in find_outlines(document.mesh.faces[panels], flat):
+    for loop in find_outlines(document.mesh.loops[panels], flat):
         pieces = []
         for first, second in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True):
             pieces.append(flat[first][None])

@@ -64,8 +64,8 @@ class CutSheet:
 
     corners: Array  # corners (F, K, 2) of the panels
     areas: Array  # their areas (F,)
-    neighbours: Integers  # panels (F, 4) beyond each panel's creases, -1 for none
-    # far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for none
+    neighbours: Integers  # panels (F, S) beyond each panel's creases, -1 for none
+    # far corners (F, S, 2, 2) of the tabs that it has where it is cut off from them, NaN for none
     tabs: Array
     # what can be used of the stock
     width: float
@@ -78,13 +78,12 @@ class CutSheet:
         owner, _ = find_owners(document)
         shapes = tab_shapes(document, allowance)[..., 2:, :]
         creases = np.flatnonzero(mesh.crease)
-        neighbours = np.full((len(mesh.faces), 4), -1)
-        tabs = np.full((len(mesh.faces), 4, 2, 2), np.nan)
+        sides = mesh.loops_edges()
+        neighbours = np.full(sides.shape, -1)
+        tabs = np.full((*sides.shape, 2, 2), np.nan)
         for side in (0, 1):
             here, there = mesh.edge_faces[creases, side], mesh.edge_faces[creases, 1 - side]
-            ends = mesh.edges[creases]
-            found = (mesh.faces[here][..., None] == ends[:, None]).any(axis=-1)
-            slot = np.argmax(found & np.roll(found, -1, axis=1), axis=1)
+            slot = np.argmax(sides[here] == creases[:, None], axis=1)
             neighbours[here, slot] = there
             owned = owner[creases] == here
             tabs[here[owned], slot[owned]] = shapes[creases[owned], 1 - side]
@@ -140,7 +139,7 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     """
     import shapely
 
-    corners = np.concatenate([sheet.corners, sheet.tabs.reshape(-1, 8, 2)], axis=1)
+    corners = np.concatenate([sheet.corners, sheet.tabs.reshape(len(sheet.tabs), -1, 2)], axis=1)
     size = np.nanmax(corners, axis=1) - np.nanmin(corners, axis=1)
     large = np.flatnonzero((size > (sheet.width, sheet.height)).any(axis=1))
     wrong = [int(k) for k in large if not sheet.fits(np.array([k]))]

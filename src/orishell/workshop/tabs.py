@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.settings import Workshop
@@ -47,8 +48,10 @@ def tab_shapes(document: Document, width: float) -> Array:
     flat, mesh = document.require_flat(), document.mesh
     shapes = np.full((len(mesh.edges), 2, 4, 2), np.nan)
     edges = np.flatnonzero(mesh.crease)
-    panels = mesh.edge_faces[edges]
-    corners = _panels_from(flat, mesh.faces[panels], mesh.edges[edges][:, None])
+    corners = flat[_panels_from(mesh, edges)]
+    # Counter-clockwise, the edge still first.
+    clockwise = signed_areas(corners) < 0
+    corners = np.where(clockwise[..., None, None], corners[..., [1, 0, 3, 2], :], corners)
     height = np.minimum(width, _room(corners))
     tabs = _tabs_of_height(corners, height)
     for _ in range(12):
@@ -71,15 +74,20 @@ def find_owners(document: Document) -> tuple[Integers, Integers]:
     return np.where(mesh.crease, low, -1), np.where(mesh.crease, high, -1)
 
 
-def _panels_from(flat: Array, faces: Integers, edges: Integers) -> Array:
-    """Corners (..., 4, 2) of panels, counter-clockwise, their side along the given edge first."""
-    corners = flat[faces]
-    clockwise = signed_areas(corners) < 0
-    faces = np.where(clockwise[..., None], faces[..., ::-1], faces)
-    ends = (faces[..., None] == edges[..., None, :]).any(axis=-1)
-    start = np.argmax(ends & np.roll(ends, -1, axis=-1), axis=-1)
-    turned = (start[..., None] + np.arange(4)) % 4
-    return flat[np.take_along_axis(faces, turned, axis=-1)]
+def _panels_from(mesh: QuadMesh, edges: Integers) -> Integers:
+    """Corners (E, 2, 4) of the panels beside edges (E,), the ends of the edge first.
+
+    Where an edge is only a part of a side its ends take the place of that side's.
+    """
+    panels = mesh.edge_faces[edges]
+    place = np.argmax(mesh.loops_edges()[panels] == edges[:, None, None], axis=-1)
+    corner = (mesh.loops[..., None] == mesh.faces[:, None]).any(axis=-1)
+    side = (np.cumsum(corner, axis=1) - 1)[panels, place]
+    turned = (side[..., None] + np.arange(4)) % 4
+    faces = np.take_along_axis(mesh.faces[panels], turned, axis=-1)
+    ends = mesh.edges[edges]
+    faces[:, 0, :2], faces[:, 1, :2] = ends, ends[:, ::-1]
+    return faces
 
 
 def _slopes(corners: Array) -> tuple[Array, Array, Array]:

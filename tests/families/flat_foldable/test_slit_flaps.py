@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from mechanisms import TURNED, flat_foldable, random_net
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.design.piece import Piece
+from orishell.document import Document
 from orishell.document.from_design import document_of_design
 from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.fit.conditions import Conditions
@@ -20,10 +22,17 @@ from orishell.families.flat_foldable.fit.design import mechanism_of
 from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import end_motion, find_lock
 from orishell.locking.clipped import flap_width
 from orishell.locking.result import Lock
 from orishell.motion import drive_at_fold
+from orishell.motion.quads import signed_areas
+from orishell.verification import inspect_fold
+from orishell.verification.residuals import measure_with_flaps
+from orishell.workshop import Workshop
+from orishell.workshop.cut_parts import whole_sheet
+from orishell.workshop.layout import lay_out
 
 Array = np.ndarray
 RANGES = 512
@@ -190,9 +199,58 @@ def test_hinges_that_stop_end_the_motion_before() -> None:
     assert folds[0] < np.deg2rad(170) < folds[1]
 
 
+def written(sheet: SlitFlaps) -> Document:
+    return document_of_design(replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet))
+
+
+@pytest.mark.parametrize("stop", [0.0, 0.1])
+def test_files_have_flaps_whose_hinges_are_creases(tmp_path: Path, stop: float) -> None:
+    document = written(sheet_of(2, stop=stop))
+    mesh, rows = document.mesh, 6
+    # Two flaps to each of six rows on both sides, each with a hinge, each pair with a crease.
+    assert len(mesh.faces) == 7 * 6 + 4 * rows
+    assert mesh.crease.sum() == 6 * 6 + 7 * 5 + 4 * rows + 2 * rows
+    assert mesh.pieces.max() == 0
+    assert document.names[-1] == f"{2 * rows - 1},{6}"
+    write_fold(tmp_path / "shell.fold", document)
+    file = read_fold(tmp_path / "shell.fold")
+    inspection = inspect_fold(file)
+    assert inspection.passed
+    # All border vertices of rows are inner ones now.
+    assert len(inspection.sheet.inner) == 6 * 5 + 2 * rows
+    for name in ("faces", "loops", "edges", "edge_faces", "crease"):
+        np.testing.assert_array_equal(getattr(file.mesh, name), getattr(mesh, name))
+    again = document_of_fold(file)
+    assert again.assignment == document.assignment
+    for one, other in zip(again.states, document.states, strict=True):
+        np.testing.assert_array_equal(one.positions, other.positions)
+        np.testing.assert_array_equal(one.fold_angles_deg, other.fold_angles_deg)
+
+
+def test_fold_angles_of_hinges_are_those_of_the_positions() -> None:
+    sheet = sheet_of(4)
+    drives = np.linspace(0, np.pi * (1 - 1e-6), 9)
+    residuals, assignment = measure_with_flaps(sheet, drives)
+    assert max(residuals.panel_length, residuals.planarity) < 1e-13
+    # Near the lock angles of flaps are known to fewer digits.
+    assert max(residuals.sector_sum_rad, residuals.fold_angle_rad) < 1e-9
+    assert assignment.constant
+    assert assignment.maekawa
+
+
+def test_the_flat_pattern_is_one_outline_with_slits() -> None:
+    document = written(sheet_of(2))
+    part = whole_sheet(document)
+    (outline,) = part.outlines
+    assert signed_areas(outline) == pytest.approx(document.areas().sum())
+    for joint in ("tabs", "strips"):
+        workshop = Workshop(stock=(6.0, 6.0), joint=joint)
+        layout = lay_out(document, workshop)
+        cut = sum(len(part.panels) for part in layout.parts)
+        assert cut == len(document.mesh.faces)
+
+
 def test_what_slit_flaps_cannot_have_is_refused_by_name() -> None:
     design = replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet_of(2))
-    with pytest.raises(DesignError, match="cannot be written to files yet"):
-        document_of_design(design)
     with pytest.raises(DesignError, match="cannot be clipped on yet"):
         design.with_clipped_flaps()

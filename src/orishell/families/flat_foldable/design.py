@@ -14,8 +14,13 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number
 from orishell.design import Design, Parameter
+<<<<<<< HEAD
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe, require_lists
 from orishell.families.flat_foldable.locks.columns import with_flaps
+=======
+from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
+from orishell.families.flat_foldable.locks.flaps import flap_width, with_any_flaps
+>>>>>>> main
 from orishell.families.flat_foldable.locks.straight import with_parallel_borders
 from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.flat_foldable.net import Net
@@ -250,13 +255,13 @@ def completed(
     bare = levelled(net, arched=arched)
     if arched:
         bare = with_level_ends(bare)
-    locked = with_flaps(bare, None if flap == "auto" else flap) if flap else None
+    locked = with_any_flaps(bare, None if flap == "auto" else flap) if flap else None
     return Design(
         mechanism=locked or bare,
         parameters={
             **described,
             "fold_deg": tidy_degrees(bare.target_drive),
-            "flap": max(locked.widths) if locked else 0.0,
+            "flap": flap_width(locked) if locked else 0.0,
             **describe(bare.sheet),
         },
         targets={},

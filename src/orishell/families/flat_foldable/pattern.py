@@ -26,8 +26,13 @@ from orishell.families.flat_foldable.design import (
     design_flat_foldable,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+<<<<<<< HEAD
 from orishell.families.flat_foldable.lists import require_lists
 from orishell.families.flat_foldable.locks.columns import locked
+=======
+from orishell.families.flat_foldable.ground import Ground
+from orishell.families.flat_foldable.locks.flaps import locked
+>>>>>>> main
 from orishell.families.pattern import (
     Aim,
     Auto,
@@ -44,7 +49,7 @@ ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
 COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
 SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
 Angles = list[Annotated[Number, Field(**FOLD)]]
-FITTED = ("edge_ratio", "direction", "border")
+FITTED = ("edge_ratio", "direction", "border", "ground")
 """Arguments of a fit only."""
 
 
@@ -57,7 +62,7 @@ class FlatFoldablePattern(Pattern):
     only: ClassVar[Mapping[str, Aim]] = {
         **dict.fromkeys(("sheet", "sector_deg", "turn_deg", "growth"), "none"),
         **dict.fromkeys(("row_length", "column_length"), "none"),
-        **dict.fromkeys(("edge_ratio", "direction_deg", "border"), "surface"),
+        **dict.fromkeys(("edge_ratio", "direction_deg", "border", "ground"), "surface"),
     }
 
     rows: Annotated[RowCount, ROWS]
@@ -133,9 +138,18 @@ class FlatFoldablePattern(Pattern):
             choices=("free", "straight"),
         ),
     ] = "free"
+    ground: Annotated[
+        Ground,
+        Knob(
+            "Ground",
+            "As fitted, level at its four corners, or with two sides of its rim cut level",
+            "choice",
+            choices=("free", "corners", "level"),
+        ),
+    ] = "free"
     flap: Annotated[
         Width | Auto,
-        Knob("Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"),
+        Knob("Flap", "Width of flaps that lock the shell; 0 for none", "number", True, "length"),
     ] = 0.0
 
     @model_validator(mode="after")
@@ -171,14 +185,13 @@ class FlatFoldablePattern(Pattern):
                 expected='"miura"',
                 remedy='write sheet = "miura", or remove [target.surface]',
             )
-        if self.flap and self.border != "straight":
+        if self.ground != "free" and self.border == "straight":
             raise InputError(
-                "flaps on the free border of a fitted sheet would be slit from row to row, and "
-                "such flaps cannot be written to files yet",
-                keys=("pattern.flap", "pattern.border"),
-                got=str(self.flap),
-                expected='0, or border = "straight"',
-                remedy='write border = "straight"',
+                "creases that end on the ground leave no border straight",
+                keys=("pattern.ground", "pattern.border"),
+                got=f'"{self.ground}"',
+                expected='"free", or border = "free"',
+                remedy='write border = "free", or leave ground out',
             )
         design = design_fitted(
             Asked(
@@ -189,10 +202,13 @@ class FlatFoldablePattern(Pattern):
                 direction=None if self.direction_deg == "auto" else self.direction_deg,
                 fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
                 straight=self.border == "straight",
+                ground=self.ground,
             ),
             progress,
         )
-        return locked(design, self.flap) if self.flap else design
+        if not self.flap:
+            return design
+        return locked(design, self.flap, straight=self.border == "straight")
 
     def arguments(self) -> dict[str, Any]:
         """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""

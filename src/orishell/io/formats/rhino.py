@@ -139,7 +139,7 @@ def _add_pattern(model: _Model, document: Document) -> None:
     points = np.column_stack([flat, np.zeros(len(flat))])
     for name in ("CUT", "MOUNTAIN", "VALLEY"):
         model.layer("flat pattern", name)
-    for number, loop in enumerate(find_outlines(document.mesh.faces, flat)):
+    for number, loop in enumerate(find_outlines(document.mesh.loops, flat)):
         outline = _polyline(points[[*loop, loop[0]]])
         model.add(outline, model.layer("flat pattern", "CUT"), f"outline {number}")
     inner = np.flatnonzero((document.mesh.edge_faces >= 0).all(axis=1))

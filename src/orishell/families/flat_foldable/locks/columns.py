@@ -9,7 +9,6 @@ y being sqrt(E) times that of the border (:mod:`~.locks.border`).
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -18,13 +17,11 @@ from numpy.typing import ArrayLike
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between
 from orishell.conventions.record import record
-from orishell.design import Design
 from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.locks.border import Border
 from orishell.families.flat_foldable.locks.locked import Locked, sine_rates
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.rates import Chains, Rates
-from orishell.families.pattern import Auto
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
@@ -184,14 +181,6 @@ def with_flaps(bare: FlatFoldable, width: float | None) -> FlapColumns:
         width = min([edges, *(NEARLY * each.widest(1.0) for each in straight)])
     left, right = (0.0 if each is None else width for each in borders)
     return FlapColumns(bare, (left, right))
-
-
-def locked(design: Design, width: float | Auto) -> Design:
-    """A design whose sheet has flaps of a width beside its straight borders, or as they can be."""
-    assert isinstance(design.mechanism, FlatFoldable)
-    sheet = with_flaps(design.mechanism, None if width == "auto" else width)
-    parameters = {**design.parameters, "flap": max(sheet.widths)}
-    return replace(design, mechanism=sheet, parameters=parameters)
 
 
 def _joined(rates: list[Rates]) -> Rates:

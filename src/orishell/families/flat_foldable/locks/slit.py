@@ -21,7 +21,7 @@ from orishell.families.flat_foldable.rates import Chains
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import Layout
 from orishell.motion.mechanism import mechanism_in_one_line
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 OWN = 5
 """Vertices of two flaps: where their hinges end, their outer corners, and the end of the crease
@@ -60,6 +60,11 @@ class SlitFlaps(Locked):
         """None: flaps are beside the grid."""
         return ()
 
+    @property
+    def widest(self) -> float:
+        """The width of the widest flap, square to its hinge."""
+        return max(float(vertices.widths.max()) for _, vertices in self._sides)
+
     @cached_property
     def _sides(self) -> list[tuple[bool, FlapVertices]]:
         """Whether flaps are on the left, and their vertices."""
@@ -83,6 +88,8 @@ class SlitFlaps(Locked):
         faces, first, last, names = (
             [own.faces], [own.first + shift], [own.last + shift], [own.names]
         )  # fmt: skip
+        loops = np.pad(own.faces, ((0, 0), (0, 2)), constant_values=-1)
+        hinges = []
         here, start = np.arange(1, rows - 1), self.grid.vertex_count
         for left, _ in self._sides:
             column = 0 if left else columns - 1
@@ -90,6 +97,9 @@ class SlitFlaps(Locked):
             new = start + OWN * np.arange(rows - 2)[:, None] + np.arange(OWN)
             start += new.size
             begin = 0 if left else column + shift[1]
+            border = np.arange(rows - 1) * (columns - 1) + (0 if left else columns - 2)
+            loops[border] = _with_hinges(own.faces[border], new, left=left)
+            hinges.append(border[np.stack([here - 1, here])])
             for half in (0, 1):
                 hinge, corner, tip = new[:, half], new[:, 2 + half], new[:, 4]
                 panel = np.stack([vertex, hinge, corner, tip], axis=-1)
@@ -104,13 +114,18 @@ class SlitFlaps(Locked):
         number = np.arange(sum(map(len, faces)))
         upper = [count + 2 * rows * side + np.arange(rows) for side in range(len(self._sides))]
         pairs = np.concatenate([np.stack([each, each + rows], axis=-1) for each in upper])
+        everything = np.concatenate(faces)
+        flaps = np.pad(everything[count:], ((0, 0), (0, 2)), constant_values=-1)
         return Layout(
-            faces=np.concatenate(faces),
+            grid=self.grid,
+            faces=everything,
+            loops=np.concatenate([loops, flaps]),
             first=np.concatenate(first),
             last=np.concatenate(last),
             names=np.concatenate(names),
             flaps=number >= count,
             pairs=pairs,
+            hinges=np.stack([number[count:], np.concatenate(hinges).ravel()], axis=-1),
         )
 
     def positions(self, drive: ArrayLike) -> Array:
@@ -142,6 +157,15 @@ class SlitFlaps(Locked):
         phi = 0.5 * np.asarray(drive, dtype=np.float64)
         return np.concatenate([each.crease_folds(phi) for _, each in self._sides], axis=-1)
 
+    def hinge_folds(self, drive: ArrayLike) -> Array:
+        """Fold angles (..., H) of the hinges of flaps, in the order of these."""
+        phi = 0.5 * np.asarray(drive, dtype=np.float64)
+        folds = []
+        for _, vertices in self._sides:
+            cosine, sine = vertices.hinge_folds(phi.ravel())
+            folds.append(np.arctan2(sine, cosine).reshape(-1, phi.size))
+        return np.concatenate(folds).T.reshape(*phi.shape, -1)
+
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges: see :class:`~.rates.Chains`.
 
@@ -168,6 +192,23 @@ class SlitFlaps(Locked):
     def _chains(self) -> Chains:
         row, column = (each[..., 0] for each in self._tangents)
         return Chains.of(self.bare.flat[..., 0], row, column, self.bare.sheet.net.middle)
+
+
+def _with_hinges(faces: Integers, new: Integers, *, left: bool) -> Integers:
+    """Vertices (R+1, 6) around panels (R+1, 4) of a border, ends of hinges on it included.
+
+    new: Vertices (R, 5) of flaps.
+    """
+    # From the vertex above a panel down to that below it: its lower flap, then the upper one.
+    ends = np.full((len(faces), 2), -1)
+    ends[1:, 0], ends[:-1, 1] = new[:, 1], new[:, 0]
+    if left:
+        loops = np.concatenate([faces[:, :1], ends, faces[:, 1:]], axis=1)
+    else:
+        loops = np.concatenate([faces[:, :3], ends[:, ::-1], faces[:, 3:]], axis=1)
+    # The first and the last panel have one hinge each.
+    order = np.argsort(loops < 0, axis=1, kind="stable")
+    return np.take_along_axis(loops, order, axis=1)
 
 
 def _flaps(sheet: Array, vertices: FlapVertices, phi: Array, *, left: bool) -> Array:
