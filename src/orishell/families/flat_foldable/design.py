@@ -14,13 +14,8 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number
 from orishell.design import Design, Parameter
-<<<<<<< HEAD
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe, require_lists
-from orishell.families.flat_foldable.locks.columns import with_flaps
-=======
-from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
 from orishell.families.flat_foldable.locks.flaps import flap_width, with_any_flaps
->>>>>>> main
 from orishell.families.flat_foldable.locks.straight import with_parallel_borders
 from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.flat_foldable.net import Net

@@ -26,13 +26,9 @@ from orishell.families.flat_foldable.design import (
     design_flat_foldable,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
-<<<<<<< HEAD
-from orishell.families.flat_foldable.lists import require_lists
-from orishell.families.flat_foldable.locks.columns import locked
-=======
 from orishell.families.flat_foldable.ground import Ground
+from orishell.families.flat_foldable.lists import require_lists
 from orishell.families.flat_foldable.locks.flaps import locked
->>>>>>> main
 from orishell.families.pattern import (
     Aim,
     Auto,
