@@ -36,7 +36,5 @@ draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mec
 # .. live:: dome_locked
 
 locked = fitted("dome_locked")
-count = len(locked.design.mechanism.flap_folds(0.0))
-print(
-    f"{count} pairs of flaps, {locked.design.parameters['flap']:.2f} m wide, cause: {locked.lock.cause}"
-)
+count, width = len(locked.design.mechanism.flap_folds(0.0)), locked.design.parameters["flap"]
+print(f"{count} pairs of flaps, {width:.2f} m wide; what ends the motion: {locked.lock.cause}")

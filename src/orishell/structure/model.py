@@ -241,9 +241,15 @@ class Model:
 
         Raises InputError: If vertices that are to be held are not there.
         """
-        inner, feet = self.sheet.inner_columns, self.site.rows
+        inner, feet = self.sheet.inner_columns, self.site.feet
+        standing: Integers | None = None
+        if feet is not None and feet.points:
+            at = [(row, column - self.before) for row, column in feet.points]
+            standing = self.grid.vertices()[tuple(np.transpose(at))]
+        elif feet is not None:
+            standing = self.grid.vertices()[list(feet.rows), inner].ravel()
         return find_supports(
-            self.structure.supports, self.mesh, self.grid, inner, feet, before=self.before
+            self.structure.supports, self.mesh, self.grid, inner, standing, before=self.before
         )
 
     def conditions(self) -> Conditions:
