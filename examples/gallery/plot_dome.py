@@ -36,5 +36,5 @@ draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mec
 # .. live:: dome_locked
 
 locked = fitted("dome_locked")
-count, width = len(locked.design.mechanism.flap_folds(0.0)), locked.design.parameters["flap"]
-print(f"{count} pairs of flaps, {width:.2f} m wide; what ends the motion: {locked.lock.cause}")
+width = locked.design.parameters["flap"]
+print(f"flaps {width:.2f} m wide; what ends the motion: {locked.lock.cause}")
