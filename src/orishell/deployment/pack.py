@@ -7,6 +7,7 @@ import numpy as np
 from orishell.conventions.record import Angle, record
 from orishell.deployment.box import Box, smallest_box
 from orishell.motion import Mechanism, diagonal
+from orishell.motion.boards import Boards
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import area_vectors, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -41,7 +42,14 @@ class Pack:
         return self.box.height
 
 
-def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: float = 0.0) -> Pack:
+def find_pack(
+    mechanism: Mechanism,
+    limit: float,
+    states: int = 25,
+    thickness: float = 0.0,
+    *,
+    boards: Boards | None = None,
+) -> Pack:
     """Return the state from the target to a limit that packs smallest.
 
     That is where length times width times height of the smallest box is least, a height below
@@ -56,12 +64,20 @@ def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: f
         Number of states that are compared, at equal steps of the drive.
     thickness
         Thickness of the panels (length): the box holds them as if they stood back from nothing.
+    boards
+        Whole boards with their arms, which the box holds instead; None for others.
     """
     faces = Layout.of(mechanism).faces
-    floor = THIN * diagonal(mechanism.positions(0.0))
+    floor, flat = THIN * diagonal(mechanism.positions(0.0)), points_of(mechanism, 0.0)[:, :2]
+
+    def surfaces(points: Array) -> Array:
+        if boards is None:
+            return _surfaces(points, faces, thickness)
+        return boards.carried(faces, flat, points).reshape(-1, 3)
+
     best: tuple[float, float, Box] | None = None
     for drive in np.linspace(limit, mechanism.target_drive, states).tolist():
-        box = smallest_box(_surfaces(points_of(mechanism, drive), faces, thickness))
+        box = smallest_box(surfaces(points_of(mechanism, drive)))
         size = box.length * box.width * max(box.height, floor)
         if best is None or size < best[0]:
             best = size, drive, box

@@ -83,12 +83,22 @@ def with_measures(
     return replace(
         report,
         largest_thickness=_largest_thickness(design) if packed else None,
-        packed=find_pack(mechanism, end, PACKS, report.thickness) if packed else None,
+        packed=_pack(design, lock, report.thickness) if packed else None,
         weight=_weight(design, site, end) if weighed else None,
     )
 
 
+def _pack(design: Design, lock: Lock, thickness: float) -> Pack:
+    whole = None if lock.built is None or design.hinges is None else lock.built.boards
+    end = max(lock.closes_to, lock.target_drive)
+    return find_pack(design.mechanism, end, PACKS, thickness, boards=whole)
+
+
 def _largest_thickness(design: Design) -> float | None:
+    if design.hinges is not None and design.panel is not None:
+        arm = design.hinges.longest_arm
+        most = design.panel.longest_arm * design.panel.thickness / arm if arm else np.inf
+        return float(most) if np.isfinite(most) else None
     sheet, build = design.clipped or design.mechanism, design.panel or PanelSpec(thickness=0.0)
     most = largest_thickness(sheet, build)
     return most if np.isfinite(most) else None

@@ -90,7 +90,7 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
 def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
     """Mass of built panels per area of the sheet; 0 where the density of a part is not known."""
     build, area = built.build, area_of(design.mechanism)
-    boards = build.density * float(built.boards.volumes().sum())
+    boards = build.density * float(built.boards.chosen(~built.boards.arms).volumes().sum())
     membrane = build.membrane_density * build.membrane * area
     known = build.density and (build.membrane_density or not build.membrane)
     return conversion(unit, "m") * (boards + membrane) / area if known else 0.0

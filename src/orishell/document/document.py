@@ -19,7 +19,7 @@ from orishell.design import PanelSpec
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import Boards
 from orishell.motion.mesh import QuadMesh
-from orishell.motion.quads import area_vectors
+from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array
 
 LARGEST = 1e36
@@ -158,6 +158,14 @@ class Document:
                 remedy="add the table [panel] to the design file",
             )
         return self.boards.carried(self.mesh.faces, self.require_flat(), state.positions)
+
+    def panel_corners(self, state: DocumentState) -> Array:
+        """Corners (F, 4, 3) of all panels in a state, shifted with their boards if these are."""
+        corners = state.positions[self.mesh.faces]
+        if self.boards is None or self.boards.hinges is None:
+            return corners
+        shifts = self.boards.hinges.shifts(unit_normals(corners))
+        return np.asarray(corners + shifts[:, None])
 
     def board_name(self, board: int) -> str:
         """What a board is called: its panel and its side, as in "3,12 top"."""

@@ -8,7 +8,11 @@ from orishell.clash import ProofRecord
 from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
 from orishell.locking.result import Lock
+from orishell.motion import area_of
+from orishell.motion.hinges import Hinges
 from orishell.solids import BuiltPanels, find_meetings, find_set_backs
+from orishell.solids.hinged import board_offsets
+from orishell.solids.hinged.arms import SHORT
 
 
 @record
@@ -21,6 +25,22 @@ class MeetingReport:
     total: float
     largest_play: float  # how far apart they are at most, where a gap sets them farther back
     largest_turn: Angle  # by how much a flap could fold further at most until they meet
+
+
+@record
+class HingedReport:
+    """Whole boards, their hinges and arms."""
+
+    board_share: float  # the share of the sheet that boards cover
+    # how far a hinge stands off a board at most, and on the mean of those that do
+    longest_arm: float
+    mean_arm: float
+    arms: int  # number of fins that carry hinges
+    arm_width: float  # how thick they are
+    # How far boards lie at the target from the sheet without a thickness, whose surface, ties and
+    # own weight this report has: at most, and root mean square
+    offset_max: float
+    offset_rms: float
 
 
 @record
@@ -43,6 +63,7 @@ class PanelReport:
     # where boards of flaps meet at the target; None if there are none
     meeting: MeetingReport | None
     path: ProofRecord | None  # how contact of boards was looked for; None if it was not
+    hinged: HingedReport | None = None  # whole boards on hinges; None for others
 
 
 def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
@@ -51,7 +72,9 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     if built is None:
         return None
     build = built.build
-    back = find_set_backs(built.folds, build.height, build.gap)
+    # Whole boards stand back by the gap alone.
+    height = 0.0 if design.hinges is not None else build.height
+    back = find_set_backs(built.folds, height, build.gap)
     longest = np.concatenate([back.top, back.bottom])
     return PanelReport(
         construction=build.construction,
@@ -62,11 +85,29 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         set_back_for=built.limit,
         largest_fold=float(np.abs(built.folds.on_edges()).max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
-        boards=len(built.boards) + (len(built.flaps) if built.flaps is not None else 0),
+        boards=int((~built.boards.arms).sum()) + (len(built.flaps) if built.flaps is not None else 0),
         corners_cut=int((built.reliefs > 0).sum()),
         largest_cut=float(built.reliefs.max()),
         meeting=_meeting(design, built),
         path=lock.boards_proof,
+        hinged=None if design.hinges is None else _hinged(design, design.hinges, built),
+    )
+
+
+def _hinged(design: Design, hinges: Hinges, built: BuiltPanels) -> HingedReport:
+    mechanism, arms = design.mechanism, built.boards.arms
+    covered = float(built.boards.chosen(~arms).areas().sum())
+    offsets = board_offsets(hinges, mechanism.positions(mechanism.target_drive))
+    long = np.concatenate([each.ravel() for each in hinges.arms])
+    long = long[long > SHORT * hinges.thickness]
+    return HingedReport(
+        board_share=covered / area_of(mechanism),
+        longest_arm=hinges.longest_arm,
+        mean_arm=float(long.mean()) if len(long) else 0.0,
+        arms=int(arms.sum()),
+        arm_width=built.build.fin,
+        offset_max=float(offsets.max()),
+        offset_rms=float(np.sqrt((offsets**2).mean())),
     )
 
 

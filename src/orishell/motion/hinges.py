@@ -13,12 +13,22 @@ Around a vertex these steps sum up to nothing in all states if the heights fulfi
 
 from __future__ import annotations
 
+from typing import Protocol, runtime_checkable
+
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions
-from orishell.motion.mechanism import panel_normals
+from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.numerics.arrays import Array
+
+
+@runtime_checkable
+class Straightened(Protocol):
+    """A mechanism whose columns may be straight but for the digits of the curves it follows."""
+
+    def straightened(self) -> Mechanism:
+        """The same with columns that are straight to the last digit, where they nearly are."""
 
 
 @record

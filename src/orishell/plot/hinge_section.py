@@ -60,6 +60,8 @@ def find_hinge_section(
     HingeSection or None
         None if no crease has boards on both sides.
     """
+    if boards.hinges is not None:
+        return None  # they do not stand back
     mechanism = motion.mechanism
     grid = mechanism.grid
     corners = mechanism.positions(0.0).reshape(-1, 3)[grid.faces_vertices(), :2]

@@ -207,7 +207,7 @@ def _unfolded(mechanism: Mechanism) -> Booleans:
 
 def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
     """A sheet larger than any board; solid panels are cut one by one."""
-    if design.panel is not None and design.panel.construction == "bevel":
+    if design.panel is not None and design.panel.is_solid:
         return
     width, height, _ = extents(flat)
     metres = conversion(unit, "m")

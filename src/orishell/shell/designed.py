@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design, PanelSpec
@@ -15,6 +15,8 @@ from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.layout import require_grid
+from orishell.motion.hinges import Straightened
+from orishell.motion.layout import has_flaps
 from orishell.solids import (
     drive_for_height,
     find_stop,
@@ -23,6 +25,7 @@ from orishell.solids import (
     thinner,
     wide_gap,
 )
+from orishell.solids.hinged import find_hinges
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
@@ -43,7 +46,7 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         require_grid(design.mechanism, "made of boards")
-        design = _with_panels(design, file.panel)
+        design = _with_panels(design, file.panel, file.pattern.closing)
     if file.deployment.flap_attachment == "clipped":
         design = design.with_clipped_flaps()
     design = _as_far_as_it_goes(design)
@@ -89,7 +92,7 @@ def _as_far_as_it_goes(design: Design) -> Design:
         return design
     mechanism, build = design.mechanism, design.panel
     end = drive_at_fold(mechanism, design.largest_fold)
-    if build is not None:
+    if build is not None and design.hinges is None:
         end = drive_for_height(mechanism, build, end)
     target = mechanism.target_drive
     return design if end >= target else design.ended_at(max(end, LEAST * target))
@@ -115,8 +118,10 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
     )
 
 
-def _with_panels(design: Design, panel: PanelSpec) -> Design:
+def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
     """The design with panels of a thickness: its flaps stop where their boards meet."""
+    if panel.construction == "hinged":
+        return _with_whole_boards(design, panel, closing)
     flaps = design.mechanism.flap_columns
     stop = 0.0 if not flaps else panel.stop
     if stop is None:
@@ -124,10 +129,50 @@ def _with_panels(design: Design, panel: PanelSpec) -> Design:
     return replace(design.with_stop(stop), panel=panel)
 
 
+def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
+    """The design with whole boards on hinges, its columns as straight as these need them.
+
+    closing: What makes a sheet of its family fold flat.
+    """
+    mechanism = design.mechanism
+    if has_flaps(mechanism):
+        raise DesignError(
+            "whole boards on hinges cannot be made with flaps yet",
+            keys=("pattern.flap", "panel.construction"),
+            candidates=[Remedy({"pattern.flap": 0.0})],
+        )
+    if isinstance(mechanism, Straightened):
+        mechanism = mechanism.straightened()
+    try:
+        hinges = find_hinges(mechanism, panel)
+    except DesignError as error:
+        if error.keys == ("panel.construction",):
+            other = _on_membrane(panel)
+            error.candidates = [other] if closing is None else [closing, other]
+        raise
+    return replace(design, mechanism=mechanism, panel=panel, hinges=hinges)
+
+
+MEMBRANE = 0.1
+"""Thickness of a membrane that is offered, in thicknesses of panels."""
+
+
+def _on_membrane(panel: PanelSpec) -> Remedy:
+    """The change from whole boards to boards on a membrane."""
+    changes: dict[str, Value | None] = {
+        "panel.construction": "sandwich",
+        "panel.membrane": rounded(MEMBRANE * panel.thickness),
+    }
+    for key in ("largest_arm", "arm_width"):
+        if getattr(panel, key) is not None:
+            changes[f"panel.{key}"] = None
+    return Remedy(changes)
+
+
 def _require_thickness(design: Design) -> None:
     """Refuse boards so thick that they take too much of a panel at the target."""
     build = design.panel
-    if build is None:
+    if build is None or design.hinges is not None:
         return
 
     sheet = design.clipped or design.mechanism

@@ -140,12 +140,14 @@ def _boards(report: Report) -> Iterator[Row]:
         return
     corners = f", corners cut off at {panel.corners_cut} vertices" if panel.corners_cut else ""
     proved = "" if panel.path is None else "; none meet on the way (proved)"
-    yield Row(
-        "says" if panel.path is None else "holds",
-        "boards",
-        f"{panel.boards}, of panels {plain(panel.thickness)} {report.unit} thick, set back by up "
-        f"to {plain(panel.largest_setback, 3)} {report.unit}{corners}{proved}",
-    )
+    thick, unit = plain(panel.thickness), report.unit
+    if panel.hinged is not None:
+        arm = plain(panel.hinged.longest_arm, 3)
+        text = f"{panel.boards}, whole, {thick} {unit} thick, on hinges up to {arm} {unit} off them"
+    else:
+        back = plain(panel.largest_setback, 3)
+        text = f"{panel.boards}, of panels {thick} {unit} thick, set back by up to {back} {unit}"
+    yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
 
 
 def _stands(report: Report) -> Iterator[Row]:

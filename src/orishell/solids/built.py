@@ -18,7 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
-from orishell.motion.boards import Boards
+from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
 from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -160,9 +160,9 @@ def find_meetings(
     closing = np.sign(at_target[rows, columns]).astype(np.int64)
 
     # Boards by panel and side.
-    number = np.full((grid.panel_count, 3), -1)
+    number = np.full((grid.panel_count, len(SIDES)), -1)
     number[boards.panels, boards.sides + 1] = np.arange(len(boards))
-    side = 0 * closing if build.construction == "bevel" else closing
+    side = 0 * closing if build.is_solid else closing
     panel = rows * across + columns
     pair = np.stack([number[panel, side + 1], number[panel + across, side + 1]], axis=-1)
     there = (pair >= 0).all(axis=1)

@@ -65,6 +65,14 @@ def analyse(
     not known.
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
+    if design.hinges is not None:
+        raise InputError(
+            "whole boards on hinges are not analysed as a structure yet",
+            keys=("panel.construction",),
+            got='"hinged"',
+            expected='"sandwich" or "bevel"',
+            remedy="leave [structure] out, or take another construction",
+        )
     if site.areal_mass == 0 and any(case.self_weight for case in structure.cases):
         raise InputError(
             "own weight is a load, and what panels weigh is not known",

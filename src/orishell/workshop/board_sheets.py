@@ -14,6 +14,7 @@ import numpy as np
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
+from orishell.motion.boards import ARM
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import short_creases, with_clipped
 from orishell.workshop.boards import (
@@ -96,9 +97,9 @@ def _nest(
     return nest_parts(boards.content, width, height, spacing)
 
 
-LAYERS = {1: "top", -1: "bottom", 0: "panels"}
+LAYERS = {1: "top", -1: "bottom", 0: "panels", ARM: "arms"}
 """How the files of the layers end."""
-_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels"}
+_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels", ARM: "arms"}
 
 
 @record
@@ -175,6 +176,11 @@ def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> 
     assert document.panel is not None
     build, unit = document.panel, document.unit
     size = quoted_size(drawn_box(content)[1], unit)
+    if build.construction == "hinged":
+        return (
+            f"{len(parts)} whole boards, {build.thickness:g} {unit} thick, {size}",
+            "Cut square, to the creases; hinges stand beside them (hinges.csv)",
+        )
     if build.construction == "bevel":
         return (
             f"{len(parts)} solid panels, {build.thickness:g} {unit} thick, {size}",

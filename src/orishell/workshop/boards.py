@@ -105,7 +105,7 @@ def board_labels(
 def has_sheet(document: Document) -> bool:
     """Whether the flat sheet is built: not where panels are solid, on hinges of their own."""
     build = document.panel
-    return document.boards is None or build is None or build.construction != "bevel"
+    return document.boards is None or build is None or not build.is_solid
 
 
 def has_membrane(document: Document) -> bool:

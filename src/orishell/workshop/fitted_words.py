@@ -58,7 +58,9 @@ class Labels:
         """Which of them (N,) meet the one of the others in the same place."""
         x, y = self.directions, np.column_stack([-self.directions[:, 1], self.directions[:, 0]])
         halves = [
-            0.5 * each.heights[:, None] * [(CHARACTER * len(word), 1.0) for word in each.words]
+            0.5
+            * each.heights[:, None]
+            * np.reshape([(CHARACTER * len(word), 1.0) for word in each.words], (-1, 2))
             for each in (self, others)
         ]
         away = others.middles - self.middles

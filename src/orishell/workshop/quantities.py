@@ -65,6 +65,7 @@ def measure_panels(
     boards, build = everything.boards, everything.panel
     if boards is None or build is None:
         return None
+    boards = boards.chosen(~boards.arms)  # arms are not of their stock
     areas = boards.areas()
     membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
     length = everything.edge_lengths()
@@ -109,10 +110,10 @@ def _weighed_boards(piece: Document) -> tuple[Array, Array]:
     assert piece.panel is not None
     if piece.boards is None or not len(piece.boards):
         return np.zeros(0), np.zeros((0, 3))
-    corners = piece.boards_in(piece.shell)
+    corners = piece.boards_in(piece.shell)[~piece.boards.arms]
     places = corners.reshape(len(corners), -1, 3)
     start = places.mean(axis=1, keepdims=True)
-    triangles, present = piece.boards.triangles()
+    triangles, present = piece.boards.chosen(~piece.boards.arms).triangles()
     board = np.arange(len(corners))[:, None, None]
     sides = (places - start)[board, triangles]
     # A board is the sum of the tetrahedra from a point to the triangles of its surface.

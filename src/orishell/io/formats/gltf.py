@@ -50,9 +50,9 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     state = document.state(settings.state)
 
     def placed(points: Array) -> Array:
-        return y_up(points + (document.origin - nearby)) * scale
+        return np.ascontiguousarray(y_up(points + (document.origin - nearby)) * scale)
 
-    rest = placed(state.positions)[document.mesh.faces]
+    rest = placed(document.panel_corners(state))
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
     inks = _inks(document)
@@ -198,7 +198,7 @@ def _animation(
     turns: list[Array] = []
     drives: list[float | None] = []
     for state in document.states:
-        origin, axes = find_frames(placed(state.positions)[document.mesh.faces], along)
+        origin, axes = find_frames(placed(document.panel_corners(state)), along)
         turn = quaternions(axes)
         if turns:  # q and -q are one rotation: the one nearer to the key before is meant
             turn = np.where((turn * turns[-1]).sum(axis=1, keepdims=True) < 0, -turn, turn)

@@ -14,6 +14,8 @@ from orishell.conventions.quantities import conversion
 from orishell.document import Document
 from orishell.io.format import Format, Settings
 from orishell.motion.boards import SIDES
+from orishell.motion.grid import CreaseValues
+from orishell.motion.hinges import Hinges
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_parts, nest_boards
@@ -55,7 +57,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels to ``path`` and the creases beside it.
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
-    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise. The first
+    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, and hinges
+    that stand beside their creases to ``hinges.csv``. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.
     """
@@ -67,6 +70,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     write_csv(beside("creases"), *_creases(document))
     if document.boards is not None:
         write_csv(beside("boards"), *_boards(document, settings.workshop))
+        if document.boards.hinges is not None:
+            write_csv(beside("hinges"), *_hinges(document, document.boards.hinges))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -152,6 +157,50 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
         ]
         for part, sheet in zip(parts, sheets, strict=True)
     )
+
+
+def _hinges(document: Document, hinges: Hinges) -> tuple[list[str], Iterable[Sequence[object]]]:
+    """Hinges of whole boards: on which face, how high over the flat sheet, on what arms."""
+    unit, mesh, lengths = document.unit, document.mesh, document.edge_lengths()
+    (above, below), (left, right) = hinges.arms
+    first, second = (
+        CreaseValues(row, column).on_edges().tolist()
+        for row, column in ((above, left), (below, right))
+    )
+    heights, signs = hinges.heights.on_edges().tolist(), hinges.signs.on_edges().tolist()
+    heads = [
+        "crease",
+        "panel_1",
+        "panel_2",
+        "side",
+        f"length_{unit}",
+        f"height_{unit}",
+        f"arm_1_{unit}",
+        f"arm_2_{unit}",
+    ]
+    across = hinges.grid.columns - 1
+    row_edges = hinges.grid.rows * across
+    return heads, (
+        [
+            number,
+            *_beside(number, row_edges, across),
+            SIDES[int(signs[number])],
+            lengths[number],
+            heights[number],
+            first[number],
+            second[number],
+        ]
+        for number in np.flatnonzero(mesh.crease).tolist()
+        if signs[number]
+    )
+
+
+def _beside(edge: int, row_edges: int, across: int) -> tuple[int, int]:
+    """The panels above and below an edge of a row of the grid, or left and right of a column's."""
+    if edge < row_edges:
+        return edge - across, edge
+    row, column = divmod(edge - row_edges, across + 1)
+    return row * across + column - 1, row * across + column
 
 
 FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)

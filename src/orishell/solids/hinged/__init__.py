@@ -4,5 +4,6 @@ Derived in docs/theory/thickness.md.
 """
 
 from orishell.solids.hinged.heights import find_hinges
+from orishell.solids.hinged.offset import board_offsets
 
-__all__ = ["find_hinges"]
+__all__ = ["board_offsets", "find_hinges"]

@@ -70,7 +70,7 @@ def panel_sections(
     centres: Middles (F, t, 2) of the panels' triangles, as shares of the way down and across.
     """
     modulus, nu = structure.modulus, structure.poisson
-    if build is None or boards is None or build.construction == "bevel":
+    if build is None or boards is None or build.is_solid:
         thickness = structure.thickness if build is None else build.thickness
         assert thickness is not None
         return Section.solid(modulus, thickness, nu)

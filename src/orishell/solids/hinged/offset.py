@@ -1,0 +1,32 @@
+"""How far whole boards lie from the sheet without a thickness."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.motion.hinges import Hinges
+from orishell.motion.mechanism import panel_normals
+from orishell.motion.quads import grid_corners, lengths
+from orishell.numerics.arrays import Array
+
+
+def board_offsets(hinges: Hinges, positions: Array) -> Array:
+    """Distances (4 F,) of corners of boards, half way up, from those of panels in a state.
+
+    After the motion of all boards together that brings them nearest (W. Kabsch, Acta
+    Crystallographica A 32 (1976) 922).
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3).
+    """
+    panels = grid_corners(positions).reshape(-1, 4, 3)
+    normals = panel_normals(positions).reshape(-1, 3)
+    middle = hinges.levels.ravel() + 0.5 * hinges.thickness
+    shifts = hinges.shifts(normals) + middle[:, None] * normals
+    boards, panels = (panels + shifts[:, None]).reshape(-1, 3), panels.reshape(-1, 3)
+    start, end = boards - boards.mean(axis=0), panels - panels.mean(axis=0)
+    left, _, right = np.linalg.svd(start.T @ end)
+    turn = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
+    return lengths(start @ turn - end)
