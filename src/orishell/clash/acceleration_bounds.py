@@ -28,15 +28,10 @@ class EdgeBounds:
     column it takes. Shorter parts of the path have finer tables of bounds.
     """
 
-    def __init__(
-        self, mechanism: Mechanism, end: float, tree: PanelTree, carriers: Integers | None = None
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
         self.mechanism, self.end = mechanism, end
         self.layout = layout = Layout.of(mechanism)
-        # What the tree holds: panels, or bodies on them (B,).
-        held = slice(None) if carriers is None else carriers
-        first, last = (each[held].astype(float) for each in (layout.first, layout.last))
-        self.hull = tree.enclosing(first, last)
+        self.hull = tree.enclosing(*(each.astype(float) for each in (layout.first, layout.last)))
         self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
 
     def within(self, start: float, stop: float) -> RangeBounds:

@@ -50,6 +50,8 @@ class Bodies:
         self.corners = outlines.reshape(len(boards), -1, 3)
         self.normals, self.edges = _directions(outlines)
         order = np.arange(len(boards)) - np.searchsorted(boards.panels, boards.panels)
+        # the first body of every panel, where each has one
+        self.first = np.searchsorted(boards.panels, np.arange(len(faces)))
         self.of_panel = np.full((len(faces), int(order.max(initial=0)) + 1), -1)
         self.of_panel[boards.panels, order] = np.arange(len(boards))
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
-from orishell.clash.broad_phase import Pairs, joined, selected
+from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import BASE, TICKS, Outcome, PathContact, PathResult, search_ranges
@@ -153,6 +153,7 @@ class NearBodies:
             self.bodies.components(numbers, near.vertices, base)
             for numbers, base in zip(self.pairs, near.bases, strict=True)
         ]
+        self.largest = [each.max(axis=1, initial=0.0) for each in self.parts]
         self.between, self.steps = near.between, np.stack([near.steps, 0.0 * near.steps])
         self.kept_by = np.zeros(len(near.vertices), np.int64)
         self.sleep = np.full(len(near.vertices), np.inf)
@@ -183,6 +184,8 @@ class NearBodies:
             self.sleep[pending] = np.inf
         asleep = (self.sleep[pending] < step) & (stop - start > 1)
         woken = pending[~asleep]
+        if self.bodies.hinges is not None:
+            woken = woken[self._may_be_near(start, stop, woken, (step, bounds.steps, swing))]
         left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
         apart = Apartness.of(ends, selected(self.pairs, left))
         self.kept_by[left] = apart.number
@@ -200,6 +203,24 @@ class NearBodies:
             return Outcome(None, None, None, None)
         first, second = self.pairs[0][pending[-1]], self.pairs[1][pending[-1]]
         return Outcome(pending, (int(first), int(second)), *touching)
+
+    def _may_be_near(
+        self, start: int, stop: int, which: Integers, rates: tuple[float, tuple[Array, Array], Array]
+    ) -> Booleans:
+        """Which pairs (P,) are not seen apart along any of the directions of the tree.
+
+        By the largest chord error of a corner of each: most arms are far from all others.
+        """
+        step, (rows, columns), swing = rates
+        ends = [self.states.at(tick).body_extents for tick in (start, stop)]
+        needed = np.full(len(which), self.tolerance)
+        for numbers, largest, step_h in zip(self.pairs, self.largest, self.steps, strict=True):
+            panel = self.bodies.panels[numbers[which]]
+            row, column = np.divmod(panel, self.columns)
+            along, down, over = largest[:, which]
+            total = along * rows[column] + down * columns[row] + over * swing[panel]
+            needed += step**2 / 8 * (total + step_h[which] * swing[self.between[which]])
+        return np.asarray(body_gaps(ends, selected(self.pairs, which)) <= needed)
 
     def _gaps(
         self,

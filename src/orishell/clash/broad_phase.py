@@ -122,6 +122,20 @@ def gaps(states: tuple[Extents, Extents], level: int, pairs: Pairs) -> Array:
     return in_chunks(of, *pairs)
 
 
+def body_gaps(states: Sequence[tuple[Array, Array]], pairs: Pairs) -> Array:
+    """Widest gap (P,) between two bodies along one of the directions in both states.
+
+    In each state they have lower and upper ends (B, 13).
+    """
+
+    def of(first: Integers, second: Integers) -> Array:
+        above = np.minimum(*(low[second] - high[first] for low, high in states))
+        below = np.minimum(*(low[first] - high[second] for low, high in states))
+        return np.asarray(np.maximum(above, below).max(axis=1))
+
+    return in_chunks(of, *pairs)
+
+
 def in_chunks(function: Callable[..., Array], first: Integers, second: Integers) -> Array:
     """Run a function of pairs over a few thousand of them at a time."""
     if len(first) <= CHUNK:

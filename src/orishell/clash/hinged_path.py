@@ -24,13 +24,15 @@ pairs are settled (docs/theory/thickness.md).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds, RangeBounds
-from orishell.clash.bodies import Bodies
+from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.body_path import BodySearch, NearPairs, first_contact
-from orishell.clash.broad_phase import Extents, Pairs, PanelTree, joined, selected
-from orishell.clash.narrow_phase import Findings, examine_bodies
+from orishell.clash.broad_phase import CHUNK, Extents, Pairs, PanelTree, body_gaps, joined, selected
+from orishell.clash.narrow_phase import Findings, Group
 from orishell.clash.path import PathRange
 from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
@@ -68,16 +70,14 @@ def find_first_hinged_contact(
 class HingedSearch(BodySearch):
     """A search for the first contact of bodies whose panels have no common vertex.
 
-    Its tree holds bodies, which are thin, where panels with their arms are thick.
+    Nodes of its tree hold panels with all that stands on them, shifted as they are.
     """
 
     def _tree(
         self, mechanism: Mechanism, end: float, layout: Layout, bodies: Bodies | None
     ) -> tuple[PanelTree, EdgeBounds]:
         assert bodies is not None
-        carriers = bodies.panels
-        tree = PanelTree.over(layout.faces[carriers], layout.first[carriers].astype(np.float64))
-        self.reach = np.maximum(np.abs(bodies.low), np.abs(bodies.high))
+        tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
         return tree, ShiftedBounds(mechanism, end, tree, bodies)
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array:
@@ -89,23 +89,69 @@ class HingedSearch(BodySearch):
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
         bounds, bodies = part.bounds, self.bodies
         assert isinstance(bounds, ShiftedRange)
-        pairs = joined([part.open, near])
+        tolerance = self.tolerance + self.rounding
+        start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
+        ends = start.body_extents, stop.body_extents
+        pairs = joined([part.open, bodies.pairs_of(near)[0]])
         self.tests += len(pairs[0])
-        panels = bodies.panels[pairs[0]], bodies.panels[pairs[1]]
-        swing = sum(
-            self.reach[each] * bounds.normals[panel]
-            for each, panel in zip(pairs, panels, strict=True)
-        )
-        chord_error = part.step**2 / 8 * (bounds.between_panels(*panels) + swing)
-        states = self.states.at(part.start).bodies, self.states.at(part.stop).bodies
-        return examine_bodies(states, pairs, self.tolerance + self.rounding, chord_error)
+        needed = bounds.between_bodies(bodies, pairs) * part.step**2 / 8 + tolerance
+        left = np.asarray(body_gaps(ends, pairs) <= needed)
+        pairs, needed = selected(pairs, left), needed[left]
+        states = start.bodies, stop.bodies
+        # Most are seen apart along the normal of one of the boards, which needs no other looks.
+        for body in (0, 1):
+            lines = [state.normals[0][:, pairs[body]] for state in states]
+            left = _near_along(lines, states, pairs, needed)
+            pairs, needed = selected(pairs, left), needed[left]
+        return _findings(states, pairs, tolerance, needed)
+
+
+def _findings(
+    states: tuple[BodyState, BodyState], pairs: Pairs, tolerance: float, needed: Array
+) -> Findings:
+    """The pairs (P,) that are not as far apart as is needed (P,), and those that touch at an end.
+
+    Directions square to two edges are ten times as many as normals, and part hardly more: only
+    where normals show no gap do they tell whether bodies touch. Others wait for shorter steps.
+    """
+
+    def near(apart: Apartness, pairs: Pairs, needed: Array) -> Booleans:
+        lines = [one_direction(state, pairs, apart.number) for state in states]
+        return _near_along(lines, states, pairs, needed)
+
+    by_faces = Apartness.of(states, pairs, of_faces=True)
+    left = near(by_faces, pairs, needed)
+    deep = left & (by_faces.gaps <= tolerance).any(axis=0)
+    touching = selected(pairs, deep)
+    apart = Apartness.of(states, touching)
+    left[deep] = near(apart, touching, needed[deep])
+    ends = (apart.touching(end, touching, tolerance) for end in (0, 1))
+    return Findings(selected(pairs, left), *ends)
+
+
+def _near_along(
+    lines: Sequence[Array], states: tuple[BodyState, BodyState], pairs: Pairs, needed: Array
+) -> Booleans:
+    """Pairs (P,) kept as far apart as is needed neither by one of two directions (3, P) nor by one
+    that turns from the one to the other.
+    """
+    left = np.zeros(len(needed), np.bool_)
+    for k in range(0, len(needed), CHUNK):
+        part = slice(k, k + CHUNK)
+        chunk = pairs[0][part], pairs[1][part]
+        corners = [(s.corners[:, :, chunk[0]], s.corners[:, :, chunk[1]]) for s in states]
+        number = np.arange(k, k + len(chunk[0]))
+        group = Group((number, number), corners, needed[part], needed[part])
+        group = group.not_separated_by(*(each[:, part] for each in lines))
+        left[group.pairs[0]] = True
+    return left
 
 
 class ShiftedBounds(EdgeBounds):
     """Bounds of accelerations between points that are shifted with their panels."""
 
     def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies) -> None:
-        super().__init__(mechanism, end, tree, bodies.panels)
+        super().__init__(mechanism, end, tree)
         assert bodies.hinges is not None
         self.tree, self.bodies, self.hinges = tree, bodies, bodies.hinges
         self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
@@ -118,15 +164,16 @@ class ShiftedBounds(EdgeBounds):
         n = normals.reshape(self.hinges.levels.shape)
         down = np.abs(self.hinges.heights.row) * (n[:-1] + n[1:])
         across = np.abs(self.hinges.heights.column) * (n[:, :-1] + n[:, 1:])
-        swings = (self.reach * normals[self.bodies.panels])[:, None]
+        swings = self.reach * normals[self.bodies.panels]
+        largest = np.maximum.reduceat(swings, self.bodies.first)[:, None]
         return ShiftedRange(
             plain.steps,
             plain.along,
             plain.down,
             plain.hull,
             plain.layout,
-            normals,
-            self.tree.enclosing(0.0 * swings, swings),
+            swings,
+            self.tree.enclosing(0.0 * largest, largest),
             np.append(0.0, np.cumsum(across.max(axis=0))),
             np.append(0.0, np.cumsum(down.max(axis=1))),
         )
@@ -136,11 +183,17 @@ class ShiftedBounds(EdgeBounds):
 class ShiftedRange(RangeBounds):
     """Bounds in one part of the path, of shifts as well."""
 
-    normals: Array  # bounds (F,) of the accelerations of normals
-    swings: Extents  # 0, and those of bodies over their panels, of the nodes of the tree
+    of_bodies: Array  # bounds (B,) of accelerations of corners of bodies over their panels
+    swings: Extents  # 0, and the largest of these, of the nodes of the tree
     # running sums of those of shifts from panel to panel, across (C-1,) and down (R-1,)
     across: Array
     below: Array
+
+    def between_bodies(self, bodies: Bodies, pairs: Pairs) -> Array:
+        """Bound (P,) of the acceleration of any vector between corners of two bodies."""
+        first, second = (bodies.panels[each] for each in pairs)
+        swings = self.of_bodies[pairs[0]] + self.of_bodies[pairs[1]]
+        return np.asarray(self.between_panels(first, second) + swings)
 
     def _across(self, begin: Integers, end: Integers) -> Array:
         plain = RangeBounds._across(self, begin, end)

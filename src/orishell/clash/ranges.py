@@ -141,11 +141,19 @@ class State:
         """What the nodes of the tree span, with the height of bodies."""
         bodies = self.carriers
         if bodies is not None and bodies.hinges is not None:
-            # The tree holds bodies: they are shifted from their panels.
-            views = np.einsum("dx,xcb->dcb", DIRECTIONS, self.bodies.corners)
-            return self.tree.enclosing(views.min(axis=1).T, views.max(axis=1).T)
+            low, high = self.body_extents
+            return self.tree.enclosing(
+                np.minimum.reduceat(low, bodies.first), np.maximum.reduceat(high, bodies.first)
+            )
         over = None if bodies is None else bodies.height * self.slabs.normals.T
         return self.tree.extents(self.points, over)
+
+    @cached_property
+    def body_extents(self) -> tuple[Array, Array]:
+        """Lower and upper ends (B, 13) of the bodies along the directions of the tree."""
+        corners = self.bodies.corners
+        views = np.tensordot(DIRECTIONS, corners, axes=(1, 0))
+        return views.min(axis=1).T, views.max(axis=1).T
 
     @cached_property
     def bodies(self) -> BodyState:
