@@ -83,9 +83,7 @@ class Bodies:
         there = (a >= 0) & (b >= 0)
         return (a[there], b[there]), np.flatnonzero(there) // count**2
 
-    def components(
-        self, numbers: Integers, vertices: Integers, base: Array | float = 0.0
-    ) -> Array:
+    def components(self, numbers: Integers, vertices: Integers, base: Array | float = 0.0) -> Array:
         """Shares (3, C, P) of corners of bodies (P,) along a row, down a column and over the panel.
 
         Absolute values, seen from a vertex (P,) of each body's panel: the first two in edges of the
@@ -101,7 +99,7 @@ class Bodies:
         area = _turned(u, w)[:, None]
         along, down = _turned(away, w[:, None]) / area, _turned(u[:, None], away) / area
         over = self.corners[numbers][..., 2] - np.reshape(base, (-1, 1))
-        return np.abs(np.stack([along, down, over])).swapaxes(1, 2)
+        return np.asarray(np.abs(np.stack([along, down, over])).swapaxes(1, 2))
 
 
 def directions(state: BodyState, pairs: Pairs, *, of_faces: bool = False) -> Array:

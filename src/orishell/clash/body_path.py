@@ -39,6 +39,9 @@ EARLY, SOONEST = 1.5, 2.0**-6
 """A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
 this share of the step at least."""
 
+Rates = tuple[float, tuple[Array, Array], Array]
+"""A step, and bounds of accelerations of edges along rows and down columns, and of normals (F,)."""
+
 
 def find_first_body_contact(
     mechanism: Mechanism,
@@ -53,6 +56,7 @@ def find_first_body_contact(
 
     Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
     """
+
     def search(until: float) -> BodySearch:
         return BodySearch(mechanism, until, tolerance, bodies)
 
@@ -94,7 +98,7 @@ class BodySearch(PathSearch):
         self.grid, self.bodies = mechanism.grid, bodies
         self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
 
-    def _swung(self, part: PathRange, level: int, pairs: Pairs) -> float:
+    def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
         return 2 * float(self._swings(part).max())
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
@@ -185,7 +189,7 @@ class NearBodies:
         asleep = (self.sleep[pending] < step) & (stop - start > 1)
         woken = pending[~asleep]
         if self.bodies.hinges is not None:
-            woken = woken[self._may_be_near(start, stop, woken, (step, bounds.steps, swing))]
+            woken = woken[self._may_be_near((start, stop), woken, (step, bounds.steps, swing))]
         left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
         apart = Apartness.of(ends, selected(self.pairs, left))
         self.kept_by[left] = apart.number
@@ -204,15 +208,13 @@ class NearBodies:
         first, second = self.pairs[0][pending[-1]], self.pairs[1][pending[-1]]
         return Outcome(pending, (int(first), int(second)), *touching)
 
-    def _may_be_near(
-        self, start: int, stop: int, which: Integers, rates: tuple[float, tuple[Array, Array], Array]
-    ) -> Booleans:
-        """Which pairs (P,) are not seen apart along any of the directions of the tree.
+    def _may_be_near(self, ticks: tuple[int, int], which: Integers, rates: Rates) -> Booleans:
+        """Which pairs (P,) are not seen apart between two ticks by the directions of the tree.
 
         By the largest chord error of a corner of each: most arms are far from all others.
         """
         step, (rows, columns), swing = rates
-        ends = [self.states.at(tick).body_extents for tick in (start, stop)]
+        ends = [self.states.at(tick).body_extents for tick in ticks]
         needed = np.full(len(which), self.tolerance)
         for numbers, largest, step_h in zip(self.pairs, self.largest, self.steps, strict=True):
             panel = self.bodies.panels[numbers[which]]

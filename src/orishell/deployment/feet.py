@@ -10,6 +10,9 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
+from orishell.motion.hinges import Hinges
+from orishell.motion.mechanism import panel_normals
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Integers
 
 RISE = 0.1
@@ -83,6 +86,8 @@ def find_feet(design: Design) -> Feet | None:
     feet = height[list(rows)]
     if feet.min() > low.min() + TIE * size:  # the corrugation reaches lower in the middle
         return None
+    if design.hinges is not None:
+        feet = _lowest_corners(design.hinges, shell, rows)
     uneven = float(np.ptp(feet))
     z = float(feet.min() + design.origin[2])
     return Feet(rows, z, uneven if uneven > LEVEL * size else 0.0, size)
@@ -112,6 +117,25 @@ def _on_points(design: Design, height: Array) -> Feet | None:
     before = design.mechanism.inner_columns.start
     points = tuple((row, column + before) for row, column in np.argwhere(on).tolist())
     return Feet(rows, lowest + float(design.origin[2]), 0.0, size, points)
+
+
+def _lowest_corners(hinges: Hinges, shell: Array, rows: tuple[int, int]) -> Array:
+    """Heights (2, K) of the lowest corners of whole boards at two rows of vertices, by columns.
+
+    Boards do not meet at the vertices of their sheet.
+    """
+    normals = panel_normals(shell)
+    shifts = hinges.shifts(normals.reshape(-1, 3)).reshape(normals.shape)
+    corners = grid_corners(shell) + shifts[..., None, :]
+    faces = hinges.levels + np.array([0.0, hinges.thickness])[:, None, None]
+    over = faces * normals[..., 2]
+    height = (corners[..., 2] + over[..., None]).min(axis=0)
+    # Corners of a panel: left above, left below, right below, right above.
+    above, below = height[..., [0, 3]].min(axis=-1), height[..., [1, 2]].min(axis=-1)
+    lowest = np.full((len(height) + 1, height.shape[1]), np.inf)
+    lowest[:-1] = above
+    lowest[1:] = np.minimum(lowest[1:], below)
+    return np.asarray(lowest[list(rows)])
 
 
 def _outermost(low: Array, size: float) -> int:

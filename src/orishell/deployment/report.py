@@ -79,7 +79,7 @@ def with_measures(
     weighed: bool,
 ) -> DeploymentReport:
     """The report with what is asked for of pack with largest thickness, and of own weight."""
-    mechanism, end = design.mechanism, max(lock.closes_to, lock.target_drive)
+    end = max(lock.closes_to, lock.target_drive)
     return replace(
         report,
         largest_thickness=_largest_thickness(design) if packed else None,
@@ -89,7 +89,7 @@ def with_measures(
 
 
 def _pack(design: Design, lock: Lock, thickness: float) -> Pack:
-    whole = None if lock.built is None or design.hinges is None else lock.built.boards
+    whole = None if lock.built is None or not design.has_whole_boards else lock.built.boards
     end = max(lock.closes_to, lock.target_drive)
     return find_pack(design.mechanism, end, PACKS, thickness, boards=whole)
 

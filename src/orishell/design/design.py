@@ -113,6 +113,11 @@ class Design:
         )
 
     @property
+    def has_whole_boards(self) -> bool:
+        """Whether its panels are whole boards on hinges beside the creases."""
+        return self.panel is not None and self.panel.construction == "hinged"
+
+    @property
     def surface(self) -> AskedSurface:
         """The surface asked for: f swept along g, or that of [target.surface].
 

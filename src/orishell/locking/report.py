@@ -9,7 +9,6 @@ from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
 from orishell.locking.result import Lock
 from orishell.motion import area_of
-from orishell.motion.hinges import Hinges
 from orishell.solids import BuiltPanels, find_meetings, find_set_backs
 from orishell.solids.hinged import board_offsets
 from orishell.solids.hinged.arms import SHORT
@@ -73,7 +72,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         return None
     build = built.build
     # Whole boards stand back by the gap alone.
-    height = 0.0 if design.hinges is not None else build.height
+    height = 0.0 if design.has_whole_boards else build.height
     back = find_set_backs(built.folds, height, build.gap)
     longest = np.concatenate([back.top, back.bottom])
     return PanelReport(
@@ -85,16 +84,21 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         set_back_for=built.limit,
         largest_fold=float(np.abs(built.folds.on_edges()).max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
-        boards=int((~built.boards.arms).sum()) + (len(built.flaps) if built.flaps is not None else 0),
+        boards=sum(
+            int((~each.arms).sum()) for each in (built.boards, built.flaps) if each is not None
+        ),
         corners_cut=int((built.reliefs > 0).sum()),
         largest_cut=float(built.reliefs.max()),
         meeting=_meeting(design, built),
         path=lock.boards_proof,
-        hinged=None if design.hinges is None else _hinged(design, design.hinges, built),
+        hinged=_hinged(design, built),
     )
 
 
-def _hinged(design: Design, hinges: Hinges, built: BuiltPanels) -> HingedReport:
+def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
+    hinges = built.boards.hinges
+    if hinges is None:
+        return None
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
     offsets = board_offsets(hinges, mechanism.positions(mechanism.target_drive))

@@ -37,8 +37,8 @@ class Contact:
     # it; boards on panels
     kind: Kind
     corrugation_depth: float  # depth of the corrugation there (length)
-    # which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if
-    # panels without a thickness do
+    # which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; arms of
+    # whole boards by their edge, "arm left"; None if panels without a thickness do
     sides: tuple[str, str] | None = None
     # how far one reaches into the other, if they were looked at in one state only; None if they
     # touch on the way (length)
@@ -46,14 +46,19 @@ class Contact:
 
     @property
     def names(self) -> tuple[str, str]:
-        """What the two are called: "panel [0, 1]", or "the top board of panel [0, 1]"."""
-        first, second = (
-            f"the {side} board of panel {list(panel)}"
-            if side in {"top", "bottom"}
-            else f"panel {list(panel)}"
-            for panel, side in zip(self.panels, self.sides or ("", ""), strict=True)
-        )
+        """What the two are called: "panel [0, 1]", "the top board of panel [0, 1]"."""
+        sides = self.sides or ("", "")
+        first, second = (_called(*each) for each in zip(self.panels, sides, strict=True))
         return first, second
+
+
+def _called(panel: Panel, side: str) -> str:
+    """A panel, a board of it, or an arm: these are called after an edge, "arm left"."""
+    kind, _, edge = side.partition(" ")
+    if kind == "arm":
+        return f"the {edge} arm of panel {list(panel)}"
+    whole = f"panel {list(panel)}"
+    return f"the {side} board of {whole}" if side in {"top", "bottom"} else whole
 
 
 @record

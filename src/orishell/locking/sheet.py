@@ -50,7 +50,7 @@ class Sheet:
         if layout.flaps.any() and target < mechanism.end_drive and target <= end:
             # Boards of the flaps meet at the target, where the others have room.
             end, stop = target, "flaps"
-        elif build is not None and design.hinges is None:
+        elif build is not None and not design.has_whole_boards:
             limit = target
             if design.opens_from_pack:
                 limit = drive_for_height(mechanism, build, end)

@@ -18,6 +18,7 @@ from orishell.motion import Mechanism, area_of, extents, find_assignment
 from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
+from orishell.solids.hinged import board_offsets
 from orishell.workshop import Workshop
 from orishell.workshop.boards import chamfer_angles
 
@@ -66,6 +67,7 @@ def warn_of_building(
         *_of_boards(design, flat, unit, workshop),
         *_of_depth(design, lock, height, unit),
         *_of_chamfers(lock),
+        *_of_whole_boards(design, unit),
     ]
 
 
@@ -230,6 +232,19 @@ def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[
             f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
             f"high: one sees them rather than the {seen}; more rows make them shallower"
         )
+
+
+def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
+    """What is measured on the sheet, beside which whole boards lie."""
+    if design.hinges is None:
+        return
+    mechanism = design.mechanism
+    offsets = board_offsets(design.hinges, mechanism.positions(mechanism.target_drive))
+    yield (
+        "distances from the surface, ties and own weight are those of the sheet without a "
+        f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "
+        "beside it at the target"
+    )
 
 
 def _of_chamfers(lock: Lock) -> Iterator[str]:

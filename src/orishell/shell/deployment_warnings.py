@@ -42,7 +42,7 @@ def _of_pack(
     packed = report.packed
     if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
         return
-    if design.hinges is not None and lock.cause == "crease":
+    if design.has_whole_boards and lock.cause == "crease":
         return  # it is as flat a bundle as its boards are thick
     box = (
         f"{plain(packed.length, 3)} x {plain(packed.width, 3)} x {plain(packed.height, 3)} "

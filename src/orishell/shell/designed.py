@@ -14,9 +14,8 @@ from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
-from orishell.motion.layout import require_grid
 from orishell.motion.hinges import Straightened
-from orishell.motion.layout import has_flaps
+from orishell.motion.layout import has_flaps, require_grid
 from orishell.solids import (
     drive_for_height,
     find_stop,
@@ -92,7 +91,7 @@ def _as_far_as_it_goes(design: Design) -> Design:
         return design
     mechanism, build = design.mechanism, design.panel
     end = drive_at_fold(mechanism, design.largest_fold)
-    if build is not None and design.hinges is None:
+    if build is not None and not design.has_whole_boards:
         end = drive_for_height(mechanism, build, end)
     target = mechanism.target_drive
     return design if end >= target else design.ended_at(max(end, LEAST * target))
@@ -172,7 +171,7 @@ def _on_membrane(panel: PanelSpec) -> Remedy:
 def _require_thickness(design: Design) -> None:
     """Refuse boards so thick that they take too much of a panel at the target."""
     build = design.panel
-    if build is None or design.hinges is not None:
+    if build is None or design.has_whole_boards:
         return
 
     sheet = design.clipped or design.mechanism

@@ -211,7 +211,7 @@ def _step_by_step(
         stands=feet,
         deviation=deviation,
         sheet=SheetReport(width, height, area_of(design.mechanism)),
-        deployed=BoxReport(*extents(points_of(design.mechanism, design.mechanism.target_drive))),
+        deployed=BoxReport(*_deployed(design, document)),
         deployment=deployment,
         panel=describe_panels(design, lock),
         structure=analysis,
@@ -266,6 +266,13 @@ def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotio
         boards=None if built is None else built.boards,
         flaps=None if built is None else built.flaps,
     )
+
+
+def _deployed(design: Design, document: Document) -> tuple[float, float, float]:
+    """Size of the shell as it stands: of its boards where these lie beside the sheet."""
+    if design.has_whole_boards and document.boards is not None:
+        return extents(document.boards_in(document.shell))
+    return extents(points_of(design.mechanism, design.mechanism.target_drive))
 
 
 def _first_contact(design: Design, lock: Lock) -> FirstContact | None:

@@ -10,8 +10,8 @@ from orishell.conventions.errors import DesignError
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.numerics.arrays import Array, Booleans
 from orishell.motion.hinges import Hinges
+from orishell.numerics.arrays import Array, Booleans
 from orishell.solids.hinged.arms import build_whole_boards
 from orishell.solids.setbacks import find_set_backs
 
@@ -79,6 +79,7 @@ def build_boards(
     build: PanelSpec,
     folds: CreaseValues,
     reliefs: Array | None = None,
+    *,
     hinges: Hinges | None = None,
 ) -> Boards:
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].

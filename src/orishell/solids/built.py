@@ -95,7 +95,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
         hinges = design.hinges
         if build.construction == "hinged" and hinges is None:
             hinges = find_hinges(mechanism, build)
-        boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs, hinges)
+        boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs, hinges=hinges)
         return BuiltPanels(build, limit, folds, cut, boards, None)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     inner = design.clipped.inner_columns

@@ -65,7 +65,7 @@ def analyse(
     not known.
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
-    if design.hinges is not None:
+    if design.has_whole_boards:
         raise InputError(
             "whole boards on hinges are not analysed as a structure yet",
             keys=("panel.construction",),

@@ -57,7 +57,7 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels to ``path`` and the creases beside it.
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
-    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, and hinges
+    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, hinges
     that stand beside their creases to ``hinges.csv``. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.

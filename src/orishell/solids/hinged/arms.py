@@ -72,7 +72,10 @@ def _arms(panels: Array, hinges: Hinges, build: PanelSpec) -> tuple[Integers, In
         there = arm > SHORT * t
         own, h, up = carrier[there], height[there], sign[there] > 0
         outline = _fins(panels[own], edge, 0.5 * build.gap, build.fin)
-        _require_room(panels[own], own, outline, edge, hinges, build)
+        room = _room(panels[own], outline)
+        if room.min(initial=0.0) < -SHORT * t:
+            panel = list(divmod(int(own[room.argmin()]), hinges.levels.shape[1]))
+            raise _too_thick(f"at the {EDGES[edge]} edge of panel {panel}", build)
         ends = np.where(up, low[own] + t, h), np.where(up, h, low[own])
         found.append((own, np.full(len(own), edge), _upright(outline, *ends)))
     carriers, edges, prisms = (np.concatenate(each) for each in zip(*found, strict=True))
@@ -90,26 +93,26 @@ def _fins(panels: Array, edge: int, away: float, thick: float) -> Array:
     return np.stack([start + near, end + near, end + far, start + far], axis=1)
 
 
-def _require_room(
-    panels: Array, own: Integers, outline: Array, edge: int, hinges: Hinges, build: PanelSpec
-) -> None:
-    """Refuse fins (A, 4, 2) that reach beyond their panels (A, 4, 2)."""
-    if not len(own):
-        return
+def _room(panels: Array, outline: Array) -> Array:
+    """How far inside their panels (A, 4, 2) fins (A, 4, 2) keep; negative beyond them (length)."""
     run = np.roll(panels, -1, axis=1) - panels
     inward = np.stack([-run[..., 1], run[..., 0]], axis=-1)
     inward /= np.hypot(*np.moveaxis(run, -1, 0))[..., None]
     inside = ((outline[:, :, None] - panels[:, None]) * inward[:, None]).sum(axis=-1)
-    room = inside.min(axis=(1, 2))
-    if room.min() >= -SHORT * hinges.thickness:
-        return
-    worst = int(room.argmin())
-    panel = list(divmod(int(own[worst]), hinges.levels.shape[1]))
-    narrower = [0.5, 0.1, 0.02]
-    raise DesignError(
+    return np.asarray(inside.min(axis=(1, 2)))
+
+
+THINNER = (0.5, 0.1, 0.02)
+"""Shares of the thickness of a fin that are offered."""
+
+
+def _too_thick(place: str, build: PanelSpec) -> DesignError:
+    return DesignError(
         "the fin that carries a hinge is thicker than its panel has room for",
-        place=f"at the {EDGES[edge]} edge of panel {panel}",
+        place=place,
         keys=("panel.arm_width",),
         size=f"it is {build.fin:.4g} thick",
-        candidates=[Remedy({"panel.arm_width": rounded_down(k * build.fin)}) for k in narrower],
+        candidates=[
+            Remedy({"panel.arm_width": rounded_down(share * build.fin)}) for share in THINNER
+        ],
     )

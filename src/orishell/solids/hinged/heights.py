@@ -107,7 +107,8 @@ def _too_long(hinges: Hinges, build: PanelSpec) -> DesignError:
     """The refusal of arms that are longer than they may be."""
     needed, most = hinges.longest_arm, build.longest_arm
     thinnest = most / needed * build.thickness
-    thinner = [Remedy({"panel.thickness": rounded_down(share * thinnest)}) for share in THINNER]
+    shares = THINNER if most > 0 else ()
+    thinner = [Remedy({"panel.thickness": rounded_down(share * thinnest)}) for share in shares]
     return DesignError(
         "hinges would stand farther off their boards than arms may be long",
         keys=("panel.largest_arm",),
@@ -115,7 +116,7 @@ def _too_long(hinges: Hinges, build: PanelSpec) -> DesignError:
         f"thickness, and may be {most:.4g} long",
         candidates=[
             Remedy({"panel.largest_arm": rounded(needed * 1.0005)}),
-            *(thinner if most > 0 else []),
+            *thinner,
         ],
         excess=needed / most - 1 if most > 0 else None,
     )

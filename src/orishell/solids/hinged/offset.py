@@ -25,8 +25,8 @@ def board_offsets(hinges: Hinges, positions: Array) -> Array:
     normals = panel_normals(positions).reshape(-1, 3)
     middle = hinges.levels.ravel() + 0.5 * hinges.thickness
     shifts = hinges.shifts(normals) + middle[:, None] * normals
-    boards, panels = (panels + shifts[:, None]).reshape(-1, 3), panels.reshape(-1, 3)
-    start, end = boards - boards.mean(axis=0), panels - panels.mean(axis=0)
+    boards, paper = (panels + shifts[:, None]).reshape(-1, 3), panels.reshape(-1, 3)
+    start, end = boards - boards.mean(axis=0), paper - paper.mean(axis=0)
     left, _, right = np.linalg.svd(start.T @ end)
     turn = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
     return lengths(start @ turn - end)

@@ -1,0 +1,94 @@
+"""Bad inputs about whole boards: one line, and the status that says whose fault it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from command_line import orishell
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+SHELTER = (EXAMPLES / "shelter_hinged.toml").read_text()
+PANEL = SHELTER[SHELTER.index("[panel]") : SHELTER.index("[deployment]")]
+HINGED = 'construction = "hinged"\nthickness = 0.01\n'
+
+IN_PANEL = {
+    "a negative arm": ("largest_arm = -0.1", 2, "largest_arm"),
+    "an arm in words": ('largest_arm = "long"', 2, "largest_arm"),
+    "an endless arm": ("largest_arm = inf", 2, "largest_arm"),
+    "an arm that is no number": ("largest_arm = nan", 2, "largest_arm"),
+    "fins of nothing": ("arm_width = 0", 2, "arm_width"),
+    "fins of less": ("arm_width = -1", 2, "arm_width"),
+    "fins in words": ('arm_width = "thin"', 2, "arm_width"),
+    "a membrane": ("membrane = 0.001", 2, "no membrane"),
+    "the weight of a membrane": ("membrane_density = 900", 2, "no membrane"),
+    "set-backs": ("largest_setback = { share = 0.4 }", 2, "largest_setback"),
+    "a stop of flaps": ("stop_deg = 5", 2, "stop_deg"),
+    "a key that there is not": ("arm = 0.1", 2, "arm"),
+    "short arms": ("largest_arm = 0.05", 1, "arms of 0.11 are needed, 11 times the thickness"),
+    "no arms": ("largest_arm = 0", 1, "arms of 0.11 are needed"),
+    "fins wider than panels": ("arm_width = 0.5", 1, "thicker than its panel has room for"),
+    "a gap wider than panels": ("gap = 0.7", 1, "nothing of a panel"),
+}
+WHOLE = {
+    "no such construction": (
+        PANEL,
+        '[panel]\nconstruction = "hinge"\nthickness = 0.01\n',
+        2,
+        "hinged",
+    ),
+    "arms on a membrane": (
+        PANEL,
+        "[panel]\nthickness = 0.01\nmembrane = 0.001\nlargest_arm = 0.1\n",
+        2,
+        'construction = "hinged"',
+    ),
+    "fins of bevelled panels": (
+        PANEL,
+        '[panel]\nconstruction = "bevel"\ngap = 0.001\nthickness = 0.01\narm_width = 0.1\n',
+        2,
+        'construction = "hinged"',
+    ),
+    "no thickness": (PANEL, '[panel]\nconstruction = "hinged"\n', 2, "a thickness above 0"),
+    "flaps": ("flap = 0  ", "flap = 0.25", 1, "cannot be made with flaps yet"),
+    "a sheet that does not fold flat": (
+        'spacing = "equal"',
+        'spacing = "curvature"',
+        1,
+        "need a sheet that folds flat",
+    ),
+}
+
+
+def refused(text: str, status: int, words: str, place: Path) -> str:
+    (place / "shell.toml").write_text(text)
+    ran = orishell("design", "shell.toml", "--out", "out", cwd=place)
+    lines = [line for line in ran.stderr.splitlines() if "warning" not in line]
+    assert ran.returncode == status, ran.stderr
+    assert len(lines) == 1, ran.stderr
+    assert words in lines[0]
+    assert "fault of the program" not in lines[0]
+    assert not (place / "out").exists()
+    return lines[0]
+
+
+@pytest.mark.parametrize("case", IN_PANEL)
+def test_a_key_of_the_panel(case: str, tmp_path: Path) -> None:
+    key, status, words = IN_PANEL[case]
+    text = SHELTER.replace(PANEL, f"[panel]\n{HINGED}{key}\n")
+    refused(text, status, words, tmp_path)
+
+
+@pytest.mark.parametrize("case", WHOLE)
+def test_what_does_not_go_together(case: str, tmp_path: Path) -> None:
+    before, after, status, words = WHOLE[case]
+    assert before in SHELTER
+    refused(SHELTER.replace(before, after), status, words, tmp_path)
+
+
+def test_remedies_are_tried(tmp_path: Path) -> None:
+    text = SHELTER.replace("largest_arm = 0.12", "largest_arm = 0.05")
+    line = refused(text, 1, "Nearest found that works", tmp_path)
+    assert "largest_arm = 0.110" in line
+    assert "thickness = 0.0045" in line
