@@ -183,7 +183,7 @@ export interface Contact {
   kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels" | "boards";
   /** Depth of the corrugation there (length). */
   corrugation_depth: number;
-  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
+  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; arms of whole boards by their edge, "arm left"; None if panels without a thickness do. */
   sides: [string, string] | null;
   /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way (length). */
   overlap: number | null;
@@ -625,6 +625,24 @@ export interface Header {
   cases?: NamedCase[];
 }
 
+/** Whole boards, their hinges and arms. */
+export interface HingedReport {
+  /** The share of the sheet that boards cover. */
+  board_share: number;
+  /** How far a hinge stands off a board at most, and on the mean of those that do. */
+  longest_arm: number;
+  /** How far a hinge stands off a board at most, and on the mean of those that do. */
+  mean_arm: number;
+  /** Number of fins that carry hinges. */
+  arms: number;
+  /** How thick they are. */
+  arm_width: number;
+  /** How far boards lie at the target from the sheet without a thickness, whose surface, ties and own weight this report has: at most, and root mean square. */
+  offset_max: number;
+  /** How far boards lie at the target from the sheet without a thickness, whose surface, ties and own weight this report has: at most, and root mean square. */
+  offset_rms: number;
+}
+
 /** What the page loads first: what there is to choose from, limits, the design to open. */
 export interface Info {
   version: string;
@@ -900,7 +918,7 @@ export interface PanelMass {
 /** Panels as they are built. */
 export interface PanelReport {
   /** What they are made of. */
-  construction: "sandwich" | "bevel";
+  construction: "sandwich" | "bevel" | "hinged";
   /** What they are made of. */
   thickness: number;
   /** What they are made of. */
@@ -925,6 +943,8 @@ export interface PanelReport {
   meeting: MeetingReport | null;
   /** How contact of boards was looked for; None if it was not. */
   path: ProofRecord | null;
+  /** Whole boards on hinges; None for others. */
+  hinged: HingedReport | null;
 }
 
 /** A parameter of a family, or a setting of the workshop, as a control shows it. */

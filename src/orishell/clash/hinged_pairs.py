@@ -84,13 +84,12 @@ def _about_vertices(bodies: Bodies, hinges: Hinges) -> NearPairs:
         nearer = np.abs(h - k) <= np.abs(g - f)
         h, k, m = (np.where(nearer, *both) for both in ((h, g), (k, f), (m, other)))
         found.append((pairs, vertex.ravel()[which], np.stack([h, k]), m, np.abs(h - k)))
-    pairs, vertices, bases, middles, steps = zip(*found, strict=True)
     return NearPairs(
-        joined(list(pairs)),
-        np.concatenate(vertices),
-        np.concatenate(bases, axis=1),
-        np.concatenate(middles),
-        np.concatenate(steps),
+        joined([each[0] for each in found]),
+        np.concatenate([each[1] for each in found]),
+        np.concatenate([each[2] for each in found], axis=1),
+        np.concatenate([each[3] for each in found]),
+        np.concatenate([each[4] for each in found]),
     )
 
 

@@ -127,7 +127,8 @@ class Tree:
 def about(axis: Array, angle: float) -> Array:
     """The rotation (3, 3) about a unit vector (Rodrigues)."""
     across = np.cross(np.eye(3), axis)  # its columns are the axis times the unit vectors
-    return np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across
+    turned = np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across
+    return np.asarray(turned)
 
 
 def hinged(seed: int) -> tuple[Mechanism, Hinges, float]:
