@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import FormulaError
-from orishell.curves.formula import MAX_DEPTH, MAX_LENGTH, parse_formula
+from orishell.curves.formula import parse_formula
+from orishell.curves.formula_syntax import MAX_DEPTH, MAX_LENGTH
 
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "5*sin(pi*x/10)": lambda x: 5 * math.sin(math.pi * x / 10),

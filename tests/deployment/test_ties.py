@@ -204,11 +204,12 @@ def test_straight_rows_are_proved_to_the_very_end() -> None:
     assert all(tie.grows for tie in find_ties(mechanism, feet_ties(mechanism, (1, 9)), np.pi))
 
 
-def test_a_family_that_does_not_say_has_lengths_only() -> None:
+def test_a_family_that_does_not_enclose_distances_does_not_say_whether_they_grow() -> None:
     mechanism = example("figure3").mechanism
     assert not isinstance(mechanism, ColumnDistances)
     ties = find_ties(mechanism, feet_ties(mechanism, (1, 4)), mechanism.target_drive)
     assert {tie.grows for tie in ties} == {None}
+    assert {tie.slack for tie in ties} == {True}  # there is nothing beyond the target
     assert all(tie.length == tie.packed > 0 for tie in ties)
     assert find_ties(mechanism, [], mechanism.target_drive) == ()
 

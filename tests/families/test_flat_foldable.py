@@ -25,7 +25,8 @@ from orishell.families.orthodiagonal.pattern import OrthodiagonalPattern
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.families.parallel_repeating.pattern import ParallelRepeatingPattern
 from orishell.families.parallel_repeating.profile import fit_profile
-from orishell.families.pattern import Pattern, Tolerance
+from orishell.families.pattern import Pattern
+from orishell.families.tolerance import Tolerance
 from orishell.motion import diagonal
 from orishell.polylines import measure_closeness, place_chords
 from samples import examples

@@ -123,7 +123,7 @@ def test_the_whole_motion_moves_by_the_same_height() -> None:
     stands = drawn.report.stands
     assert stands is not None
     assert stands.z == pytest.approx(-drawn.report.deployed.height)
-    meant = {"rows": [0, 10], "z": 0.0, "uneven": stands.uneven, "level": True}
+    meant = {"rows": [0, 10], "z": 0.0, "uneven": stands.uneven, "level": True, "points": []}
     assert as_table(standing.report.stands) == meant
     up = standing.design.origin - drawn.design.origin
     assert up[2] > 0

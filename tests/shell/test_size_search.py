@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.families.pattern import Tolerance, Variants
+from orishell.families.tolerance import Tolerance, Variants
 from orishell.shell.size_search import choose
 from orishell.shell.size_trials import MOST, Sizes, Trial
 

@@ -8,7 +8,7 @@ import pytest
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.families.pattern import Tolerance
+from orishell.families.tolerance import Tolerance
 from orishell.shell.size_trials import Trial
 from orishell.shell.surface_search import FITS, MOST, SurfaceSearch
 

@@ -14,7 +14,7 @@ from orishell.curves.nearest import Nearest
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import measure_deviation
 from orishell.deviation.triangles import Triangles
-from orishell.families.pattern import Tolerance
+from orishell.families.tolerance import Tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell
 from orishell.shell.tolerance import measure, meet_tolerance

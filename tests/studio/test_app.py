@@ -297,12 +297,12 @@ def test_sizes_are_limited(client: httpx.Client) -> None:
     answer = client.post("/api/design", json={"design": design})
     assert answer.status_code == 422
     assert "too large for the studio" in answer.json()["error"]["message"]
-    body = b'{"design": "' + b"x" * 6_000_000 + b'"}'
+    body = b'{"design": "' + b"x" * LIMITS.bytes + b'"}'
     headers = {"content-type": "application/json"}
     assert client.post("/api/design", content=body, headers=headers).status_code == 413
 
     def pieces() -> Iterator[bytes]:
-        yield from (body[k : k + 100_000] for k in range(0, len(body), 100_000))
+        yield from (body[k : k + 1_000_000] for k in range(0, len(body), 1_000_000))
 
     assert client.post("/api/design", content=pieces(), headers=headers).status_code == 413
 

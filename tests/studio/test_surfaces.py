@@ -10,8 +10,9 @@ import httpx
 import numpy as np
 import pytest
 
+from orishell import InputError
 from orishell.conventions.memory import Memory, key_of
-from orishell.studio import api
+from orishell.studio import api, surfaces
 from surface_files import obj
 from typescript import fits
 
@@ -132,6 +133,33 @@ def test_a_mesh_that_is_no_open_piece_is_refused(client: httpx.Client) -> None:
     assert error["kind"] == "input"
     assert "hole" in error["what"]
     assert dropped(client, "nothing")["error"]["kind"] == "input"
+
+
+def test_a_mesh_that_is_too_large_is_refused_with_the_limit(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(surfaces, "MOST_TRIANGLES", 100)
+    content = base64.b64encode(obj().encode()).decode()
+    with pytest.raises(InputError, match="too many triangles") as error:
+        surfaces.read_dropped_mesh("roof.obj", content, "m")
+    assert error.value.got == "128 triangles"
+    assert error.value.expected == "at most 100"
+
+
+@pytest.mark.slow
+def test_a_survey_of_200_000_triangles_becomes_part_of_a_design(client: httpx.Client) -> None:
+    count = 316
+    x, y = np.meshgrid(*[np.linspace(-1, 1, count + 1)] * 2, indexing="ij")
+    place = np.stack([x, y, 0.25 * (x * x + y * y)], axis=-1).reshape(-1, 3)
+    number = np.arange((count + 1) ** 2).reshape(count + 1, count + 1) + 1
+    a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
+    faces = np.stack([a, b, c, d], axis=-1).reshape(-1, 4)
+    lines = [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in place.tolist()]
+    lines += [f"f {' '.join(map(str, each))}" for each in faces.tolist()]
+    found = dropped(client, "\n".join(lines))
+    assert len(found["table"]["triangles"]) == 2 * count**2
+    drawn = asked(client, "surface", design=of_surface(**found["table"]))
+    assert fits(drawn, api.DrawnSurface)
 
 
 def test_findings_are_kept_as_long_as_there_is_room() -> None:

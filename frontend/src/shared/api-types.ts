@@ -506,6 +506,8 @@ export interface Feet {
   uneven: number;
   /** Whether all are at one height. */
   level: boolean;
+  /** Where it stands on single vertices of its border: those, all at one height; the columns that have one in both rows are its feet. */
+  points: [number, number][];
 }
 
 /** A format of files that a shell can be written in. */
@@ -1259,9 +1261,9 @@ export interface Tie {
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
   grows: boolean | null;
-  /** Whether it is proved to be slack from the end of the motion to the target; None if the family does not say. */
+  /** Whether it is proved to be slack from the end of the motion to the target. */
   slack: boolean | null;
-  /** Where its vertices do not move apart, nearest to the target. */
+  /** Where its vertices do not move apart, or are not proved to be nearer than at the target, nearest to the target. */
   fails_at_deg: number | null;
 }
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import ast
-import re
-import warnings
 from typing import cast
 
 import numpy as np
@@ -22,15 +20,13 @@ from orishell.curves.formula_arithmetic import (
     one_of,
     the_variable,
 )
+from orishell.curves.formula_syntax import MAX_DEPTH, syntax_tree
 from orishell.numerics import FUNCTIONS, Enclosure, Jet, power
 from orishell.numerics.arrays import Array
 
-MAX_LENGTH = 500
-MAX_DEPTH = 100
 MAX_EXPONENT = 100.0
 MAX_NUMBER = 1e300
 
-DECIMAL_COMMA = re.compile(r"\d+(,)\d+")
 CONSTANTS = {"pi": np.pi, "e": np.e}
 
 
@@ -246,73 +242,5 @@ def parse_formula_of_two(text: str, first: str, second: str) -> FormulaOfTwo:
 
 def _compiled(compiler: _Compiler) -> Run:
     """The formula as a function, checked; the compiler then knows its variable."""
-    text = compiler.text
-    if len(text) > MAX_LENGTH:
-        raise FormulaError(
-            "the formula is too long",
-            text,
-            MAX_LENGTH,
-            got=f"{len(text)} characters",
-            expected=f"at most {MAX_LENGTH}",
-        )
-    if not text.strip():
-        raise FormulaError("the formula is empty", text, 0)
-    _check_characters(text)
-    comma = DECIMAL_COMMA.search(text)
-    if comma is not None:
-        raise FormulaError(
-            "numbers have a decimal point, not a comma",
-            text,
-            comma.start(1),
-            got=repr(comma[0]),
-            remedy=f"write {comma[0].replace(',', '.')}",
-        )
-    lead = len(text) - len(text.lstrip())
-    # Inside parentheses the parser minds neither leading blanks nor line ends.
-    source = "(" + text[lead:] + "\n)"
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            tree = ast.parse(source, mode="eval")
-    except (SyntaxError, Warning, RecursionError, MemoryError, ValueError) as error:
-        column = (
-            error.offset - 2 + lead
-            if isinstance(error, SyntaxError) and error.offset and error.lineno == 1
-            else len(text)
-        )
-        raise FormulaError(
-            "this is not a formula",
-            text,
-            max(0, min(column, len(text))),
-            remedy="write products with *, as in 2*x, and arguments in parentheses, as in sin(x)",
-        ) from None
-    for node in ast.walk(tree):
-        if isinstance(node, ast.expr):
-            node.col_offset += lead - 1
-    result = compiler.compile(tree.body)
+    result = compiler.compile(syntax_tree(compiler.text))
     return lift(result) if isinstance(result, float) else result
-
-
-def _check_characters(text: str) -> None:
-    """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place."""
-    opened: list[int] = []
-    for column, character in enumerate(text):
-        if not (character.isascii() and (character.isalnum() or character in " .+-*/()^,_")):
-            raise FormulaError(
-                "this character is not allowed in a formula", text, column, got=repr(character)
-            )
-        if character == "(":
-            opened.append(column)
-            if len(opened) > MAX_DEPTH:
-                raise FormulaError(
-                    "the formula is nested too deeply",
-                    text,
-                    column,
-                    expected=f"at most {MAX_DEPTH} levels",
-                )
-        elif character == ")":
-            if not opened:
-                raise FormulaError("a closing parenthesis without its opening one", text, column)
-            opened.pop()
-    if opened:
-        raise FormulaError("a parenthesis is never closed", text, opened[-1])

@@ -8,7 +8,9 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.numerics.arrays import Array
+from orishell.motion import Mechanism
+from orishell.motion.grid import Vertex
+from orishell.numerics.arrays import Array, Integers
 
 RISE = 0.1
 """Both ends of f lie this share of its height below its highest point, or it has no two feet."""
@@ -26,17 +28,27 @@ LEVEL = 1e-6
 class Feet:
     """What a locked shell stands on, flaps left out."""
 
-    WRITTEN = ("rows", "z", "uneven", "level")
+    WRITTEN = ("rows", "z", "uneven", "level", "points")
 
     rows: tuple[int, int]  # the rows of vertices that are its feet, the lowest towards each end
     z: float  # height of the lowest of their vertices
     uneven: float  # by how much the highest lies above it, 0 where they are level
     height: float  # of the shell
+    # where it stands on single vertices of its border: those, all at one height; the columns that
+    # have one in both rows are its feet
+    points: tuple[Vertex, ...] = ()
 
     @property
     def level(self) -> bool:
         """Whether all are at one height."""
         return self.uneven == 0.0
+
+    def columns(self, mechanism: Mechanism) -> Integers:
+        """Columns (K,) of the whole grid in which both rows have a foot."""
+        if not self.points:
+            return np.arange(mechanism.grid.columns)[mechanism.inner_columns]
+        first, last = ({column for row, column in self.points if row == at} for at in self.rows)
+        return np.array(sorted(first & last))
 
 
 def find_feet(design: Design) -> Feet | None:
@@ -49,6 +61,9 @@ def find_feet(design: Design) -> Feet | None:
     height = shell[..., 2]
     f, column = design.targets.get("f"), shell[:, 0]
     if f is None and design.may_stand:
+        found = _on_points(design, height)
+        if found is not None:
+            return found
         # Half way between rows, so that the corrugation does not count.
         column = shell.mean(axis=1)
         f = 0.5 * (column[1:] + column[:-1])
@@ -79,6 +94,24 @@ def stand(design: Design, feet: Feet | None) -> tuple[Design, Feet | None]:
         return design, None
     origin = design.origin - np.array([0.0, 0.0, feet.z])
     return replace(design, origin=origin), replace(feet, z=0.0)
+
+
+def _on_points(design: Design, height: Array) -> Feet | None:
+    """Feet that are vertices of the border at one height (R, C), in two columns or more."""
+    size, lowest = float(np.ptp(height)), float(height.min())
+    on = height <= lowest + LEVEL * size
+    if on[1:-1, 1:-1].any() or any(row.all() for row in on):
+        return None
+    common = np.triu(on.astype(np.int64) @ on.T, 1)
+    # Of rows with as many feet in common, those that are farthest apart.
+    first, last = np.indices(common.shape)
+    found = np.lexsort(((last - first).ravel(), common.ravel()))[-1]
+    rows = int(first.ravel()[found]), int(last.ravel()[found])
+    if common[rows] < 2:
+        return None
+    before = design.mechanism.inner_columns.start
+    points = tuple((row, column + before) for row, column in np.argwhere(on).tolist())
+    return Feet(rows, lowest + float(design.origin[2]), 0.0, size, points)
 
 
 def _outermost(low: Array, size: float) -> int:

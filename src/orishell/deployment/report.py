@@ -98,4 +98,11 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
     if site.feet is None:
         return None
     newtons = GRAVITY * site.areal_density * site.metres**2 or None
-    return measure_weight(design.mechanism, site.feet.rows, newtons, metres=site.metres, pack=pack)
+    return measure_weight(
+        design.mechanism,
+        site.feet.rows,
+        newtons,
+        metres=site.metres,
+        pack=pack,
+        columns=site.feet.columns(design.mechanism),
+    )

@@ -80,10 +80,11 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
             "there are no feet to tie",
             keys=("deployment.ties",),
             got='"feet"',
-            expected="a shell that stands on the two ends of f",
+            expected="a shell that stands on two of its rows",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
         )
-    return tuple(feet_ties(design.mechanism, feet.rows))
+    columns = feet.columns(design.mechanism).tolist()
+    return tuple(feet_ties(design.mechanism, feet.rows, columns))
 
 
 def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:

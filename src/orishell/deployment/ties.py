@@ -10,7 +10,8 @@ its derivatives by the drive, over ranges that are halved until in each of them
 - the second one is positive, in a range that ends at a drive of pi.
 
 Where it does not grow all the way, a tie may still be slack: the same is then asked beyond the
-target only, where a square that is proved to be less than at the target will do as well.
+target only, where a square that is proved to be less than at the target will do as well. Families
+that do not enclose distances are asked that alone (:mod:`~orishell.deployment.slack`).
 
 At both of these drives the first derivative vanishes, for the motion goes back as it came.
 """
@@ -25,6 +26,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import Angle, record
+from orishell.deployment.slack import find_slack
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex, VertexPair
 from orishell.numerics import Enclosure
@@ -72,24 +74,30 @@ class Tie:
     # whether it is proved that its vertices move apart all the way from the end of the motion to
     # the flat sheet; None if the family does not say
     grows: bool | None = None
-    # whether it is proved to be slack from the end of the motion to the target; None if the family
-    # does not say
+    # whether it is proved to be slack from the end of the motion to the target
     slack: bool | None = None
-    fails_at: Angle | None = None  # where its vertices do not move apart, nearest to the target
+    # where its vertices do not move apart, or are not proved to be nearer than at the target,
+    # nearest to the target
+    fails_at: Angle | None = None
     # if it is disproved, the range of the drive (radians), of several the nearest to the target,
     # over which the distance does not grow towards the flat sheet; None if it is left undecided
     shrinks: tuple[float, float] | None = None
 
 
-def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[VertexPair]:
-    """One pair of vertices for each inner column, in two rows of the grid.
+def feet_ties(
+    mechanism: Mechanism, rows: tuple[int, int], columns: Iterable[int] | None = None
+) -> list[VertexPair]:
+    """One pair of vertices for each column, in two rows of the grid.
 
     Parameters
     ----------
     rows
         The two rows, such as those of the feet.
+    columns
+        The columns; all inner ones if None.
     """
-    columns = range(mechanism.grid.columns)[mechanism.inner_columns]
+    if columns is None:
+        columns = range(mechanism.grid.columns)[mechanism.inner_columns]
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 
@@ -118,7 +126,11 @@ def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -
     distances = np.linalg.norm(second - first, axis=-1).T.tolist()
     ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
     if not isinstance(mechanism, ColumnDistances):
-        return ties
+        found = find_slack(mechanism, rows, columns, limit)
+        return tuple(
+            replace(tie, slack=bool(proved), fails_at=None if proved else float(drive))
+            for tie, proved, drive in zip(ties, found.proved, found.fails_at, strict=True)
+        )
     target = mechanism.target_drive
     shrinking, undecided = _examine(mechanism, rows, columns, (0.0, limit))
     verdicts = [

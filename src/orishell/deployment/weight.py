@@ -31,7 +31,7 @@ from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import dots, lengths
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 NODES = 11
 """States that the polynomials go through."""
@@ -81,7 +81,7 @@ class OwnWeight:
     drives: tuple[Angle, ...]
     forces: tuple[float | None, ...]
     # at the same drives (N,), potential energy of the panels over the feet (force times length),
-    # and distance of the feet, the mean of all inner columns (length)
+    # and distance of the feet, the mean of all columns that have feet (length)
     energy: Array
     span: Array
 
@@ -93,6 +93,7 @@ def measure_weight(
     *,
     metres: float = 1.0,
     pack: float | None = None,
+    columns: Integers | None = None,
     states: int = 91,
 ) -> OwnWeight:
     """Return what a shell's own weight does along its motion.
@@ -111,10 +112,12 @@ def measure_weight(
         The unit of length, for work (m).
     pack
         Drive angle of the pack (radians); None for the end of the motion.
+    columns
+        Columns (K,) in which both rows have a foot; all inner ones if None.
     states
         Number of states from flat to the pack, the target not counted.
     """
-    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0)
+    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns)
     total = body.weight * float(body.shares.sum())
     unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
@@ -148,22 +151,31 @@ class _Body:
 
     mechanism: Mechanism
     feet_rows: tuple[int, int]
+    columns: Integers
     weight: float
     shares: Array
     slope: Array
 
     @classmethod
-    def of(cls, mechanism: Mechanism, feet_rows: tuple[int, int], weight: float) -> _Body:
+    def of(
+        cls,
+        mechanism: Mechanism,
+        feet_rows: tuple[int, int],
+        weight: float,
+        columns: Integers | None = None,
+    ) -> _Body:
+        if columns is None:
+            columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
         flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
         corners, shares = flat[faces], np.zeros(len(flat))
         for triangle in ([0, 1, 2], [0, 2, 3]):
             p, q, r = (corners[:, k] for k in triangle)
             area = 0.5 * np.cross(q - p, r - p)[:, 2]
             np.add.at(shares, faces[:, triangle], area[:, None] / 3)
-        feet = mechanism.positions(mechanism.target_drive)[list(feet_rows), mechanism.inner_columns]
+        feet = mechanism.positions(mechanism.target_drive)[np.array(feet_rows)[:, None], columns]
         line = (feet[1] - feet[0]).mean(axis=0)
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(mechanism, feet_rows, weight, shares, slope)
+        return cls(mechanism, feet_rows, columns, weight, shares, slope)
 
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
@@ -171,13 +183,13 @@ class _Body:
         points = points_of(self.mechanism, drives)
         centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
         first, last = self.feet_rows
-        feet = positions[..., self.mechanism.inner_columns, :]
+        feet = positions[..., self.columns, :]
         apart = feet[..., last, :, :] - feet[..., first, :, :]
         along = apart.mean(axis=-2)
         met = lengths(along) < MET * np.sqrt(self.shares.sum())
         if met.any():
             before = self.mechanism.positions(np.asarray(drives)[met] * (1 - BEFORE))
-            feet_before = before[..., self.mechanism.inner_columns, :]
+            feet_before = before[..., self.columns, :]
             along[met] = (feet_before[..., last, :, :] - feet_before[..., first, :, :]).mean(
                 axis=-2
             )

@@ -28,8 +28,9 @@ from orishell.design_file.tables import (
     weighed,
     with_values,
 )
-from orishell.families.pattern import Pattern, Tolerance
+from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES, pattern_of
+from orishell.families.tolerance import Tolerance
 from orishell.structure.settings import Structure
 from orishell.workshop import Workshop
 

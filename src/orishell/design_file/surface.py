@@ -23,7 +23,7 @@ FITTING: Final = {
     "vertices": {"triangles", "unit", "corners", "x", "y", "centre", "size", "turn_deg"},
 }
 """The sources of a surface, and the keys that have a meaning for each."""
-MOST_VERTICES: Final = 100_000
+MOST_VERTICES: Final = 200_000
 """Vertices that are listed in a design file, at most."""
 RECTANGLE: Final = ("centre", "size", "turn_deg")
 """The keys of a rectangle that may be turned."""

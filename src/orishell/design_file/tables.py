@@ -20,8 +20,8 @@ from orishell.design import PanelSpec
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
 from orishell.design_file.targets import Targets
-from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
+from orishell.families.tolerance import Tolerance
 from orishell.locking import CONTACT_TOLERANCE
 from orishell.structure.load_settings import OWN_WEIGHT, LoadCase
 from orishell.structure.materials import materials

@@ -6,22 +6,21 @@ that both refuse the same values. Angles are in degrees in the tables, in radian
 
 from __future__ import annotations
 
-import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Final, Generic, Literal, Self, TypedDict, TypeVar, cast
+from typing import Annotated, Any, ClassVar, Final, Literal, Self, TypedDict, cast
 
 import numpy as np
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field
 
 from orishell.conventions.errors import InputError, Remedy
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.record import record
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide, PiecedSurface
+from orishell.families.tolerance import Tolerance, Variants
 
 Auto = Literal["auto"]
 
@@ -105,46 +104,6 @@ PLACEMENT: Final = Knob(
 
 Aim = Literal["curves", "surface", "none"]
 """What a shell follows: f and g, a surface, or nothing, where its own numbers say all."""
-
-P = TypeVar("P", bound="Pattern")
-T = TypeVar("T")
-
-
-class Tolerance(Table):
-    """The table [tolerance]: how near the shell must come to the surface it is asked for.
-
-    ``surface`` is the largest allowed distance, ``panel_min`` and ``panel_max`` the shortest and
-    the longest edge that a panel may have, flaps left out (lengths).
-    """
-
-    surface: Annotated[Number, Field(gt=0)]
-    panel_min: Annotated[Number, Field(ge=0)] = 0.0
-    panel_max: Annotated[float, Field(gt=0)] = math.inf
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if not self.panel_min < self.panel_max:
-            raise misfit(f"a value above panel_min ({self.panel_min})", self.panel_max, "panel_max")
-        return self
-
-    def allows(self, shortest: float, longest: float) -> bool:
-        """Whether edges from the shortest to the longest (lengths) are allowed."""
-        return self.panel_min <= shortest and longest <= self.panel_max
-
-    @property
-    def limits_edges(self) -> bool:
-        """Whether edges may not have any length."""
-        return self.panel_min > 0 or self.panel_max < float("inf")
-
-
-@record
-class Variants(Generic[T]):
-    """What may be filled in for what a design leaves open."""
-
-    # what is to be preferred, first, and what differs from it the most: if none of these nearly
-    # does, no other does
-    telling: Sequence[T]
-    others: Sequence[T] = ()  # everything else that is tried
 
 
 class Pattern(Table):
@@ -302,22 +261,3 @@ class Family:
     what: str  # what it makes, in a few words
     starter: Path  # A design file to begin with
     borders: str = "flaps"  # what the panels beside its inner columns are
-
-
-def placement_variants(pattern: P, tolerance: Tolerance) -> list[P]:
-    """Patterns whose vertices of g are placed as the file says, or else in the best ways.
-
-    Parameters
-    ----------
-    pattern
-        What the file says.
-    """
-    given = pattern.model_fields_set
-    best = {"placement": "balanced", "spacing": "curvature"}
-    ways = [best]
-    if tolerance.panel_max < np.inf:
-        ways.append({**best, "spacing": "equal"})
-    ways.append({**best, "placement": "inscribed"})
-    left_open = [{key: way[key] for key in way if key not in given} for way in ways]
-    distinct = [way for k, way in enumerate(left_open) if way not in left_open[:k]]
-    return [pattern.model_copy(update=way) for way in distinct]

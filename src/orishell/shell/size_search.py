@@ -19,7 +19,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
-from orishell.families.pattern import Tolerance
+from orishell.families.tolerance import Tolerance
 from orishell.shell.size_trials import (
     CHOOSING,
     GIVEN_UP,

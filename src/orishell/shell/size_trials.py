@@ -11,7 +11,7 @@ from typing import Generic, Self, TypeVar
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
-from orishell.families.pattern import Tolerance, Variants
+from orishell.families.tolerance import Tolerance, Variants
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import plain
-from orishell.families.pattern import Tolerance
+from orishell.families.tolerance import Tolerance
 from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
 
 FIRST, FEWEST, MOST = 8, 4, 32

@@ -17,7 +17,7 @@ from orishell.deviation import find_excess, measure_deviation
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
 from orishell.families.pattern import Pattern as FamilyPattern
-from orishell.families.pattern import Tolerance, Variants
+from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.quads import lengths
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose

@@ -11,7 +11,7 @@ from orishell.conventions.progress import Progress, followed, no_progress, stret
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
-from orishell.families.pattern import Tolerance
+from orishell.families.tolerance import Tolerance
 from orishell.shell.size_search import size_ladder
 from orishell.shell.size_trials import Trial, unbeaten
 from orishell.shell.tolerance import measure

@@ -162,6 +162,9 @@ def _stands(report: Report) -> Iterator[Row]:
         first, last = stands.rows
         low = f"z = {plain(stands.z)}"
         text = f"level on {low}, on rows {first} and {last}"
+        if stands.points:
+            at = "; ".join(f"{row}, {column}" for row, column in stands.points)
+            text = f"level on {low}, on vertices {at}"
         if not stands.level:
             high = f"{plain(stands.uneven)} {unit}"
             text = f"on rows {first} and {last}, from {low} up to {high} above"

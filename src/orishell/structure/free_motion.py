@@ -163,10 +163,11 @@ def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
     asked, site = model.structure, model.site
     pinned = tuple(each.having(kind="pinned", friction=0.0) for each in asked.supports)
     tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
-    if site.rows is not None and not site.ties:
-        inner = model.sheet.inner_columns
-        columns = np.arange(model.grid.columns)[inner] + model.before
-        first, last = site.rows
+    if site.feet is not None and not site.ties:
+        columns = np.arange(model.grid.columns)[model.sheet.inner_columns] + model.before
+        if site.feet.points:
+            columns = site.feet.columns(model.sheet)
+        first, last = site.feet.rows
         ties = tuple(((first, column), (last, column)) for column in columns.tolist())
         tried = {"ties": replace(model, site=replace(site, ties=ties)), **tried}
     return {name: other.factorised(stiffness) for name, other in tried.items()}

@@ -16,7 +16,6 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
-from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
@@ -128,7 +127,6 @@ class Model:
     @cached_property
     def flapped(self) -> Mechanism:
         """The sheet with its flaps."""
-        require_grid(self.design.mechanism, "analysed as a structure")
         return self.design.clipped or self.design.mechanism
 
     @cached_property
@@ -243,9 +241,15 @@ class Model:
 
         Raises InputError: If vertices that are to be held are not there.
         """
-        inner, feet = self.sheet.inner_columns, self.site.rows
+        inner, feet = self.sheet.inner_columns, self.site.feet
+        standing: Integers | None = None
+        if feet is not None and feet.points:
+            at = [(row, column - self.before) for row, column in feet.points]
+            standing = self.grid.vertices()[tuple(np.transpose(at))]
+        elif feet is not None:
+            standing = self.grid.vertices()[list(feet.rows), inner].ravel()
         return find_supports(
-            self.structure.supports, self.mesh, self.grid, inner, feet, before=self.before
+            self.structure.supports, self.mesh, self.grid, inner, standing, before=self.before
         )
 
     def conditions(self) -> Conditions:

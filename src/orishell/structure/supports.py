@@ -59,7 +59,7 @@ def find_supports(
     mesh: SheetMesh,
     grid: Grid,
     inner: slice,
-    feet: tuple[int, int] | None,
+    feet: Integers | None,
     *,
     before: int,
 ) -> Supports:
@@ -69,7 +69,7 @@ def find_supports(
     mesh: Its mesh.
     grid: The grid of the sheet between its flaps.
     inner: Its columns that meet the target.
-    feet: Rows that are its feet; None if it does not stand.
+    feet: Vertices (F,) that are its feet; None if it does not stand.
     before: Number of columns of folded flaps before the first column of the grid.
     Raises InputError: If vertices or edges that are to be held are not there.
     """
@@ -82,7 +82,7 @@ def find_supports(
     for number, support in enumerate(asked):
         where = f"[structure] supports[{number}] at"
         if support.at == "feet":
-            vertices = _feet(grid, inner, feet, where)
+            vertices = _feet(feet, where)
         elif support.at == "ends":
             vertices = grid.vertices()[:, [inner.start, inner.stop - 1]].ravel()
         else:
@@ -122,7 +122,7 @@ def _nodes(
     return vertices
 
 
-def _feet(grid: Grid, inner: slice, feet: tuple[int, int] | None, where: str) -> Integers:
+def _feet(feet: Integers | None, where: str) -> Integers:
     if feet is None:
         raise InputError(
             "there are no feet to support",
@@ -131,7 +131,7 @@ def _feet(grid: Grid, inner: slice, feet: tuple[int, int] | None, where: str) ->
             expected="a shell that stands on the two ends of f",
             remedy='at = "ends", or name vertices, [[row, column], ...]',
         )
-    return grid.vertices()[list(feet), inner].ravel()
+    return feet
 
 
 def _vertex(grid: Grid, before: int, row: int, column: int, where: str) -> int:

@@ -44,7 +44,7 @@ PAGES = Path(__file__).parent / "static"
 class Limits:
     """The largest request that the studio accepts, and how long one may take."""
 
-    bytes: int = 5_000_000
+    bytes: int = 20_000_000
     # seconds that a design, that a proof or a file, and that a search may take
     quick: float = 20.0
     slow: float = 120.0
@@ -187,8 +187,8 @@ def _parsed(body: bytes) -> dict[str, Any]:
         level = [
             inner
             for each in level
-            if isinstance(each, dict | list)
             for inner in (each.values() if isinstance(each, dict) else each)
+            if isinstance(inner, dict | list)
         ]
         if not level:
             return payload

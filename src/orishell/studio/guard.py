@@ -105,7 +105,7 @@ def _private_folder() -> Path:
         return Path(tempfile.mkdtemp(prefix=prefix))
 
 
-VALUES = 200_000
+VALUES = 1_000_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
 LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
 DISCARDED, GRACE = 20_000_000, 1.0

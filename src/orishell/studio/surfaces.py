@@ -25,6 +25,8 @@ ONE_START = {"direction_deg": 0, "fold_deg": 90}
 """How its fit is begun, in a family that tries several ways."""
 CELLS = 32
 """Cells of the lattice that is drawn, along its longer side, about."""
+MOST_TRIANGLES = 200_000
+"""Triangles of a mesh in a design of the studio, which is sent with every request."""
 DIGITS = 7
 """Digits of a coordinate, by the size of the mesh."""
 
@@ -95,6 +97,14 @@ def read_dropped_mesh(name: str, content: str, unit: str) -> DroppedSurface:
         except InputError as error:
             error.file = name
             raise
+    if len(mesh.triangles) > MOST_TRIANGLES:
+        raise InputError(
+            "the mesh has too many triangles for the studio",
+            file=name,
+            got=f"{len(mesh.triangles)} triangles",
+            expected=f"at most {MOST_TRIANGLES}",
+            remedy="make it coarser, or name its file in a design file for orishell design",
+        )
     size = np.ptp(mesh.vertices, axis=0)
     places = DIGITS - 1 - int(np.floor(np.log10(size.max())))
     table = {

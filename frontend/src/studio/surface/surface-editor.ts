@@ -6,7 +6,7 @@ import { h, pickFile } from "../parts/dom.ts";
 import { Note } from "../parts/note.ts";
 import { short } from "../parts/numbers.ts";
 import { readSurface } from "../server/api.ts";
-import { faultOf, isAboutSurface } from "../state/faults.ts";
+import { ServerFault, faultOf, isAboutSurface, ownFault } from "../state/faults.ts";
 import { designFor } from "../state/aims.ts";
 import { changed } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
@@ -17,6 +17,8 @@ import { READY_MADE } from "./ready-made.ts";
 import { SurfaceFields } from "./surface-fields.ts";
 import { type Kind, cornersOf, kindOf, patchOf, withCorner, withPatch } from "./surface-table.ts";
 
+/** Of the bytes of a request those of a file at most: base64 has four characters for three. */
+const SHARE = 0.74;
 export const MESHES = ".obj,.stl,.ply,.glb,.gltf";
 const KINDS = [
   { value: "height", text: "z(x, y)", title: "a height over x and y" },
@@ -212,6 +214,7 @@ export class SurfaceEditor {
     files.set(files.value + 1);
     this.note.say(`Reading ${file.name}\u2026`);
     try {
+      requireSmall(file, this.store.info.limits.bytes);
       const { table, note } = await readSurface(file, this.store.design.value.shell.unit);
       this.refit();
       const { store } = this;
@@ -243,4 +246,11 @@ export class SurfaceEditor {
     this.element.classList.toggle("faulty", mine);
     this.note.showFault(mine ? this.store.labels.said(fault!.what) : null);
   }
+}
+
+function requireSmall(file: File, bytes: number): void {
+  const most = (SHARE * bytes) / 1e6, size = file.size / 1e6;
+  if (size <= most) return;
+  const limit = `the studio reads meshes of up to ${short(most, 3)} MB: make it coarser, or write it in a binary format`;
+  throw new ServerFault(ownFault("page", `${file.name} has ${short(size, 3)} MB; ${limit}`));
 }

@@ -24,9 +24,10 @@ from orishell.families.flat_foldable.design import (
     Corners,
     SheetKind,
     design_flat_foldable,
-    require_lists,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+from orishell.families.flat_foldable.ground import Ground
+from orishell.families.flat_foldable.lists import require_lists
 from orishell.families.flat_foldable.locks.flaps import locked
 from orishell.families.pattern import (
     Aim,
@@ -44,7 +45,7 @@ ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
 COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
 SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
 Angles = list[Annotated[Number, Field(**FOLD)]]
-FITTED = ("edge_ratio", "direction", "border")
+FITTED = ("edge_ratio", "direction", "border", "ground")
 """Arguments of a fit only."""
 
 
@@ -57,7 +58,7 @@ class FlatFoldablePattern(Pattern):
     only: ClassVar[Mapping[str, Aim]] = {
         **dict.fromkeys(("sheet", "sector_deg", "turn_deg", "growth"), "none"),
         **dict.fromkeys(("row_length", "column_length"), "none"),
-        **dict.fromkeys(("edge_ratio", "direction_deg", "border"), "surface"),
+        **dict.fromkeys(("edge_ratio", "direction_deg", "border", "ground"), "surface"),
     }
 
     rows: Annotated[RowCount, ROWS]
@@ -133,6 +134,15 @@ class FlatFoldablePattern(Pattern):
             choices=("free", "straight"),
         ),
     ] = "free"
+    ground: Annotated[
+        Ground,
+        Knob(
+            "Ground",
+            "As fitted, level at its four corners, or with two sides of its rim cut level",
+            "choice",
+            choices=("free", "corners", "level"),
+        ),
+    ] = "free"
     flap: Annotated[
         Width | Auto,
         Knob("Flap", "Width of flaps that lock the shell; 0 for none", "number", True, "length"),
@@ -171,6 +181,14 @@ class FlatFoldablePattern(Pattern):
                 expected='"miura"',
                 remedy='write sheet = "miura", or remove [target.surface]',
             )
+        if self.ground != "free" and self.border == "straight":
+            raise InputError(
+                "creases that end on the ground leave no border straight",
+                keys=("pattern.ground", "pattern.border"),
+                got=f'"{self.ground}"',
+                expected='"free", or border = "free"',
+                remedy='write border = "free", or leave ground out',
+            )
         design = design_fitted(
             Asked(
                 surface=surface,
@@ -180,6 +198,7 @@ class FlatFoldablePattern(Pattern):
                 direction=None if self.direction_deg == "auto" else self.direction_deg,
                 fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
                 straight=self.border == "straight",
+                ground=self.ground,
             ),
             progress,
         )

@@ -36,10 +36,11 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     RowKind,
     repeat_columns,
 )
-from orishell.families.pattern import Auto, Family, Length, Pattern, Tolerance, Variants
+from orishell.families.pattern import Auto, Family, Length, Pattern
 from orishell.families.shared.candidates import forgiving
 from orishell.families.shared.sweep_fit import SweepLimits
 from orishell.families.shared.sweeps import design_sweep
+from orishell.families.tolerance import Tolerance, Variants
 from orishell.polylines import measure_closeness
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]

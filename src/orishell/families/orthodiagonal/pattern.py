@@ -28,13 +28,11 @@ from orishell.families.pattern import (
     Length,
     OddRowCount,
     Pattern,
-    Tolerance,
-    Variants,
-    placement_variants,
 )
 from orishell.families.shared.candidates import forgiving
 from orishell.families.shared.sweep_fit import SweepLimits
 from orishell.families.shared.sweeps import design_sweep
+from orishell.families.tolerance import Tolerance, Variants, placement_variants
 from orishell.polylines import Placement, Spacing
 
 G_SHARE = 0.8

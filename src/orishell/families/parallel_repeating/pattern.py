@@ -32,13 +32,11 @@ from orishell.families.pattern import (
     Family,
     OddRowCount,
     Pattern,
-    Tolerance,
-    Variants,
-    placement_variants,
 )
 from orishell.families.shared.candidates import forgiving
 from orishell.families.shared.sweep_fit import SweepLimits
 from orishell.families.shared.sweeps import design_sweep
+from orishell.families.tolerance import Tolerance, Variants, placement_variants
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords
 
 XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -13,10 +13,12 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.curves.memo import remembered
 from orishell.design import Design, PiecedSurface
+from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.memory import recall_fit
 from orishell.families.flat_foldable.fit.starts import Fit, Task
-from orishell.families.flat_foldable.fit.unknowns import ROTATION, SHIFT
+from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT
+from orishell.families.flat_foldable.ground import Ground, grounded
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable, turned
 from orishell.families.flat_foldable.placement import posed
@@ -39,6 +41,7 @@ class Asked:
     direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
     fold: float | None  # at the start (radians)
     straight: bool = False  # whether the right border is straight in the flat sheet
+    ground: Ground = "free"  # how the shell meets the ground
 
 
 def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
@@ -47,10 +50,10 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
     Raises
     ------
     DesignError
-        If no sheet keeps the conditions, or the nearest one is of no use.
+        If no sheet keeps the conditions, the nearest one is of no use, or does not meet the ground.
     """
     piece = asked.surface.piece
-    fit = _fitted(asked.surface, asked, _Watched(progress))
+    fit = _fitted(asked.surface, replace(asked, ground="free"), _Watched(progress))
     if fit is None:
         raise DesignError(
             "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
@@ -60,8 +63,9 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         )
     if fit.reached.vertices > USELESS:
         raise _useless(asked, fit)
+    mechanism = grounded(mechanism_of(fit), asked.ground)
     return Design(
-        mechanism=mechanism_of(fit),
+        mechanism=mechanism,
         parameters={
             "sheet": "lists",
             "border": "straight" if asked.straight else "free",
@@ -70,10 +74,11 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
             "direction_deg": fit.start.direction,
             "start_fold_deg": tidy_degrees(fit.start.folded),
             "offset": fit.reached.offset * piece.diagonal,
-            **describe(fit.fitted.placed.sheet),
+            "ground": asked.ground,
+            **describe(mechanism.sheet),
         },
         targets={},
-        closeness=_closeness(fit),
+        closeness=_closeness(fit, piece, mechanism),
         swept=asked.surface,
         may_stand=True,
         warnings=tuple(_warnings(fit)),
@@ -107,10 +112,15 @@ def _largest(fit: Fit) -> float:
     return float(max(np.abs(net.x).max(), np.abs(net.y).max()))
 
 
-def _closeness(fit: Fit) -> dict[str, Closeness]:
+def _closeness(fit: Fit, piece: Piece, mechanism: FlatFoldable) -> dict[str, Closeness]:
     """Of vertices from the offset surfaces."""
-    off = np.abs(fit.fitted.heights) * fit.of.size
-    above = fit.of.sides[:, 0] > 0
+    size, sides = fit.of.size, fit.of.sides
+    off = np.abs(fit.fitted.heights) * size
+    if mechanism.sheet is not fit.fitted.placed.sheet:  # its border was moved to the ground
+        places = mechanism.positions(mechanism.target_drive)
+        heights = fit.start.on(piece).nearest(places.reshape(-1, 3))[0].reshape(off.shape)
+        off = np.abs(heights - size * fit.fitted.unknowns[OFFSET] * sides)
+    above = sides[:, 0] > 0
     return {
         name: Closeness(float(rows.max()), float(np.sqrt((rows**2).mean())))
         for name, rows in (("crests", off[above]), ("valleys", off[~above]))

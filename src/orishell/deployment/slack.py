@@ -1,0 +1,128 @@
+"""Ties that stay slack, by the bounds of accelerations that the proof of contact rests on.
+
+For mechanisms that do not enclose distances themselves. Let e be the vector between two vertices,
+L its length at the target, and A a bound of its acceleration over a range of the drive of width h.
+With D the mean rate there and l the straight line between its values e_a and e_b at both ends,
+
+    abs(e - l) <= A h^2/8,     abs(e' - D) <= A h/2,
+
+so that a tie is slack all over the range if max(abs(e_a), abs(e_b)) + A h^2/8 < L. It is, too, if
+it is slack where the range begins, or that is the target, and its vertices approach each other
+from there on, as
+
+    e e' <= max(e_a D, e_b D) + max(abs(e_a), abs(e_b)) A h/2 + (abs(D) + A h/2) A h^2/8 < 0.
+
+Ranges from the target to the pack are halved until one of both holds in each. In the first it is
+the second, so that opening the shell at its target stretches a tie that is proved to be slack.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion import Mechanism
+from orishell.motion.quads import dots, lengths
+from orishell.numerics.arrays import Array, Booleans, Integers
+
+FIRST = 16
+"""Ranges that are begun with."""
+SMALLEST = 2.0**-30
+"""No range is halved that is a smaller part than this of the way from the target to the pack."""
+MOST = 2048
+"""No ranges are halved when there are more than this of one size that leave something open."""
+BATCH = 64
+"""Ranges that are looked at together: memory grows with it."""
+ROUNDING = 1e-12
+"""Of lengths and accelerations, relative."""
+
+
+@record
+class Slack:
+    """Which ties are proved to be slack between the target and the pack."""
+
+    proved: Booleans  # (P,)
+    fails_at: Array  # (P,), the drive nearest to the target at which one is not (radians)
+
+
+@record
+class _Pairs:
+    """Vertices of one column, two by two."""
+
+    mechanism: Mechanism
+    rows: Integers  # (P, 2)
+    columns: Integers  # (P,)
+    taut: Array  # (P,), how far they are apart at the target
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, rows: Integers, columns: Integers) -> _Pairs:
+        found = cls(mechanism, rows, columns, np.zeros(len(columns)))
+        return replace(found, taut=lengths(found.apart(np.array([mechanism.target_drive])))[0])
+
+    def apart(self, drives: Array) -> Array:
+        """Vectors (S, P, 3) from the first vertex of every pair to the second at drives (S,)."""
+        places = self.mechanism.positions(drives)
+        first, second = (places[:, each, self.columns] for each in self.rows.T)
+        return np.asarray(second - first)
+
+    def acceleration(self, start: Array, stop: Array) -> Array:
+        """Bounds (S, P) of that of these vectors in ranges (S,): the sum of those of the edges."""
+        _, down = self.mechanism.edge_accelerations(start, stop)
+        sums = np.pad(np.cumsum(down, axis=1), ((0, 0), (1, 0)))
+        found = sums[:, self.rows.max(axis=1)] - sums[:, self.rows.min(axis=1)]
+        return np.asarray((1 + ROUNDING) * found)
+
+    def examine(self, start: Array, stop: Array) -> tuple[Booleans, Booleans]:
+        """Whether they are nearer than at the target in ranges (S,); or are not at the end."""
+        first, last = np.split(self.apart(np.concatenate([start, stop])), 2)
+        width, bound = (stop - start)[:, None], self.acceleration(start, stop)
+        off, swing = width**2 / 8 * bound, width / 2 * bound
+        before, after, taut = lengths(first), lengths(last), self.taut
+        longest = np.maximum(before, after)
+        near = longest + off < (1 - ROUNDING) * taut
+        rate = (last - first) / width[..., None]
+        shrinking = (
+            np.maximum(dots(first, rate), dots(last, rate))
+            + longest * swing
+            + off * (lengths(rate) + swing)
+            # Rounding of the two vectors, by which the mean rate may be wrong.
+            + ROUNDING * longest * taut / width
+        )
+        begun = (start == self.mechanism.target_drive)[:, None] | (before < (1 - ROUNDING) * taut)
+        return near | ((shrinking < 0) & begun), after > (1 + ROUNDING) * taut
+
+
+def find_slack(mechanism: Mechanism, rows: Integers, columns: Integers, limit: float) -> Slack:
+    """Whether vertices of rows (P, 2) and columns (P,) are nearer than at the target up to a drive.
+
+    limit: The drive of the pack, at least that of the target (radians).
+    """
+    target, count = mechanism.target_drive, len(columns)
+    pairs = _Pairs.of(mechanism, rows, columns)
+    cuts = np.linspace(target, limit, FIRST + 1)
+    start, stop = cuts[:-1], cuts[1:]
+    left = np.full((FIRST, count), limit > target)
+    fails_at = np.full(count, np.inf)
+    size = (limit - target) / FIRST
+    while left.any():
+        found = [
+            pairs.examine(start[part], stop[part])
+            for part in (slice(k, k + BATCH) for k in range(0, len(start), BATCH))
+        ]
+        slack, over = (np.concatenate(each) for each in zip(*found, strict=True))
+        fails_at = np.minimum(fails_at, np.where(left & over, stop[:, None], np.inf).min(axis=0))
+        # What is beyond a place where a tie is not slack already needs no proof.
+        left = left & ~slack & ~over & (start[:, None] < fails_at)
+        some = left.any(axis=1)
+        start, stop, left = start[some], stop[some], left[some]
+        size *= 0.5
+        if len(start) > MOST or size < SMALLEST * (limit - target):
+            break
+        middle = 0.5 * (start + stop)
+        start, stop = np.concatenate([start, middle]), np.concatenate([middle, stop])
+        left = np.concatenate([left, left])
+    if left.any():
+        fails_at = np.minimum(fails_at, np.where(left, start[:, None], np.inf).min(axis=0))
+    return Slack(np.isinf(fails_at), fails_at)
