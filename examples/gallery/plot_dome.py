@@ -28,3 +28,13 @@ draw_to_stack(shell, camera(-50, 28))
 
 figure, axes = plt.subplots(figsize=(8, 7), layout="constrained")
 draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mechanism), line=0.9)
+
+# %%
+# Locked: ``examples/dome_locked.toml`` is the same dome without a thickness. Two flaps at either
+# end of every row are folded flat upon each other at the target, and stop it there.
+#
+# .. live:: dome_locked
+
+locked = fitted("dome_locked")
+width = locked.design.parameters["flap"]
+print(f"flaps {width:.2f} m wide; what ends the motion: {locked.lock.cause}")

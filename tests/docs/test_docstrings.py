@@ -89,7 +89,7 @@ FROM_THE_PAPER = tuple(
 
 PROTOCOLS = (Mechanism, Rail, ColumnDistances)
 IMPOSSIBLE = {
-    "orishell.motion.mesh.QuadMesh.faces_edges": "a mesh that build_mesh made lists every side",
+    "orishell.motion.mesh.QuadMesh.loops_edges": "a mesh that build_mesh made lists every side",
 }
 
 CALLABLES = {

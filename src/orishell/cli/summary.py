@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterator[str]:
     """Lines that say what was designed, what was found, and which files were written."""
     report = shell.report
-    panels = shell.motion.mechanism.grid.panel_count
+    panels = shell.report.quantities.panels - shell.report.quantities.clipped
     yield f"{report.family}: {report.rows} x {report.columns} inner vertices, {panels} panels"
     if report.chosen is not None:
         yield (

@@ -14,7 +14,7 @@ from orishell.conventions.record import record
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
 from orishell.motion import Mechanism
-from orishell.motion.layout import require_grid
+from orishell.motion.layout import has_flaps
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
 
@@ -76,10 +76,9 @@ class Design:
 
     def with_clipped_flaps(self) -> Design:
         """The design whose flaps are no part of the folding sheet: clipped on at the target."""
-        require_grid(self.mechanism, "clipped on")
-        bare = self.mechanism.without_flaps()
-        if bare.grid == self.mechanism.grid:
+        if not has_flaps(self.mechanism):
             return self
+        bare = self.mechanism.without_flaps()
         return replace(self, mechanism=bare, clipped=self.mechanism)
 
     def with_stop(self, stop: float) -> Design:

@@ -63,7 +63,7 @@ def document_of_motion(
         panel=panel,
         boards=boards,
         names=_names(Layout.of(mechanism)) if beside else (),
-        clipped=() if clipped is None else _clipped_flaps(clipped, unit, panel, flaps),
+        clipped=() if clipped is None else _clipped(clipped, unit, panel, flaps),
     )
 
 
@@ -73,7 +73,46 @@ def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) 
     return document_of_motion(motion, unit, curves=design.targets, clipped=design.clipped)
 
 
-def _clipped_flaps(
+def _clipped(
+    mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
+) -> tuple[Document, ...]:
+    """The flaps of a sheet, each a document of its own."""
+    if isinstance(mechanism, LaidOut):
+        return tuple(_clipped_pairs(mechanism, unit))
+    return _clipped_strips(mechanism, unit, panel, boards)
+
+
+def _clipped_pairs(mechanism: Mechanism, unit: str) -> Iterator[Document]:
+    """Slit flaps, two at a time with the crease between them, in the sheet's frame.
+
+    Panels are called as they are where they fold with the sheet.
+    """
+    assert isinstance(mechanism, LaidOut)
+    layout, target = mechanism.layout, mechanism.target_drive
+    flat, points = points_of(mechanism, 0.0)[:, :2], points_of(mechanism, target)
+    folds, names = mechanism.flap_folds(target), _names(layout)
+    for pair, fold in zip(layout.pairs, folds, strict=True):
+        own, numbers = np.unique(layout.faces[pair], return_inverse=True)
+        mesh = build_mesh(numbers.reshape(2, 4), len(own))
+        letters = np.where(mesh.crease, "V" if fold > 0 else "M", "B")
+        angles = _degrees(np.full(len(letters), fold), mesh.crease)
+        upper, lower = (names[panel] for panel in pair)
+        yield Document(
+            title=f"Boards {upper} and {lower}, clipped on",
+            unit=unit,
+            mesh=mesh,
+            assignment=tuple(letters.tolist()),
+            flat=_clean(flat[own]),
+            fold_angles_deg=angles,
+            states=(DocumentState(_clean(points[own]), angles, tidy_degrees(target)),),
+            grid_shape=None,
+            curves={},
+            named={SHELL: 0},
+            names=(upper, lower),
+        )
+
+
+def _clipped_strips(
     mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
 ) -> tuple[Document, ...]:
     """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.

@@ -67,7 +67,7 @@ def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
     tolerance: By so much panels may reach into each other, as they may come near each other
         (length).
     """
-    faces, points = sheet.mechanism.grid.faces_vertices(), sheet.points_at_target()
+    faces, points = sheet.layout.faces, sheet.points_at_target()
     pairs = find_contacts(points, faces, tolerance)
     pairs = pairs[sheet.flapped((pairs[:, 0], pairs[:, 1]))]
     depths = overlap_depths(points, faces, pairs)

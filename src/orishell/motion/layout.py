@@ -70,12 +70,12 @@ class Layout:
         count = int(self.loops.max()) + 1
         keys, listed = (np.sort(each, axis=1) @ [count, 1] for each in (sides, whole))
         kept = np.isin(listed, keys)
-        folding = np.stack([self._between(*pair) for pair in (*self.hinges, *self.pairs)])
+        folding = np.stack([self.between(*pair) for pair in (*self.hinges, *self.pairs)])
         known = np.concatenate([listed, np.sort(folding, axis=1) @ [count, 1]])
         rest = np.stack(np.divmod(np.setdiff1d(keys, known), count), axis=-1)
         return np.concatenate([whole[kept], folding, rest]), kept
 
-    def _between(self, one: int, other: int) -> Integers:
+    def between(self, one: int, other: int) -> Integers:
         """Vertices (2,) that two panels share."""
         mine = self.loops[one]
         return np.asarray(mine[(mine >= 0) & np.isin(mine, self.loops[other])])

@@ -58,11 +58,11 @@ class QuadMesh:
         return np.where(whole, np.take_along_axis(edges, at, axis=1), -1)
 
     def around(self) -> Integers | list[list[int]]:
-        """Vertices of every panel in order around it, those on its sides included."""
+        """Vertices (F, ...) of every panel in order around it, those on its sides included."""
         return _ragged(self.loops)
 
     def around_edges(self) -> Integers | list[list[int]]:
-        """Edges of every panel in order around it: each from one of :meth:`around` on."""
+        """Edges (F, ...) of every panel in order around it: each from one of :meth:`around` on."""
         return _ragged(self.loops_edges())
 
     def inner_vertices(self) -> Integers:

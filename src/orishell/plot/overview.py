@@ -11,9 +11,11 @@ import numpy as np
 
 from orishell.conventions.colours import LIGHT, rgb
 from orishell.conventions.quantities import plain
-from orishell.motion import FoldingMotion, find_assignment, panel_normals
+from orishell.conventions.record import record
+from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
-from orishell.motion.quads import grid_corners
+from orishell.motion.layout import Layout, edge_signs, points_of
+from orishell.motion.quads import grid_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.hinge_section import HingeSection
@@ -95,6 +97,7 @@ def plot_overview(
         A section with the surfaces that crests and valleys should follow, to draw below all.
     """
     target = motion.mechanism.target_drive
+    mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
     locked = motion.target.positions
     camera = choose_camera(locked)
     drives = [share * target for share in STATE_SHARES]
@@ -104,10 +107,11 @@ def plot_overview(
         drives.append(contact.drive)
     states = [motion.mechanism.positions(drive) for drive in drives]
 
-    sheet = _landscape(motion.flat.positions[..., :2])
-    above = row_height(WIDTH / 2, [sheet, camera.project(locked)[0]])
+    points = _landscape(points_of(mechanism, 0.0)[:, :2])
+    sheet = points[: mechanism.grid.vertex_count].reshape(*locked.shape[:2], 2)
+    above = row_height(WIDTH / 2, [points, camera.project(points_of(mechanism, target))[0]])
     count = len(states)
-    spans = [np.ptp(camera.project(each)[0].reshape(-1, 2), axis=0) for each in states]
+    spans = [np.ptp(camera.project(points_of(mechanism, each))[0], axis=0) for each in drives]
     below = row_height(WIDTH / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
     base = 0.0 if hinge is None else section_height(hinge)
     low, base = base, base + (0.0 if beside is None else offset_height(beside))
@@ -116,10 +120,11 @@ def plot_overview(
 
     pattern = add_part(figure, 0, foot, WIDTH / 2, above)
     thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), WIDTH / 2)
-    size = np.ptp(sheet.reshape(-1, 2), axis=0)
+    flaps.draw_pattern(pattern, points)
+    size = np.ptp(points, axis=0)
     set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
-    _draw_shell(shell, locked, camera, WIDTH / 2)
+    _draw_shell(shell, locked, camera, WIDTH / 2, flaps.at(target))
     draw_targets(shell, targets, camera)
     sizes = " × ".join(plain(extent, 3) for extent in np.ptp(locked.reshape(-1, 3), axis=0))
     shown = f"{last}, with f and g" if targets else last
@@ -127,7 +132,7 @@ def plot_overview(
     each = WIDTH / count
     frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
-        _draw_shell(axes, positions, camera, each)
+        _draw_shell(axes, positions, camera, each, flaps.at(drive))
         packed = "Pack, drive" if drive == motion.pack else "Drive"
         set_title(axes, f"{packed} {np.rad2deg(drive):.3g}°")
     if contact is not None:
@@ -149,8 +154,8 @@ def _thinned(count: int, most: int) -> tuple[Integers, int]:
 
 
 def _landscape(sheet: Array) -> Array:
-    """The sheet (rows, columns, 2), turned by a quarter if it is taller than wide."""
-    wide, tall = np.ptp(sheet.reshape(-1, 2), axis=0)
+    """The sheet (V, 2), turned by a quarter if it is taller than wide."""
+    wide, tall = np.ptp(sheet, axis=0)
     return sheet if wide >= tall else np.stack([-sheet[..., 1], sheet[..., 0]], axis=-1)
 
 
@@ -181,15 +186,48 @@ def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) 
     return f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
 
 
-def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> None:
-    """Draw the panels, from the farthest to the nearest."""
+@record
+class _FlapsBeside:
+    """Flaps that are no columns of the grid; none of them for most sheets."""
+
+    mechanism: Mechanism
+    faces: Integers  # corners (K, 4) of them
+    edges: Integers  # vertices (E, 2) of their edges, hinges included
+    signs: Integers  # (E,) of those that fold at the target
+
+    @classmethod
+    def of(cls, mechanism: Mechanism) -> _FlapsBeside:
+        layout, own = Layout.of(mechanism), mechanism.grid.panel_count
+        edges, kept = layout.edges
+        first = int(kept.sum())
+        signs = edge_signs(mechanism)[first:]
+        return cls(mechanism, layout.faces[own:], edges[first:], signs)
+
+    def at(self, drive: float) -> Array:
+        """Corners (K, 4, 3) in a state."""
+        return points_of(self.mechanism, drive)[self.faces]
+
+    def draw_pattern(self, axes: Axes, points: Array) -> None:
+        """Draw them in the flat sheet with vertices (V, 2)."""
+        from matplotlib.collections import PolyCollection
+
+        if not len(self.faces):
+            return
+        axes.add_collection(PolyCollection(list(points[self.faces]), facecolors=PAPER, zorder=0))
+        for sign, colour in ((0, RIM), (-1, MOUNTAIN), (1, VALLEY)):
+            draw_lines(axes, points[self.edges[self.signs == sign]], colour, 1.0)
+        axes.autoscale_view()
+
+
+def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float, flaps: Array) -> None:
+    """Draw the panels, from the farthest to the nearest, and flaps (K, 4, 3) among them."""
     from matplotlib.collections import PolyCollection
 
     positions = positions[np.ix_(*(_thinned(n, SHELL_DRAWN)[0] for n in positions.shape[:2]))]
-    corners = grid_corners(positions).reshape(-1, 4, 3)
+    corners = np.concatenate([grid_corners(positions).reshape(-1, 4, 3), flaps])
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
-    colours = _shade(panel_normals(positions).reshape(-1, 3), camera)
+    colours = _shade(unit_normals(corners), camera)
     width = line_width(camera.project(positions)[0], inches, 0.6, 0.15)
     axes.add_collection(
         PolyCollection(

@@ -13,7 +13,8 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
 from orishell.families.registry import FAMILIES
-from orishell.motion import Mechanism, sheet_area
+from orishell.motion import Mechanism, area_of
+from orishell.motion.layout import Layout
 from orishell.shell.candidate import Candidate, find_candidate
 
 FLAT = 1e-3
@@ -133,8 +134,8 @@ def _measured(found: Candidate) -> FamilyTrial:
     return FamilyTrial(
         family=found.file.family,
         distance=found.deviation.surface.max,
-        panels=mechanism.grid.panel_count,
-        sheet_area=sheet_area(found.motion.flat.positions),
+        panels=len(Layout.of(mechanism).faces),
+        sheet_area=area_of(mechanism),
         packs_flat=packs_flat(mechanism, lock.closes_to),
         locks=found.deployment.closing is not None,
     )

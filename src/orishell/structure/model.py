@@ -16,7 +16,6 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
-from orishell.motion.layout import require_grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
@@ -128,7 +127,6 @@ class Model:
     @cached_property
     def flapped(self) -> Mechanism:
         """The sheet with its flaps."""
-        require_grid(self.design.mechanism, "analysed as a structure")
         return self.design.clipped or self.design.mechanism
 
     @cached_property

@@ -14,6 +14,7 @@ from mechanisms import TURNED, flat_foldable, random_net
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.design.piece import Piece
+from orishell.design_file import check_design
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
 from orishell.families.flat_foldable.design import design_flat_foldable
@@ -26,13 +27,18 @@ from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import end_motion, find_lock
 from orishell.locking.clipped import flap_width
 from orishell.locking.result import Lock
-from orishell.motion import drive_at_fold
+from orishell.motion import area_of, drive_at_fold
 from orishell.motion.quads import signed_areas
+from orishell.shell.designed import designed
+from orishell.shell.make import make_shell
+from orishell.structure.flaps import hung_area, kept_apart
 from orishell.verification import inspect_fold
 from orishell.verification.residuals import measure_with_flaps
 from orishell.workshop import Workshop
+from orishell.workshop.assembly import with_clipped
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.layout import lay_out
+from samples import thorough
 
 Array = np.ndarray
 RANGES = 512
@@ -250,7 +256,127 @@ def test_the_flat_pattern_is_one_outline_with_slits() -> None:
         assert cut == len(document.mesh.faces)
 
 
-def test_what_slit_flaps_cannot_have_is_refused_by_name() -> None:
+def test_flaps_are_clipped_on_in_pairs() -> None:
     design = replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet_of(2))
-    with pytest.raises(DesignError, match="cannot be clipped on yet"):
-        design.with_clipped_flaps()
+    clipped = design.with_clipped_flaps()
+    assert clipped.mechanism is design.mechanism.without_flaps()
+    document = document_of_design(clipped)
+    whole, rows = written(sheet_of(2)), 6
+    assert len(document.clipped) == 2 * rows
+    names = [each.panel_name(k) for each in document.clipped for k in (0, 1)]
+    assert sorted(names) == sorted(whole.names[-4 * rows :])
+    # They stand where they are folded with the sheet, whose state is the same.
+    everything = with_clipped(document)
+    assert everything.areas().sum() == pytest.approx(whole.areas().sum())
+    for each in document.clipped:
+        for panel in (0, 1):
+            number = whole.names.index(each.panel_name(panel))
+            corners = np.sort(each.shell.positions[each.mesh.faces[panel]], axis=0)
+            expected = np.sort(whole.shell.positions[whole.mesh.faces[number]], axis=0)
+            np.testing.assert_allclose(corners, expected, atol=1e-13)
+    lock = find_lock(clipped)
+    assert lock.clipped_contact is None
+    assert not lock.early
+
+
+def test_what_slit_flaps_weigh_and_keep_apart_in_a_structure() -> None:
+    sheet = sheet_of(2)
+    bare = sheet.without_flaps()
+    hung = hung_area(sheet, bare.grid, bare.grid.vertex_count)
+    flaps = area_of(sheet) - area_of(bare)
+    assert hung.sum() == pytest.approx(flaps, rel=1e-12)
+    # Its centre of mass is that of the hinges.
+    layout, flat = sheet.layout, sheet.points(0.0)
+    middles = np.array([flat[layout.between(*pair)].mean(axis=0) for pair in layout.hinges])
+    areas = written(sheet).areas()[layout.hinges[:, 0]]
+    own = flat[: bare.grid.vertex_count]
+    np.testing.assert_allclose(hung @ own, areas @ middles, atol=1e-12)
+    # The distance of vertices that flaps keep apart falls until they are shut, and stands there.
+    (upper, lower) = np.array(kept_apart(sheet, bare.grid, 0)).swapaxes(0, 1)
+    drives = np.pi * np.array([0.2, 0.5, 0.9, 1.0])
+    places = sheet.positions(drives)
+    apart = [np.linalg.norm(places[:, r, c] - places[:, s, d], axis=-1)
+             for (r, c), (s, d) in zip(upper, lower, strict=True)]  # fmt: skip
+    assert len(apart) == 12
+    assert (np.diff(apart, axis=1) < 0).all()
+
+
+def test_boards_on_slit_flaps_are_refused_by_name() -> None:
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": {"formula": "sqrt(25 - x**2 - y**2)", "x": [-3, 3], "y": [-3, 3]}},
+        "pattern": {"rows": 5, "columns": 5, "flap": 0.1},
+        "panel": {"thickness": 0.009, "membrane": 0.0005},
+    }
+    with pytest.raises(DesignError, match="cannot be made of boards yet"):
+        designed(check_design(tables, Path("cap.toml")))
+
+
+@pytest.mark.parametrize("flap", [0.05, "auto"])
+def test_a_design_file_asks_for_them(flap: float | str) -> None:
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": {"formula": "sqrt(25 - x**2 - y**2)", "x": [-3, 3], "y": [-3, 3]}},
+        "pattern": {"rows": 5, "columns": 5, "flap": flap},
+        "motion": {"frames": 5},
+    }
+    shell = make_shell(check_design(tables, Path("cap.toml")), skip=["deviation"])
+    lock, width = shell.report.lock, flap_width(shell.design)
+    assert (lock.cause, lock.early) == ("flaps", False)
+    assert lock.path is not None
+    assert width == flap if flap != "auto" else 0.1 < width < 2
+    assert shell.report.deployment.flap_attachment == "folded"
+    assert shell.report.quantities.panels == 36 + 4 * 5
+
+
+@pytest.mark.parametrize("apart", [1e-4, 1e-3])
+def test_how_far_flaps_are_open_short_of_the_lock(apart: float) -> None:
+    # Guide: 2 sqrt(d/x), short of the lock by a fold angle d of the row's crease. The next term is
+    # smaller by about d/x.
+    sheet = sheet_of(2)
+    x = np.abs(sheet.bare.sheet.net.x).ravel()
+    for row, tangent in enumerate(x):
+        folded = np.tan(np.arctan(tangent) - apart / 2) / tangent
+        drive = 2 * np.arcsin(folded)
+        open_by = np.pi - np.abs(sheet.flap_folds(drive)[row])
+        assert open_by == pytest.approx(2 * np.sqrt(apart / tangent), rel=5 * apart / tangent)
+
+
+BENCHMARK = {
+    "cap": {"formula": "sqrt(1 - x**2 - y**2)", "x": [-0.5, 0.5], "y": [-0.5, 0.5]},
+    "small cap": {"formula": "sqrt(1 - x**2 - y**2)", "x": [-0.35, 0.35], "y": [-0.35, 0.35]},
+    "ellipsoid": {
+        "formula": "0.8*sqrt(1 - x**2/2.25 - y**2)",
+        "x": [-0.825, 0.825],
+        "y": [-0.55, 0.55],
+    },
+    "saddle": {"formula": "0.25*(x**2 - y**2)", "x": [-1, 1], "y": [-1, 1]},
+    "hypar": {"formula": "0.5*x*y", "x": [-1, 1], "y": [-1, 1]},
+    "half cylinder": {"formula": ["u", "-cos(v)", "sin(v)"], "u": [0, 3], "v": [0, np.pi]},
+    "torus": {
+        "formula": ["(2 + cos(v))*sin(u)", "sin(v)", "(2 + cos(v))*cos(u)"],
+        "u": [-0.69813, 0.69813],
+        "v": [-0.69813, 0.69813],
+    },
+}
+
+
+@pytest.mark.slow
+@thorough
+@pytest.mark.parametrize("name", BENCHMARK)
+def test_surfaces_of_the_benchmark_lock(name: str) -> None:
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": BENCHMARK[name]},
+        "pattern": {"rows": 15, "columns": 15, "flap": "auto"},
+        "motion": {"frames": 5},
+    }
+    shell = make_shell(check_design(tables, Path("shell.toml")), skip=["deviation", "pack"])
+    lock, sheet = shell.report.lock, shell.design.mechanism
+    assert isinstance(sheet, SlitFlaps)
+    assert (lock.cause, lock.early, lock.touching_at_end) == ("flaps", False, ())
+    assert lock.path is not None
+    drives = np.append(np.linspace(0, np.pi, 30), np.pi * (1 - 1e-9))
+    assert changes_of_lengths(sheet, drives) < 1e-12
+    np.testing.assert_allclose(angles_between_flaps(sheet, np.pi), 180.0, rtol=0, atol=1e-6)
+    assert len(sheet.layout.pairs) == 30

@@ -24,7 +24,8 @@ def locked(design: Design, width: float | Auto, *, straight: bool) -> Design:
     bare, given = design.mechanism, None if width == "auto" else width
     sheet = with_flaps(bare, given) if straight else with_slit_flaps(bare, given)
     parameters = {**design.parameters, "flap": flap_width(sheet)}
-    return replace(design, mechanism=sheet, parameters=parameters)
+    warnings = design.warnings if straight else (*design.warnings, warn_of_rows(bare))
+    return replace(design, mechanism=sheet, parameters=parameters, warnings=warnings)
 
 
 def with_any_flaps(bare: FlatFoldable, width: float | None) -> FlapColumns | SlitFlaps:
@@ -51,6 +52,25 @@ def with_slit_flaps(bare: FlatFoldable, width: float | None) -> SlitFlaps:
         borders = bare.flat[:, :, [0, -1], 0]
         width = float(np.linalg.norm(np.diff(borders, axis=1), axis=0).mean())
     return SlitFlaps(bare, (width, width))
+
+
+APART = np.deg2rad(0.15)
+"""By so much the fold angles differ at which rows lock, if edges of 0.5 m are cut with errors of
+0.3 mm (radians): measured, see docs/theory/flat-foldable.md."""
+
+
+def warn_of_rows(bare: FlatFoldable) -> str:
+    """Say how far the last flaps stay open if rows do not lock together.
+
+    Short of the lock by a fold angle d of its row crease a flap is open by 2 sqrt(d/x), x the
+    tangent of half that crease's fold angle at the lock.
+    """
+    open_by = float(np.rad2deg(2 * np.sqrt(APART / np.abs(bare.sheet.net.x).min())))
+    return (
+        "slit flaps lock every row by itself: if edges are cut with errors of 0.06 % (0.3 mm of "
+        f"0.5 m), the last flaps stay up to {open_by:.2g} degrees open when the first are shut; "
+        "clamp them shut"
+    )
 
 
 def flap_width(sheet: FlapColumns | SlitFlaps) -> float:
