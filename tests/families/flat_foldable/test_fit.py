@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.errors import DesignError
 from orishell.deployment.feet import find_feet, stand
 from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
@@ -106,8 +106,6 @@ def test_dome_with_a_straight_border_locks_by_flaps() -> None:
     assert max(each.max for each in design.closeness.values()) < 0.01 * cap().diagonal
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("flaps", False)
-    with pytest.raises(InputError, match="straight"):
-        FlatFoldablePattern(**options, flap="auto").design_on(MeshSurface(cap()))
 
 
 def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
