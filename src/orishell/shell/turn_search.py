@@ -63,7 +63,7 @@ def choose_turn(file: DesignFile, progress: Progress) -> tuple[DesignFile, TurnC
     DesignError, InputError
         That of the first turn, if no turn gives a shell.
     """
-    turns = file.open_turns
+    turns = file.turns
     if not turns:
         return file, None
     size = (file.pattern.rows, file.pattern.columns)
