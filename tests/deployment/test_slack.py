@@ -71,6 +71,20 @@ def test_feet_of_an_arch_are_proved_up_to_its_flat_stack() -> None:
     assert all(tie.packed < tie.length < tie.flat for tie in ties)
 
 
+def test_where_flaps_stop_the_sheet_opening_it_stretches_ties() -> None:
+    """Beyond the target there is nothing to prove, and there the rate by the drive may vanish."""
+    design = design_flat_foldable(rows=5, columns=4, sheet="arch", flap=0.2)
+    locked = design.mechanism
+    assert locked.target_drive == locked.end_drive
+    ties = find_ties(locked, feet_ties(locked, (0, locked.grid.rows - 1)), np.pi)
+    assert all(tie.slack for tie in ties)
+    # The ends of an edge stay as far apart as they are: a tie there would hold nothing.
+    rows = np.array([[0, 1]])
+    found = find_slack(locked, rows, np.array([2]), np.pi)
+    assert not found.proved[0]
+    assert found.fails_at[0] == locked.target_drive
+
+
 def test_vertices_that_part_while_the_sheet_closes_are_not_said_to_be_slack() -> None:
     """Two vertices of one panel stay where they are to each other: never slack, never beyond."""
     mechanism = arch(90, 90, 5)

@@ -116,8 +116,8 @@ def test_an_open_turn_is_tried_at_a_few_angles_of_which_some_need_not_fit(tmp_pa
     (tmp_path / "roof.obj").write_text(obj())
     roof = {"mesh": "roof.obj", "turn_deg": "auto"}
     file = checked({**roof, "size": [1, 0.8]}, tmp_path / "x.toml")
-    assert file.open_turns == (0, 30, 60, 90, 120, 150)
-    assert checked({**roof, "size": [1, 1]}, tmp_path / "x.toml").open_turns == (0, 30, 60)
-    assert file.changed({"target.surface.turn_deg": 30}).open_turns == ()
+    assert file.turns == (0, 30, 60, 90, 120, 150)
+    assert checked({**roof, "size": [1, 1]}, tmp_path / "x.toml").turns == (0, 30, 60)
+    assert file.changed({"target.surface.turn_deg": 30}).turns == ()
     with pytest.raises(InputError, match="ends within"):
         checked({**roof, "size": [4, 4]}, tmp_path / "x.toml")

@@ -12,6 +12,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import FoldFile, read_fold, write_fold
 from orishell.motion import FoldingMotion
+from orishell.verification import inspect_fold
 from strategies import graph
 
 SQUARES: dict[str, Any] = {
@@ -234,3 +235,22 @@ def test_a_directory_and_nothing(tmp_path: Path) -> None:
         read_fold(tmp_path)
     with pytest.raises(InputError, match="the file does not exist"):
         read_fold(tmp_path / "none.fold")
+
+
+def test_vertices_may_lie_on_sides_of_a_panel(tmp_path: Path) -> None:
+    # One panel of 2 x 1 begins at a vertex on its side; two squares are hinged to a half each.
+    content = {
+        "vertices_coords": [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]],
+        "faces_vertices": [[4, 3, 0, 1, 2, 5], [6, 3, 4, 7], [7, 4, 5, 8]],
+    }
+    file = read(tmp_path, content)
+    assert file.mesh.faces[0].tolist() == [3, 0, 2, 5]
+    assert file.mesh.loops[0].tolist() == [3, 0, 1, 2, 5, 4]
+    joined = {tuple(each) for each in file.mesh.edges[file.mesh.crease].tolist()}
+    assert joined == {(3, 4), (4, 5), (4, 7)}
+    # The three panels surround the vertex on the side: 180 and twice 90 degrees.
+    inspection = inspect_fold(file)
+    assert file.mesh.inner_vertices().tolist() == [4]
+    assert inspection.passed
+    sides = file.mesh.faces_edges()[0]
+    assert (sides >= 0).tolist() == [True, False, True, False]

@@ -607,8 +607,10 @@ export interface Header {
   version: number;
   title: string;
   unit: string;
-  /** Rows and columns of vertices; null if they are no grid's. */
+  /** Rows and columns of vertices; null if they are no grid's. Flaps beside it come after it. */
   grid: [number, number] | null;
+  /** Of panels, where there are others than those of the grid. */
+  names?: string[];
   /** Was subtracted from all coordinates in space before they were rounded. */
   origin: [number, number, number];
   /** Drive of every state, in the order of the motion. */

@@ -101,6 +101,7 @@ export function neighbour(view: View, panel: number, down: number, right: number
   const { grid } = view.header;
   if (!grid) return null;
   const rows = grid[0] - 1, columns = grid[1] - 1;
+  if (panel >= rows * columns) return null;
   const row = Math.floor(panel / columns) + down, column = (panel % columns) + right;
   return row < 0 || column < 0 || row >= rows || column >= columns ? null : row * columns + column;
 }

@@ -33,11 +33,11 @@ export function stopsOf(view: View): Stop[] {
 
 /** Where panels touch that are not meant to: before the target, or where that ends the motion. */
 export function contactOf(view: View): Contact | null {
-  const { contact, grid, report } = view.header;
+  const { contact, grid, names, report } = view.header;
   if (contact && isEarly(contact, report.lock)) return contact;
   const first = report.lock?.first_contact;
   if (!first || !grid || !(report.lock!.cause === "clash" || report.lock!.cause === "boards")) return null;
-  const [one, other] = first.panels.map(([row, column]) => row * (grid[1] - 1) + column);
+  const [one, other] = first.panels.map(([row, column]) => (names ? names.indexOf(`${row},${column}`) : row * (grid[1] - 1) + column));
   return { drive_deg: first.drive_deg, panels: [one!, other!] };
 }
 

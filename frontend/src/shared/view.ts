@@ -171,7 +171,8 @@ export function isEarly(contact: Pick<Contact, "drive_deg">, lock: Known["lock"]
 
 /** Row and column of a panel, or its number where panels are not a grid's. */
 export function panelName(view: View, panel: number): string {
-  const grid = view.header.grid;
+  const { grid, names } = view.header;
+  if (names) return `panel ${names[panel]}`;
   if (!grid) return `panel ${panel}`;
   const columns = grid[1] - 1;
   return `panel ${Math.floor(panel / columns)},${panel % columns}`;

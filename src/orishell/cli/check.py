@@ -35,7 +35,7 @@ def check(
 ) -> None:
     """Check a FOLD file: flat sheet, rigidity, creases, contact.
 
-    All its panels must be quadrilaterals.
+    All its panels must be quadrilaterals; further vertices may lie on their sides.
     """
     from orishell.io import read_fold
     from orishell.io.formats.fold import FORMAT as FOLD

@@ -27,6 +27,9 @@ from orishell.motion import Mechanism
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
 
+BEYOND = 1e-2
+"""Where flaps end the motion at the target, the sheet without them is looked at so far beyond
+(radians): enough to see that opening it stretches ties."""
 FIRST = 16
 """Ranges that are begun with."""
 SMALLEST = 2.0**-30
@@ -97,9 +100,17 @@ class _Pairs:
 def find_slack(mechanism: Mechanism, rows: Integers, columns: Integers, limit: float) -> Slack:
     """Whether vertices of rows (P, 2) and columns (P,) are nearer than at the target up to a drive.
 
+    Where flaps end the motion at the target there is nothing between target and pack: then it is
+    whether opening the shell stretches them there, by the sheet without flaps.
+
     limit: The drive of the pack, at least that of the target (radians).
     """
     target, count = mechanism.target_drive, len(columns)
+    bare = mechanism.without_flaps()
+    if limit <= target and bare is not mechanism:
+        beyond = min(bare.end_drive, bare.target_drive + BEYOND)
+        found = find_slack(bare, rows, columns - mechanism.inner_columns.start, beyond)
+        return replace(found, fails_at=np.where(found.proved, np.inf, target))
     pairs = _Pairs.of(mechanism, rows, columns)
     cuts = np.linspace(target, limit, FIRST + 1)
     start, stop = cuts[:-1], cuts[1:]
@@ -107,11 +118,11 @@ def find_slack(mechanism: Mechanism, rows: Integers, columns: Integers, limit: f
     fails_at = np.full(count, np.inf)
     size = (limit - target) / FIRST
     while left.any():
-        found = [
+        parts = [
             pairs.examine(start[part], stop[part])
             for part in (slice(k, k + BATCH) for k in range(0, len(start), BATCH))
         ]
-        slack, over = (np.concatenate(each) for each in zip(*found, strict=True))
+        slack, over = (np.concatenate(each) for each in zip(*parts, strict=True))
         fails_at = np.minimum(fails_at, np.where(left & over, stop[:, None], np.inf).min(axis=0))
         # What is beyond a place where a tie is not slack already needs no proof.
         left = left & ~slack & ~over & (start[:, None] < fails_at)

@@ -19,17 +19,29 @@ SLIVER = 10.0
 class PlanRectangle:
     """A rectangle in plan, its own axes turned from x and y."""
 
-    centre: tuple[float, float]
+    centre: tuple[float, float]  # of the rectangle in plan
     size: tuple[float, float]  # along its own axes (lengths)
     turn: float = 0.0  # from x to its own first axis (radians)
 
     def times(self, factor: float) -> PlanRectangle:
-        """The rectangle in another unit."""
+        """The rectangle in another unit.
+
+        Parameters
+        ----------
+        factor
+            How many of that unit are one of this.
+        """
         (x, y), (wide, high) = self.centre, self.size
         return PlanRectangle((factor * x, factor * y), (factor * wide, factor * high), self.turn)
 
     def seen(self, points: Array) -> Array:
-        """Coordinates (N, 2) of points (N, 3) from its centre along its own axes."""
+        """Coordinates (N, 2) of points (N, 3) from its centre along its own axes.
+
+        Parameters
+        ----------
+        points
+            (N, 3), in space; their heights do not matter.
+        """
         c, s = np.cos(self.turn), np.sin(self.turn)
         return np.asarray((points[:, :2] - self.centre) @ np.array([[c, -s], [s, c]]))
 

@@ -120,7 +120,7 @@ class DesignFile:
     # the surface in place of f and g, or None; the first that there is, where its turn is open
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
-    open_turns: tuple[float, ...] = ()
+    turns: tuple[float, ...] = ()
 
     @property
     def panel_count(self) -> int:
@@ -284,7 +284,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         search=file.search,
         tables=raw,
         files=files,
-        open_turns=()
+        turns=()
         if file.target is None or file.target.surface is None
         else file.target.surface.open_turns,
     )

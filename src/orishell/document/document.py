@@ -69,7 +69,8 @@ class Document:
     fold_angles_deg: Array  # fold angles (E,) at the last state, valley positive, NaN where unknown
     # folded states in the order of the motion; may be made one by one as they are asked for
     states: Sequence[DocumentState]
-    # rows and columns of vertices, if panels and vertices are numbered row by row
+    # rows and columns of vertices, if panels and vertices are numbered row by row; flaps that are
+    # no columns come after them, and then all panels have names
     grid_shape: tuple[int, int] | None
     # polylines (k, 3) beside the last state: the curves that the shell follows, by name
     curves: Mapping[str, Array]
@@ -227,6 +228,14 @@ class Document:
             return str(panel)
         row, column = divmod(panel, self.grid_shape[1] - 1)
         return f"{row},{column}"
+
+    @property
+    def whole_grid(self) -> tuple[int, int] | None:
+        """Rows and columns of vertices where there are no panels but those of a grid."""
+        shape = self.grid_shape
+        if shape is None or (shape[0] - 1) * (shape[1] - 1) != len(self.mesh.faces):
+            return None
+        return shape
 
     def areas(self) -> Array:
         """Area (F,) of every panel."""

@@ -56,7 +56,7 @@ def document_of_motion(
         flat=_clean(points_of(mechanism, 0.0)[:, :2]),
         fold_angles_deg=_degrees(edge_folds(mechanism, mechanism.target_drive), states.folds),
         states=states,
-        grid_shape=None if beside else (grid.rows, grid.columns),
+        grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
         named=motion.named,

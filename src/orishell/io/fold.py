@@ -140,7 +140,7 @@ def _angles(degrees: Array | None) -> dict[str, Any]:
 
 
 def _mesh(document: Document) -> dict[str, Any]:
-    shape, mesh = document.grid_shape, document.mesh
+    shape, mesh = document.whole_grid, document.mesh
     return {
         "edges_vertices": mesh.edges,
         "edges_assignment": document.assignment,

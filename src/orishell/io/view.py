@@ -65,7 +65,9 @@ class Header(TypedDict):
     version: int
     title: str
     unit: str
-    grid: tuple[int, int] | None  # rows and columns of vertices; null if they are no grid's
+    # rows and columns of vertices; null if they are no grid's. Flaps beside it come after it.
+    grid: tuple[int, int] | None
+    names: NotRequired[list[str]]  # of panels, where there are others than those of the grid
     # was subtracted from all coordinates in space before they were rounded
     origin: tuple[float, float, float]
     drives_deg: list[float | None]  # drive of every state, in the order of the motion
@@ -113,6 +115,8 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
         "contact": document.contact,
         "arrays": places,
     }
+    if document.names:
+        header["names"] = list(document.names)
     if curves is not None:
         header["curves"] = curves
     if document.loaded is not None:

@@ -121,7 +121,7 @@ def require_grid(mechanism: Mechanism, what: str) -> None:
         raise DesignError(
             f"flaps that are slit from row to row cannot be {what} yet",
             keys=("pattern.flap",),
-            candidates=[Remedy({"pattern.flap": 0.0})],
+            candidates=[Remedy({"pattern.border": "straight"}), Remedy({"pattern.flap": 0.0})],
         )
 
 

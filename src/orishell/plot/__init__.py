@@ -3,6 +3,7 @@
 from orishell.plot.deviation import plot_deviation
 from orishell.plot.hinge_section import HingeSection, Profile, find_hinge_section
 from orishell.plot.load_path import DrawnPath, draw_load_paths
+from orishell.plot.offset_section import OffsetSection, find_offset_section
 from orishell.plot.overview import DrawnContact, plot_overview
 from orishell.plot.structure import DrawnCase, plot_structure
 from orishell.plot.tradeoff import plot_tradeoff
@@ -14,10 +15,12 @@ __all__ = [
     "DrawnPath",
     "DrawnWeight",
     "HingeSection",
+    "OffsetSection",
     "Profile",
     "draw_load_paths",
     "draw_weight",
     "find_hinge_section",
+    "find_offset_section",
     "plot_deviation",
     "plot_overview",
     "plot_structure",

@@ -19,6 +19,7 @@ from orishell.motion.quads import grid_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.hinge_section import HingeSection
+from orishell.plot.offset_section import OffsetSection, draw_offset_section, offset_height
 from orishell.plot.scene import (
     BORDER,
     HEADING,
@@ -72,6 +73,7 @@ def plot_overview(
     unit: str,
     contact: DrawnContact | None = None,
     hinge: HingeSection | None = None,
+    beside: OffsetSection | None = None,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -91,6 +93,8 @@ def plot_overview(
         A contact to draw beside the other states, if there is one before the target.
     hinge
         A section through a hinge to draw below them, where panels have a thickness.
+    beside
+        A section with the surfaces that crests and valleys should follow, to draw below all.
     """
     target = motion.mechanism.target_drive
     mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
@@ -110,6 +114,7 @@ def plot_overview(
     spans = [np.ptp(camera.project(points_of(mechanism, each))[0], axis=0) for each in drives]
     below = row_height(WIDTH / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
     base = 0.0 if hinge is None else section_height(hinge)
+    low, base = base, base + (0.0 if beside is None else offset_height(beside))
     foot = base + BORDER + below + TITLE + LEGEND
     figure = new_figure(foot + above + TITLE + HEADING, title)
 
@@ -135,6 +140,8 @@ def plot_overview(
     _same_scale(frames)
     if hinge is not None:
         draw_hinge_section(figure, hinge, unit)
+    if beside is not None:
+        draw_offset_section(figure, beside, unit, low)
     save(figure, path)
 
 

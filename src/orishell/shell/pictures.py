@@ -11,7 +11,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.deployment import FROM_FLAT
 from orishell.deployment.report import DeploymentReport
-from orishell.design import Design
+from orishell.design import Design, PiecedSurface
 from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, locked_shell, measure_points, measure_signed
 from orishell.document import Document
@@ -20,7 +20,9 @@ from orishell.motion import FoldingMotion
 from orishell.plot import (
     DrawnContact,
     DrawnWeight,
+    OffsetSection,
     find_hinge_section,
+    find_offset_section,
     plot_deviation,
     plot_overview,
     plot_tradeoff,
@@ -88,6 +90,7 @@ def draw_pictures(
         unit=file.unit,
         contact=_drawn(lock),
         hinge=hinge,
+        beside=_offset_section(design),
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
@@ -155,6 +158,15 @@ def _beside(design: Design, unit: str) -> str:
         return "the surface asked for"
     away = f"{plain(abs(offset), 3)} {unit}"
     return f"the surface asked for; crests and valleys should lie {away} above and below it"
+
+
+def _offset_section(design: Design) -> OffsetSection | None:
+    """The middle column over the surface; None where crests and valleys follow none beside it."""
+    offset, surface = design.parameters.get("offset"), design.swept
+    if not isinstance(offset, float) or not isinstance(surface, PiecedSurface):
+        return None
+    sheet = design.mechanism.positions(design.mechanism.target_drive)
+    return find_offset_section(sheet[:, sheet.shape[1] // 2], surface.piece, offset)
 
 
 def _drawn(lock: Lock) -> DrawnContact | None:

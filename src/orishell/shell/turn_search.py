@@ -40,12 +40,17 @@ class TurnChoice:
 
     def rows(self, unit: str) -> Iterator[Row]:
         """A row of the verdict."""
-        found = [each for each in self.tried if each.distance is not None]
-        said = ", ".join(
-            f"{each.turn_deg:g} ({plain(each.distance or 0)} {unit})" for each in found
-        )
+        found, none = [], []
+        for each in self.tried:
+            if each.distance is None:
+                none.append(f"{each.turn_deg:g}")
+            else:
+                found.append(f"{each.turn_deg:g} ({plain(each.distance)} {unit})")
         finding = f"rectangle turned by {self.turn_deg:g} degrees, the nearest by a coarse shell"
-        yield Row("says", "turn", f"{finding} of {said}")
+        finding += f" of {', '.join(found)}"
+        if none:
+            finding += f"; no shell at {', '.join(none)}"
+        yield Row("says", "turn", finding)
 
 
 def choose_turn(file: DesignFile, progress: Progress) -> tuple[DesignFile, TurnChoice | None]:
@@ -58,7 +63,7 @@ def choose_turn(file: DesignFile, progress: Progress) -> tuple[DesignFile, TurnC
     DesignError, InputError
         That of the first turn, if no turn gives a shell.
     """
-    turns = file.open_turns
+    turns = file.turns
     if not turns:
         return file, None
     size = (file.pattern.rows, file.pattern.columns)

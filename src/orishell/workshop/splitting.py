@@ -99,8 +99,8 @@ def split_sheet(
     """
     sheet = CutSheet.of(document, stock_width, stock_height, allowance)
     require_panels_fit(document, sheet)
-    if document.grid_shape is not None and not document.mesh.pieces.any():
-        rows, columns = document.grid_shape
+    if document.whole_grid is not None and not document.mesh.pieces.any():
+        rows, columns = document.whole_grid
         number = np.arange((rows - 1) * (columns - 1)).reshape(rows - 1, columns - 1)
         parts = _split_bands(sheet, number, *_choose_lines(sheet, number))
     else:

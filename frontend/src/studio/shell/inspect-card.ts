@@ -121,10 +121,10 @@ export class InspectCard {
 function notesOf(view: View, { panel, edge }: Chosen): string[] {
   if (edge !== null) return [];
   const { smallest, largest } = sheetOf(view);
-  const { grid, report } = view.header;
+  const { grid, names, report } = view.header;
   const contact = contactOf(view);
   const column = grid ? panel % (grid[1] - 1) : -1;
-  const flap = grid && report.deployment?.flap_attachment === "folded" && (column === 0 || column === grid[1] - 2);
+  const flap = grid && report.deployment?.flap_attachment === "folded" && (names ? panel >= (grid[0] - 1) * (grid[1] - 1) : column === 0 || column === grid[1] - 2);
   const notes = [flap && "flap", panel === smallest && "smallest panel", panel === largest && "largest panel"].filter((note) => note !== false && note !== null);
   const other = contact?.panels.includes(panel) ? contact.panels.find((each) => each !== panel) : undefined;
   if (other !== undefined) notes.push(`touches ${panelName(view, other)} at ${threeDigits(contact!.drive_deg)}\u00b0`);

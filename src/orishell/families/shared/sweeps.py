@@ -24,6 +24,9 @@ from orishell.numerics.arrays import Array
 
 POINTS = 21
 """Points of f, and of a g that bends: a spline through them is within 1e-5 of the polynomials."""
+CONVEX_POINTS = 41
+"""Points of an f that must be convex: through fewer, a spline turns back where the curvature of a
+convex polynomial falls steeply towards an end, as that of the nearest to a saddle does."""
 DIGITS = 5
 """Decimals of their coordinates, relative to the surface's size."""
 
@@ -71,7 +74,8 @@ def design_sweep(
     """
     piece = surface.piece
     sweep = best_sweep(piece, limits)
-    curves = _Curves.of(sweep)
+    convex = any(each.convex for each in limits)
+    curves = _Curves.of(sweep, CONVEX_POINTS if convex else POINTS)
     f, middle = curves.f, 0.5 * sum(sweep.across)
     for _ in range(2):
         g = curves.g(middle)
@@ -114,12 +118,13 @@ class _Curves:
 
     sweep: Sweep
     side: int  # 1 if g runs along the sweep's x axis, -1 if it runs the other way
+    count: int  # points of f
 
     @classmethod
-    def of(cls, sweep: Sweep) -> _Curves:
+    def of(cls, sweep: Sweep, count: int) -> _Curves:
         """The curves of an upright sweep; g runs to the right, or up if it is vertical."""
         x, y = sweep.frame[:2, 0]
-        return cls(sweep, 1 if x > VERTICAL or (abs(x) <= VERTICAL and y > 0) else -1)
+        return cls(sweep, 1 if x > VERTICAL or (abs(x) <= VERTICAL and y > 0) else -1, count)
 
     @property
     def direction(self) -> float:
@@ -130,7 +135,7 @@ class _Curves:
     @property
     def f(self) -> Array:
         """Points (N, 2) of f: heights in the surface's frame, to the right of g."""
-        d = np.linspace(*self.sweep.across, POINTS)[:: -self.side]
+        d = np.linspace(*self.sweep.across, self.count)[:: -self.side]
         height = self.sweep.profile(d) + self.sweep.centre[2]
         return self._rounded(np.stack([-self.side * d, height], axis=-1))
 

@@ -35,9 +35,9 @@ def _sheet(document: Document, which: int | str) -> Iterator[str]:
     positions, faces = document.state(which).positions, document.mesh.faces
     yield from _vertices(document.in_world(positions))
     yield "s off\n"
-    row = len(faces) if document.grid_shape is None else document.grid_shape[1] - 1
+    row = len(faces) if document.whole_grid is None else document.whole_grid[1] - 1
     for number, begin in enumerate(range(0, len(faces), row)):
-        yield "g panels\n" if document.grid_shape is None else f"g row_{number}\n"
+        yield "g panels\n" if document.whole_grid is None else f"g row_{number}\n"
         yield from _faces(faces[begin : begin + row] + 1)
     first = 1 + len(positions)
     for number, board in enumerate(document.clipped_at(which), 1):

@@ -17,6 +17,8 @@ from orishell.numerics.arrays import Array, Integers
 
 EARLY = 0.84
 """The share of the allowed edges, by logarithms, from which on they are pushed back."""
+CENTRED = 30
+"""Steps of Newton's method for the middle of edges, at most: about five are needed."""
 BLUNTER = 1.5
 """Corners are pushed back from this many times the least angle on."""
 NARROWER = np.deg2rad(10)
@@ -48,9 +50,22 @@ class Conditions:
         )
 
     def beyond(self, logs: Array) -> Array:
-        """By how much logarithms of edges about their middle are too long or too short."""
+        """By how much logarithms of edges (E,) are too long or too short.
+
+        About the middle that makes the sum of squares least: its derivatives are then those of a
+        middle that stays.
+        """
         reach = 0.5 * EARLY * np.log(self.ratio)
-        return np.asarray(logs - np.clip(logs, -reach, reach))
+        off = logs - 0.5 * (logs.max() + logs.min())
+        found = off - np.clip(off, -reach, reach)
+        for _ in range(CENTRED):
+            outside = found != 0
+            shift = float(found[outside].mean()) if outside.any() else 0.0
+            if abs(shift) < np.finfo(float).eps:
+                break
+            off = off - shift
+            found = off - np.clip(off, -reach, reach)
+        return np.asarray(found)
 
     @property
     def early_sine(self) -> float:

@@ -12,7 +12,7 @@ from orishell.numerics.arrays import Array
 
 SHARES = 5
 """Points along both sides of a panel that are measured."""
-BACK = 2_000
+BACK = 20_000
 """About so many points of the piece are measured."""
 
 

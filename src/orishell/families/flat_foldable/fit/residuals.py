@@ -93,7 +93,7 @@ class Problem:
         away = vertices - self.homes
         away -= dots(away, normals)[..., None] * normals
         logs = np.log(lengths(self._spans(vertices)))
-        long = self.conditions.beyond(logs - 0.5 * (logs.max() + logs.min()))
+        long = self.conditions.beyond(logs)
         beyond = np.flatnonzero(long)
         blunt = self.conditions.early_sine / self._sines(vertices) - 1
         sharp = np.flatnonzero(blunt > 0)

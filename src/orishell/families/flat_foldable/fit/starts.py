@@ -29,6 +29,8 @@ SHARE = 0.45
 GOOD, MOST = 0.02, 3
 """A sheet whose vertices leave the offset surfaces by more than this share of the diagonal is not
 the last that is finished, unless so many were."""
+TIE = 1e-3
+"""Coarse sheets whose scores differ by less than this share are equally near."""
 WHAT = "fitting the sheet"
 
 
@@ -83,7 +85,7 @@ class Task:
             found = coarse.tried(start, FAST)
             scores.append(np.inf if found is None else found.reached.score(share))
             progress((number + 1) / len(starts), WHAT)
-        return [starts[k] for k in np.argsort(scores, kind="stable")]
+        return [starts[k] for k in _order(scores)]
 
     def coarse(self) -> tuple[Task, float]:
         """The same with fewer panels, and how much larger these are."""
@@ -93,6 +95,19 @@ class Task:
         # Odd numbers of panels stay odd: then there are crests at both ends, or there are not.
         rows, columns = (each - (each - of) % 2 - 1 for each, of in zip(small, panels, strict=True))
         return replace(self, rows=rows, columns=columns), share
+
+
+def _order(scores: list[float]) -> list[int]:
+    """Numbers of scores, the least first; of those that are as good the first.
+
+    Starts that symmetry makes alike differ by rounding, and by how the surface is given.
+    """
+    left, found = list(range(len(scores))), list[int]()
+    while left:
+        least = min(scores[k] for k in left)
+        found.append(next(k for k in left if scores[k] <= (1 + TIE) * least))
+        left.remove(found[-1])
+    return found
 
 
 def fit_sheet(
