@@ -48,8 +48,8 @@ class PanelSpec(Table):
     gap: Size = 0.0
     largest_setback: Setback = Setback()
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
-    largest_arm: Size | None = None
-    arm_width: Annotated[Number, Field(gt=0)] | None = None
+    largest_arm: Size | Literal["any"] = "any"
+    arm_width: Annotated[Number, Field(gt=0)] | Literal["auto"] = "auto"
     density: Size = 0.0
     membrane_density: Size = 0.0
 
@@ -90,7 +90,7 @@ class PanelSpec(Table):
             )
         if self.construction != "hinged":
             for key in ("largest_arm", "arm_width"):
-                if getattr(self, key) is not None:
+                if getattr(self, key) != type(self).model_fields[key].default:
                     raise PydanticCustomError(
                         "no_arms",
                         'construction = "hinged", because only its hinges stand on arms',
@@ -124,12 +124,12 @@ class PanelSpec(Table):
     @property
     def longest_arm(self) -> float:
         """How far a hinge may stand off a board, infinite if that is not limited (length)."""
-        return math.inf if self.largest_arm is None else self.largest_arm
+        return math.inf if self.largest_arm == "any" else self.largest_arm
 
     @property
     def fin(self) -> float:
         """How thick the fins are that carry hinges off the faces (length)."""
-        return ARM_WIDTH * self.thickness if self.arm_width is None else self.arm_width
+        return ARM_WIDTH * self.thickness if self.arm_width == "auto" else self.arm_width
 
     @property
     def height(self) -> float:

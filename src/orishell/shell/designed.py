@@ -163,7 +163,7 @@ def _on_membrane(panel: PanelSpec) -> Remedy:
         "panel.membrane": rounded(MEMBRANE * panel.thickness),
     }
     for key in ("largest_arm", "arm_width"):
-        if getattr(panel, key) is not None:
+        if key in panel.model_fields_set:
             changes[f"panel.{key}"] = None
     return Remedy(changes)
 
