@@ -22,7 +22,7 @@ from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
-from orishell.locking.report import MeetingReport, PanelReport
+from orishell.locking.report import HingedReport, MeetingReport, PanelReport
 from orishell.search.figures import NAMES
 from orishell.shell.designed import design_of
 from orishell.structure.case import CaseResult
@@ -240,7 +240,11 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
     keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
     fields = set(written_fields(PanelReport))
-    for name, part in (("meeting", MeetingReport), ("path", ProofRecord)):
+    for name, part in (
+        ("meeting", MeetingReport),
+        ("path", ProofRecord),
+        ("hinged", HingedReport),
+    ):
         fields |= {f"{name}.{key}" for key in written_fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields
 

@@ -63,7 +63,9 @@ def least_arms(vertices: Vertices) -> Hinges:
     )
     if found.x is None:
         raise DesignError(
-            "no heights of hinges were found", keys=("panel.construction",), size=found.message
+            "no heights of hinges were found with which whole boards fold flat",
+            keys=("panel.construction",),
+            size="arms grow with every row and column of a sheet whose columns are not straight",
         )
     h = _on_conditions(found.x[:heights], conditions)
     row, column = crease_numbers(grid)
