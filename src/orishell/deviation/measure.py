@@ -33,6 +33,10 @@ SHARE = 0.95
 """The share of the area that is nearer than ``p95``."""
 
 
+Mesh = tuple[Array, Integers]
+"""Vertices (V, 3), and triangles (T, 3) of them."""
+
+
 @record
 class Distances:
     """Distances from all of one surface to the nearest points of another (length)."""
@@ -121,7 +125,9 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
     >>> round(measure_deviation(design, samples=COARSE).max, 2)
     0.23
     """
-    return measure_distance(locked_shell(design), design.surface, samples=samples)
+    return measure_distance(
+        locked_shell(design), design.surface, samples=samples, boards=locked_boards(design)
+    )
 
 
 def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | None:
@@ -134,7 +140,12 @@ def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | N
     """
     if design.approached is None or design.approached.surface is None:
         return None
-    return measure_distance(locked_shell(design), design.approached.surface, samples=samples)
+    return measure_distance(
+        locked_shell(design),
+        design.approached.surface,
+        samples=samples,
+        boards=locked_boards(design),
+    )
 
 
 def locked_shell(design: Design) -> Array:
@@ -146,7 +157,21 @@ def locked_shell(design: Design) -> Array:
     return mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
 
 
-def measure_distance(shell: Array, surface: AskedSurface, *, samples: int = SAMPLES) -> Deviation:
+def locked_boards(design: Design) -> Mesh | None:
+    """Whole boards of the locked shell, half way up, where they lie beside its panels; or None."""
+    if design.hinges is None:
+        return None
+    mechanism = design.mechanism
+    inner = mechanism.inner_columns
+    boards = design.hinges.boards(mechanism.positions(mechanism.target_drive))
+    corners = boards[:, inner.start : inner.stop - 1].reshape(-1, 3)
+    first = 4 * np.arange(len(corners) // 4)[:, None]
+    return corners, (first + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
+
+
+def measure_distance(
+    shell: Array, surface: AskedSurface, *, samples: int = SAMPLES, boards: Mesh | None = None
+) -> Deviation:
     """Return distances of panels from a surface, both ways.
 
     Parameters
@@ -155,8 +180,11 @@ def measure_distance(shell: Array, surface: AskedSurface, *, samples: int = SAMP
         Vertices (rows, columns, 3) of plane panels.
     samples
         Samples each way, about.
+    boards
+        Whole boards that lie beside the panels, and are measured instead.
     """
-    there, back = (_measure(way, samples) for way in _both_ways(shell, surface, samples))
+    both = _both_ways(shell, surface, samples, boards=boards)
+    there, back = (_measure(way, samples) for way in both)
     return Deviation(there, back)
 
 
@@ -173,7 +201,9 @@ def find_excess(design: Design, limit: float, *, samples: int) -> float:
     samples
         Samples each way, about.
     """
-    ways = _both_ways(locked_shell(design), design.surface, samples, least=1)
+    ways = _both_ways(
+        locked_shell(design), design.surface, samples, least=1, boards=locked_boards(design)
+    )
     attained = [float(way.found.distances.max()) - way.sagitta for way in ways]
     for number, way in enumerate(ways):
         if max(attained) > limit:
@@ -206,10 +236,19 @@ class _Way:
 
 
 def _both_ways(
-    shell: Array, surface: AskedSurface, samples: int, least: int = 2
+    shell: Array,
+    surface: AskedSurface,
+    samples: int,
+    *,
+    least: int = 2,
+    boards: Mesh | None = None,
 ) -> tuple[_Way, _Way]:
     """Samples of the shell with the nearest points of the surface, and the other way round."""
-    of_shell, panels = Patch.of_shell(shell, samples, least=least), mesh_shell(shell)
+    of_shell: Patch | Scattered
+    if boards is None:
+        of_shell, panels = Patch.of_shell(shell, samples, least=least), mesh_shell(shell)
+    else:
+        of_shell, panels = Scattered.of(*boards, samples), Triangles.scattered(*boards)
     known = triangles_of(surface)
     of_surface = (
         Patch.of_surface(surface, samples, shell)

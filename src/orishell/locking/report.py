@@ -36,8 +36,8 @@ class HingedReport:
     mean_arm: float
     arms: int  # number of fins that carry hinges
     arm_width: float  # how thick they are
-    # How far boards lie at the target from the sheet without a thickness, whose surface, ties and
-    # own weight this report has: at most, and root mean square
+    # how far boards lie at the target from the sheet without a thickness, whose ties and own weight
+    # this report has: at most, and root mean square
     offset_max: float
     offset_rms: float
 

@@ -20,6 +20,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions
 from orishell.motion.mechanism import Mechanism, panel_normals
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
 
 
@@ -66,6 +67,13 @@ class Hinges:
         shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
         shifts -= shifts.mean(axis=(0, 1))
         return shifts.reshape(-1, 3)
+
+    def boards(self, positions: Positions) -> Array:
+        """Corners (rows-1, columns-1, 4, 3) of all boards, half way up, in a state."""
+        normals = panel_normals(positions)
+        middle = (self.levels + 0.5 * self.thickness)[..., None] * normals
+        shifts = self.shifts(normals.reshape(-1, 3)).reshape(normals.shape) + middle
+        return np.asarray(grid_corners(positions) + shifts[..., None, :])
 
     def _steps(self, n: Array) -> tuple[Array, Array]:
         """Steps of the shift from panels to those below and to their right, by normals."""

@@ -241,7 +241,7 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
     mechanism = design.mechanism
     offsets = board_offsets(design.hinges, mechanism.positions(mechanism.target_drive))
     yield (
-        "distances from the surface, ties and own weight are those of the sheet without a "
+        "ties, own weight and distances from f and g are those of the sheet without a "
         f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "
         "beside it at the target"
     )

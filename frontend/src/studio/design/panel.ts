@@ -9,7 +9,10 @@ import type { Value } from "../state/types.ts";
 
 /** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
 const HINGE = 0.05;
-type Size = "thickness" | "membrane" | "gap";
+/** Keys that whole boards on hinges have not, and those that only they have. */
+const SET_BACK = ["membrane", "membrane_density", "largest_setback", "stop_deg"];
+const ARMS = ["largest_arm", "arm_width"];
+type Size = "thickness" | "membrane" | "gap" | "largest_arm";
 
 export class PanelControls {
   readonly element: HTMLElement;
@@ -23,6 +26,7 @@ export class PanelControls {
       thickness: this.box("thickness", (value) => this.setThickness(value)),
       membrane: this.box("membrane", (value) => this.change({ ...this.table, membrane: value }, "type-membrane")),
       gap: this.box("gap", (value) => this.change({ ...this.table, gap: value }, "type-gap")),
+      largest_arm: this.box("largest_arm", (value) => this.change({ ...this.table, largest_arm: value }, "type-arm")),
     };
     const { label, keys } = store.info.tables["panel"]!;
     const construction = keys["construction"]!;
@@ -35,6 +39,7 @@ export class PanelControls {
       h("div", { class: "parameter-head", title: construction.help }, h("span", {}, construction.label), this.construction.element),
       this.row("membrane", keys),
       this.row("gap", keys),
+      this.row("largest_arm", keys),
     ];
     this.element = h(
       "section",
@@ -63,16 +68,18 @@ export class PanelControls {
 
   private setThickness(thickness: number): void {
     const membrane = Number(this.table["membrane"] ?? 0);
-    const fits = this.table["construction"] === "bevel" || (membrane > 0 && membrane < thickness);
+    const fits = this.solid || (membrane > 0 && membrane < thickness);
     this.change({ ...this.table, thickness, ...(fits ? {} : { membrane: hingeOf(thickness) }) }, "type-thickness");
   }
 
   private setConstruction(construction: string): void {
     const { membrane: _, construction: __, ...rest } = this.table;
     const hinge = hingeOf(Number(rest["thickness"]));
+    if (construction === "hinged") return this.change({ ...without(rest, SET_BACK), construction });
+    const table = without(rest, ARMS);
     // Solid panels have no membrane: their hinges need a gap.
-    const bevel = { ...rest, construction, gap: Number(rest["gap"]) || hinge };
-    this.change(construction === "bevel" ? bevel : { ...rest, membrane: hinge });
+    const bevel = { ...table, construction, gap: Number(table["gap"]) || hinge };
+    this.change(construction === "bevel" ? bevel : { ...table, membrane: hinge });
   }
 
   /** Without a thickness panels are made of nothing, and the file has no such table. */
@@ -81,15 +88,25 @@ export class PanelControls {
   }
 
   private show(): void {
-    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich" } = this.table;
+    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich", largest_arm: arm } = this.table;
     setNumber(this.boxes.thickness, short(Number(thickness)));
     setNumber(this.boxes.membrane, short(Number(membrane)));
     setNumber(this.boxes.gap, short(Number(gap)));
+    setNumber(this.boxes.largest_arm, typeof arm === "number" ? short(arm) : "");
     this.construction.set(String(construction));
     for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
     for (const row of this.more) row.hidden = !Number(thickness);
-    this.more[1]!.hidden ||= construction === "bevel";
+    this.more[1]!.hidden ||= this.solid;
+    this.more[3]!.hidden ||= construction !== "hinged";
   }
+
+  private get solid(): boolean {
+    return ["bevel", "hinged"].includes(String(this.table["construction"]));
+  }
+}
+
+function without(table: Record<string, Value>, keys: string[]): Record<string, Value> {
+  return Object.fromEntries(Object.entries(table).filter(([key]) => !keys.includes(key)));
 }
 
 function hingeOf(thickness: number): number {

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.motion.hinges import Hinges
-from orishell.motion.mechanism import panel_normals
 from orishell.motion.quads import grid_corners, lengths
 from orishell.numerics.arrays import Array
 
@@ -21,12 +20,9 @@ def board_offsets(hinges: Hinges, positions: Array) -> Array:
     positions
         Vertices (rows, columns, 3).
     """
-    panels = grid_corners(positions).reshape(-1, 4, 3)
-    normals = panel_normals(positions).reshape(-1, 3)
-    middle = hinges.levels.ravel() + 0.5 * hinges.thickness
-    shifts = hinges.shifts(normals) + middle[:, None] * normals
-    boards, paper = (panels + shifts[:, None]).reshape(-1, 3), panels.reshape(-1, 3)
-    start, end = boards - boards.mean(axis=0), paper - paper.mean(axis=0)
+    boards = hinges.boards(positions).reshape(-1, 3)
+    panels = grid_corners(positions).reshape(-1, 3)
+    start, end = boards - boards.mean(axis=0), panels - panels.mean(axis=0)
     left, _, right = np.linalg.svd(start.T @ end)
     turn = left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right
     return lengths(start @ turn - end)
