@@ -35,6 +35,26 @@ test("panels keep their shape between states", () => {
   }
 });
 
+test("whole boards shift their panels, evenly between states", () => {
+  const size = 3 * panelCount(view), shifts = new Float32Array(size * stateCount(view));
+  for (let state = 0; state < stateCount(view); state++) {
+    for (let panel = 0; panel < panelCount(view); panel++) shifts[size * state + 3 * panel + 2] = state * panel;
+  }
+  const plain = new Motion(view), moved = new Motion({ ...view, shifts });
+  const from = new Float64Array(12), to = new Float64Array(12);
+  for (const fold of [0, 0.3, 1]) {
+    plain.setFold(fold);
+    moved.setFold(fold);
+    plain.place(2, from);
+    moved.place(2, to);
+    const share = fold * (stateCount(view) - 1);
+    for (let corner = 0; corner < 4; corner++) {
+      expect(to[3 * corner]).toBeCloseTo(from[3 * corner]!, DIGITS);
+      expect(to[3 * corner + 2]! - from[3 * corner + 2]!).toBeCloseTo(2 * share, 4);
+    }
+  }
+});
+
 test("the nearest panel under a ray is found, and none beside the sheet", () => {
   const motion = new Motion(view);
   motion.setFold(0);

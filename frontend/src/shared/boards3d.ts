@@ -63,6 +63,7 @@ export class Boards3D {
     const chosen = Array.from(panels, (_, board) => {
       // What faces the membrane between two boards is never seen.
       const low = outlines[3 * board * size + 2]!, high = outlines[3 * (board + 1) * size - 1]!;
+      if (view.shifts) return solid!; // whole boards, with no membrane
       return low >= 0 ? upper! : high <= 0 ? lower! : solid!;
     });
     const count = chosen.reduce((sum, { rims }) => sum + rims.length, 0);

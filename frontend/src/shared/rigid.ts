@@ -165,6 +165,13 @@ export class Motion {
     const size = 3 * this.vertices;
     const points = this.states ? this.view.positions.subarray(state * size, (state + 1) * size) : this.reference;
     for (let panel = 0; panel < this.panels; panel++) writePose(points, this.faces, panel, poses);
+    const { shifts } = this.view;
+    if (shifts && this.states) {
+      const first = 3 * this.panels * state;
+      for (let panel = 0; panel < this.panels; panel++) {
+        for (let i = 0; i < 3; i++) poses[POSE * panel + 4 + i]! += shifts[first + 3 * panel + i]!;
+      }
+    }
     this.cache.set(state, poses);
     return poses;
   }

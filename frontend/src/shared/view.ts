@@ -64,6 +64,8 @@ export interface View {
   surface?: Lattice;
   /** Where panels have a thickness. */
   boards?: Boards;
+  /** (K, F, 3) how far panels are moved with whole boards, whose hinges stand beside the creases. */
+  shifts?: Float32Array;
   /** Where it was analysed as a structure. */
   loaded?: Loaded;
   /** Strips of flaps that are clipped on at the target, about the same origin. */
@@ -121,6 +123,8 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
   if (outlines) {
     const [, heights = 0, corners = 0] = header.arrays["boards"]!.shape;
     view.boards = { panels: array("board_panels"), heights, corners, outlines };
+    const shifts = find<Float32Array>("panel_shifts");
+    if (shifts) view.shifts = shifts;
   }
   const nodes = find<Float32Array>("loaded_points");
   if (nodes && header.cases) {

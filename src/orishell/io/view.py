@@ -3,9 +3,10 @@
 Little endian: the length N of the header (uint32), the header (JSON in UTF-8, filled up with spaces
 to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
-they lie in the flat sheet, and carried by their panels. Strips of flaps that are clipped on are
-views within the view, about the same ``origin``. A shell that was analysed as a structure is given
-as it was meshed, with displacements and stresses (in MPa) of every load case.
+they lie in the flat sheet, and carried by their panels, which whole boards shift. Strips of flaps
+that are clipped on are views within the view, about the same ``origin``. A shell that was analysed
+as a structure is given as it was meshed, with displacements and stresses (in MPa) of every load
+case.
 """
 
 from __future__ import annotations
@@ -152,6 +153,13 @@ def _arrays(
     if document.boards is not None:
         arrays["boards"] = document.boards.outlines.astype("<f4")
         arrays["board_panels"] = document.boards.panels.astype("<u4")
+        if document.boards.hinges is not None and len(states):
+            # How far panels are moved, with their boards, in every state (S, F, 3).
+            moved = [
+                document.panel_corners(state)[:, 0] - state.positions[mesh.faces[:, 0]]
+                for state in states
+            ]
+            arrays["panel_shifts"] = np.array(moved, "<f4")
     for name, curve in document.curves.items():
         arrays[f"curve_{name}"] = placed(curve)
     if document.surface is not None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import json
+import struct
 from functools import cache
 from pathlib import Path
 
@@ -15,6 +17,7 @@ from orishell.design_file.file import check_design
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
 from orishell.io.solids import mesh_of, solids_in
+from orishell.io.view import dump_view
 from orishell.motion.quads import grid_corners, longer_diagonals, unit_normals
 from orishell.shell.make import Shell, make_shell
 
@@ -117,6 +120,24 @@ def test_hinges_are_a_table(tmp_path: Path) -> None:
     assert beside == [{row["panel_1"], row["panel_2"]} for row in creases]
     signs = {"M": "bottom", "V": "top"}
     assert [row["side"] for row in rows] == [signs[row["assignment"]] for row in creases]
+
+
+def test_the_viewer_is_told_how_far_panels_are_shifted() -> None:
+    document = shell().document
+    data = dump_view(document)
+    (size,) = struct.unpack_from("<I", data)
+    header = json.loads(data[4 : 4 + size])
+    place = header["arrays"]["panel_shifts"]
+    count = int(np.prod(place["shape"]))
+    found = np.frombuffer(data, "<f4", count, 4 + size + place["offset"]).reshape(place["shape"])
+    assert found.shape == (len(document.states), PANELS, 3)
+    hinges = document.boards.hinges if document.boards is not None else None
+    assert hinges is not None
+    for state, shifts in zip(document.states, found, strict=True):
+        normals = unit_normals(state.positions[document.mesh.faces])
+        np.testing.assert_allclose(shifts, hinges.shifts(normals), atol=1e-6)
+    # In the flat sheet nothing is shifted.
+    assert not found[document.named["flat"]].any()
 
 
 def test_structures_of_hinged_boards_are_refused_by_name() -> None:
