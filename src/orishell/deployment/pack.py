@@ -83,7 +83,9 @@ def find_pack(
             best = size, drive, box
     assert best is not None
     _, drive, box = best
-    return Pack(drive, box, count_layers(points_of(mechanism, drive), faces, box.axes))
+    # Whole boards may be stacked along any side of their box.
+    axes = box.axes if boards is None else None
+    return Pack(drive, box, count_layers(points_of(mechanism, drive), faces, axes))
 
 
 def _surfaces(points: Array, faces: Integers, thickness: float) -> Array:

@@ -103,7 +103,8 @@ def test_the_report_says_what_is_of_boards() -> None:
     packed = report.deployment.packed
     assert packed is not None
     # All boards lie on each other at 180 degrees, and arms reach no farther than the stack.
-    assert packed.height == pytest.approx(PANELS * 0.02, rel=0.35)
+    assert packed.height == pytest.approx(PANELS * 0.02, rel=1e-3)
+    assert packed.layers > 1
 
 
 def test_hinges_are_a_table(tmp_path: Path) -> None:

@@ -1,0 +1,45 @@
+"""The shelter of whole boards, 12 x 12 of 10 mm: what it has instead of set-backs of 197 mm."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from orishell.design_file import read_design_file
+from orishell.shell.make import make_shell
+from orishell.shell.steps import Step
+
+SHELTER = Path(__file__).parents[3] / "examples" / "shelter_hinged.toml"
+SKIP: tuple[Step, ...] = (
+    "remedies",
+    "deviation",
+    "weight",
+    "stock",
+    "verification",
+    "structure",
+)
+
+
+def test_the_shelter_of_whole_boards() -> None:
+    """Figures of the prototypes: arms of 11 thicknesses, 73 mm beside the sheet, 3.7 m3."""
+    shell = make_shell(read_design_file(SHELTER), skip=SKIP)
+    panel, packed = shell.report.panel, shell.report.deployment.packed
+    assert panel is not None
+    assert panel.hinged is not None
+    assert packed is not None
+    assert shell.report.feasible
+    assert shell.lock.cause == "crease"
+    assert shell.lock.closes_to == pytest.approx(np.pi)
+    assert panel.hinged.longest_arm == pytest.approx(0.11, abs=1e-12)
+    assert panel.hinged.board_share > 0.99
+    assert panel.hinged.offset_rms == pytest.approx(0.073, abs=5e-4)
+    assert packed.box.volume == pytest.approx(3.70, abs=0.01)
+    stands = shell.report.stands
+    assert stands is not None
+    assert stands.level
+    mechanism, hinges = shell.design.mechanism, shell.design.hinges
+    assert hinges is not None
+    gap = max(hinges.gap(mechanism.positions(drive)) for drive in np.linspace(0, np.pi, 9)[:-1])
+    assert gap < 1e-15
