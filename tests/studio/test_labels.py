@@ -17,7 +17,7 @@ from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables, de
 FAMILY = "parallel-repeating"
 THICK = {"thickness": 0.02, "membrane": 0.001}
 SOLID = {"thickness": 0.02, "gap": 0.001}
-HINGES = {"sandwich": THICK, "bevel": SOLID}
+HINGES = {"sandwich": THICK, "bevel": SOLID, "hinged": {"thickness": 0.02}}
 CHOICES = [
     (table, key, choice)
     for table, words in TABLES.items()

@@ -639,9 +639,9 @@ export interface HingedReport {
   arms: number;
   /** How thick they are. */
   arm_width: number;
-  /** How far boards lie at the target from the sheet without a thickness, whose surface, ties and own weight this report has: at most, and root mean square. */
+  /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
   offset_max: number;
-  /** How far boards lie at the target from the sheet without a thickness, whose surface, ties and own weight this report has: at most, and root mean square. */
+  /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
   offset_rms: number;
 }
 

@@ -93,7 +93,10 @@ def prove_boards(
     opposite, vertices = opposite_panels(mechanism.grid, settled)
 
     def corners(drive: float) -> Corners:
-        drives = np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
+        # Whole boards meet at their vertices in the flat sheet, and lie on each other in the pack,
+        # where no cut helps.
+        others = [0.0] if design.has_whole_boards else np.linspace(0.0, built.limit, STATES)
+        drives = np.unique([*others, drive]).tolist()
         return Corners(
             mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.boards
         )

@@ -16,6 +16,7 @@ from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, area_of, extents, find_assignment
 from orishell.motion.layout import points_of
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
 from orishell.solids.hinged import board_offsets
@@ -44,6 +45,8 @@ LARGEST_BOARD = (3.05, 1.525)
 """The largest plywood that is commonly sold, 10 by 5 feet (metres)."""
 DEEP = 0.3
 """A corrugation this share of the height deep hides the curve: one sees the folds."""
+LONG_ARM = 0.5
+"""Arms this share of an edge long catch on whatever stands beside the shell, and bend."""
 SAW, TRACK_SAW = 45, 48
 """Table saws tilt their blades from 0 to 45 degrees (manuals of Ryobi RTS08, DeWalt DWE7470 and
 others), the farthest of three track saws to 48 (Popular Woodworking 175, April 2009, page 43); a
@@ -245,6 +248,14 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
         f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "
         "beside it at the target"
     )
+    flat = mechanism.positions(0.0)
+    edges = np.concatenate([lengths(np.diff(flat, axis=axis)).ravel() for axis in (0, 1)])
+    if design.hinges.longest_arm > LONG_ARM * np.median(edges):
+        yield (
+            f"hinges stand up to {plain(design.hinges.longest_arm, 3)} {unit} off their boards, "
+            f"and edges of panels are {plain(float(np.median(edges)), 3)} {unit} long: fewer rows "
+            "or straight columns need shorter arms, and largest_arm in [panel] refuses longer ones"
+        )
 
 
 def _of_chamfers(lock: Lock) -> Iterator[str]:
