@@ -3,6 +3,7 @@
 Derived in docs/theory/deviation.md.
 """
 
+from orishell.deviation.locked import locked_shell
 from orishell.deviation.measure import (
     COARSE,
     SAMPLES,
@@ -10,7 +11,6 @@ from orishell.deviation.measure import (
     Distances,
     SignedDistances,
     find_excess,
-    locked_shell,
     measure_approach,
     measure_deviation,
     measure_distance,

@@ -12,6 +12,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import AskedSurface, Design
 from orishell.deviation.branch_and_bound import Cells, find_largest
+from orishell.deviation.locked import Mesh, locked_boards, locked_shell
 from orishell.deviation.scattered import Scattered
 from orishell.deviation.triangles import (
     Nearest,
@@ -31,10 +32,6 @@ COARSE = 3_000
 """Samples each way for a first look: a twentieth of a second, for sheets of some hundred panels."""
 SHARE = 0.95
 """The share of the area that is nearer than ``p95``."""
-
-
-Mesh = tuple[Array, Integers]
-"""Vertices (V, 3), and triangles (T, 3) of them."""
 
 
 @record
@@ -125,9 +122,8 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
     >>> round(measure_deviation(design, samples=COARSE).max, 2)
     0.23
     """
-    return measure_distance(
-        locked_shell(design), design.surface, samples=samples, boards=locked_boards(design)
-    )
+    shell, boards = locked_shell(design), locked_boards(design)
+    return measure_distance(shell, design.surface, samples=samples, boards=boards)
 
 
 def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | None:
@@ -140,33 +136,8 @@ def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | N
     """
     if design.approached is None or design.approached.surface is None:
         return None
-    return measure_distance(
-        locked_shell(design),
-        design.approached.surface,
-        samples=samples,
-        boards=locked_boards(design),
-    )
-
-
-def locked_shell(design: Design) -> Array:
-    """Vertices (rows, n, 3) of the shell that meets the surface: columns 1 ... n.
-
-    Flaps and border strips are not part of it: they stand beyond the ends of g.
-    """
-    mechanism = design.mechanism
-    return mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
-
-
-def locked_boards(design: Design) -> Mesh | None:
-    """Whole boards of the locked shell, half way up, where they lie beside its panels; or None."""
-    if design.hinges is None:
-        return None
-    mechanism = design.mechanism
-    inner = mechanism.inner_columns
-    boards = design.hinges.boards(mechanism.positions(mechanism.target_drive))
-    corners = boards[:, inner.start : inner.stop - 1].reshape(-1, 3)
-    first = 4 * np.arange(len(corners) // 4)[:, None]
-    return corners, (first + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
+    shell, boards = locked_shell(design), locked_boards(design)
+    return measure_distance(shell, design.approached.surface, samples=samples, boards=boards)
 
 
 def measure_distance(
@@ -201,9 +172,8 @@ def find_excess(design: Design, limit: float, *, samples: int) -> float:
     samples
         Samples each way, about.
     """
-    ways = _both_ways(
-        locked_shell(design), design.surface, samples, least=1, boards=locked_boards(design)
-    )
+    shell, boards = locked_shell(design), locked_boards(design)
+    ways = _both_ways(shell, design.surface, samples, least=1, boards=boards)
     attained = [float(way.found.distances.max()) - way.sagitta for way in ways]
     for number, way in enumerate(ways):
         if max(attained) > limit:
