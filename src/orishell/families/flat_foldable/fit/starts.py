@@ -29,6 +29,9 @@ SHARE = 0.45
 GOOD, MOST = 0.02, 3
 """A sheet whose vertices leave the offset surfaces by more than this share of the diagonal is not
 the last that is finished, unless so many were."""
+CLOSE, ALIKE = 0.05, 0.02
+"""If the score of the next coarse sheet is less than this share worse, it may become the better one
+with small panels, and is finished too; unless all its figures are the same but for this share."""
 TIE = 1e-3
 """Coarse sheets whose scores differ by less than this share are equally near."""
 WHAT = "fitting the sheet"
@@ -77,15 +80,20 @@ class Task:
         found = follow(seen, of, self.conditions, course, progress)
         return None if found is None else Fit(start, of, *found)
 
-    def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
-        """Starts, those first that lead nearest with a coarse sheet."""
+    def ranked(self, starts: list[Start], progress: Progress) -> list[tuple[Start, float]]:
+        """Starts with their scores by coarse sheets, the nearest first; of those alike only one."""
         coarse, share = self.coarse()
-        scores = []
+        reached: list[Reached | None] = []
         for number, start in enumerate(starts):
             found = coarse.tried(start, FAST)
-            scores.append(np.inf if found is None else found.reached.score(share))
+            reached.append(None if found is None else found.reached)
             progress((number + 1) / len(starts), WHAT)
-        return [starts[k] for k in _order(scores)]
+        scores = [np.inf if each is None else each.score(share) for each in reached]
+        kept: list[int] = []
+        for k in _order(scores):
+            if not any(_alike(reached[k], reached[other]) for other in kept):
+                kept.append(k)
+        return [(starts[k], scores[k]) for k in kept]
 
     def coarse(self) -> tuple[Task, float]:
         """The same with fewer panels, and how much larger these are."""
@@ -108,6 +116,12 @@ def _order(scores: list[float]) -> list[int]:
         found.append(next(k for k in left if scores[k] <= (1 + TIE) * least))
         left.remove(found[-1])
     return found
+
+
+def _alike(one: Reached | None, other: Reached | None) -> bool:
+    if one is None or other is None:
+        return False
+    return np.allclose(one.figures, other.figures, rtol=ALIKE, atol=0)
 
 
 def fit_sheet(
@@ -134,15 +148,18 @@ def fit_sheet(
             FOLDS if folded is None else (folded,),
         )
     ]
+    ranked = [(each, 0.0) for each in starts]
     if len(starts) > 1:
-        starts = task.ranked(starts, stretch(progress, 0, SHARE))
+        ranked = task.ranked(starts, stretch(progress, 0, SHARE))
     finished: list[Fit] = []
-    for number, start in enumerate(starts[:MOST]):
+    for number, (start, score) in enumerate(ranked[:MOST]):
+        good = all(each.reached.vertices <= GOOD for each in finished[-1:])
+        close = number < 2 and score <= (1 + CLOSE) * ranked[0][1]
+        if finished and good and not close:
+            break
         begun = SHARE + (1 - SHARE) * number / MOST
         told = stretch(progress, begun, begun + (1 - SHARE) / MOST)
         found = task.tried(start, THOROUGH, told)
         if found is not None:
             finished.append(found)
-            if found.reached.vertices <= GOOD:
-                break
     return min(finished, key=lambda each: each.reached.score(), default=None)
