@@ -26,12 +26,11 @@ COARSE = 9
 """Sheets with more panels along a side are tried with so many first, or one less."""
 SHARE = 0.45
 """Of the work, that the coarse trials are."""
-GOOD, MOST = 0.02, 3
-"""A sheet whose vertices leave the offset surfaces by more than this share of the diagonal is not
-the last that is finished, unless so many were."""
-CLOSE, ALIKE = 0.05, 0.02
-"""If the score of the next coarse sheet is less than this share worse, it may become the better one
-with small panels, and is finished too; unless all its figures are the same but for this share."""
+FEWEST, MOST, GOOD = 2, 3, 0.02
+"""So many sheets are finished, as coarse ones tell only about which will be nearest; and more while
+vertices leave the offset surfaces by more than this share of the diagonal."""
+ALIKE = 0.02
+"""Sheets are alike if none of their figures differs by more than this share."""
 TIE = 1e-3
 """Coarse sheets whose scores differ by less than this share are equally near."""
 WHAT = "fitting the sheet"
@@ -80,8 +79,8 @@ class Task:
         found = follow(seen, of, self.conditions, course, progress)
         return None if found is None else Fit(start, of, *found)
 
-    def ranked(self, starts: list[Start], progress: Progress) -> list[tuple[Start, float]]:
-        """Starts with their scores by coarse sheets, the nearest first; of those alike only one."""
+    def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
+        """Starts, those first that lead nearest with a coarse sheet; of those alike only one."""
         coarse, share = self.coarse()
         reached: list[Reached | None] = []
         for number, start in enumerate(starts):
@@ -93,7 +92,7 @@ class Task:
         for k in _order(scores):
             if not any(_alike(reached[k], reached[other]) for other in kept):
                 kept.append(k)
-        return [(starts[k], scores[k]) for k in kept]
+        return [starts[k] for k in kept]
 
     def coarse(self) -> tuple[Task, float]:
         """The same with fewer panels, and how much larger these are."""
@@ -148,14 +147,11 @@ def fit_sheet(
             FOLDS if folded is None else (folded,),
         )
     ]
-    ranked = [(each, 0.0) for each in starts]
     if len(starts) > 1:
-        ranked = task.ranked(starts, stretch(progress, 0, SHARE))
+        starts = task.ranked(starts, stretch(progress, 0, SHARE))
     finished: list[Fit] = []
-    for number, (start, score) in enumerate(ranked[:MOST]):
-        good = all(each.reached.vertices <= GOOD for each in finished[-1:])
-        close = number < 2 and score <= (1 + CLOSE) * ranked[0][1]
-        if finished and good and not close:
+    for number, start in enumerate(starts[:MOST]):
+        if number >= FEWEST and any(each.reached.vertices <= GOOD for each in finished):
             break
         begun = SHARE + (1 - SHARE) * number / MOST
         told = stretch(progress, begun, begun + (1 - SHARE) / MOST)
