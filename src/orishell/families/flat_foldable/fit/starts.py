@@ -26,9 +26,10 @@ COARSE = 9
 """Sheets with more panels along a side are tried with so many first, or one less."""
 SHARE = 0.45
 """Of the work, that the coarse trials are."""
-FEWEST, MOST, GOOD = 2, 3, 0.02
-"""So many sheets are finished, as coarse ones tell only about which will be nearest; and more while
-vertices leave the offset surfaces by more than this share of the diagonal."""
+GOOD = (0.005, 0.02)
+"""Coarse sheets tell only about which will be nearest. If vertices of the first one that is
+finished leave the offset surfaces by more than this share of the diagonal, a second one is; if
+those of the second do, a third and last one."""
 ALIKE = 0.02
 """Sheets are alike if none of their figures differs by more than this share."""
 TIE = 1e-3
@@ -150,12 +151,13 @@ def fit_sheet(
     if len(starts) > 1:
         starts = task.ranked(starts, stretch(progress, 0, SHARE))
     finished: list[Fit] = []
-    for number, start in enumerate(starts[:MOST]):
-        if number >= FEWEST and any(each.reached.vertices <= GOOD for each in finished):
-            break
-        begun = SHARE + (1 - SHARE) * number / MOST
-        told = stretch(progress, begun, begun + (1 - SHARE) / MOST)
+    limits = (*GOOD, np.inf)
+    for number, (start, good) in enumerate(zip(starts, limits, strict=False)):
+        begun = SHARE + (1 - SHARE) * number / len(limits)
+        told = stretch(progress, begun, begun + (1 - SHARE) / len(limits))
         found = task.tried(start, THOROUGH, told)
         if found is not None:
             finished.append(found)
+            if found.reached.vertices <= good:
+                break
     return min(finished, key=lambda each: each.reached.score(), default=None)
