@@ -183,7 +183,7 @@ def _of_size(design: Design) -> Iterator[str]:
     elif "sector_deg" in parameters:
         less = "sector angles nearer to 90 degrees"
     else:
-        # Of fitted sheets: those that began with other fold angles were as large within 5 %, or were
+        # Of fitted sheets those that began with other fold angles were as large within 5 %, or
         # lost; those with half as many rows and columns 4 to 15 % smaller, and twice as far away.
         less = ""
     flaps = "narrower flaps" if has_flaps(design.mechanism) or less else ""
