@@ -235,6 +235,12 @@ def test_panels_with_a_thickness(page: Page) -> None:
     assert page.evaluate("window.__orishell.report.panel.gap") == 0.002
     assert page.evaluate("window.__orishell.report.panel.construction") == "bevel"
     assert page.get_by_test_id("banner").is_hidden()
+    # Whole boards on hinges are a choice, and why they are not to be had here is the refusal.
+    page.locator("label:has([data-testid=panel-construction-hinged])").click()
+    page.get_by_test_id("banner").wait_for()
+    assert page.evaluate(table) == {"thickness": 0.1, "construction": "hinged", "gap": 0.002}
+    assert "flaps" in page.get_by_test_id("banner").inner_text()
+    assert page.get_by_test_id("panel-largest_arm").is_visible()
     box.fill("0")
     drawn(page)
     assert page.evaluate(table) is None
