@@ -28,8 +28,7 @@ from orishell.clash.ranges import BASE, TICKS, Outcome, PathContact, PathResult,
 from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.motion import Mechanism
-from orishell.motion.grid import Grid
-from orishell.motion.quads import grid_corners
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
@@ -76,8 +75,8 @@ class _BodySearch(PathSearch):
 
     def __init__(self, mechanism: Mechanism, end: float, tolerance: float, bodies: Bodies) -> None:
         super().__init__(mechanism, end, tolerance, bodies=bodies)
-        self.grid, self.bodies = mechanism.grid, bodies
-        self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
+        self.layout, self.bodies = Layout.of(mechanism), bodies
+        self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
 
     def _swung(self, part: PathRange) -> float:
         return 2 * float(self._swings(part).max())
@@ -112,9 +111,9 @@ class OppositeBoards:
         self.bodies, self.states = search.bodies, search.states
         self.tolerance = search.tolerance + search.rounding
         self.edges, self.normals = search.bounds, search.normals
-        panels, vertex = opposite_panels(search.grid, settled)
+        panels, vertex = opposite_panels(search.layout, settled)
         self.pairs, which = self.bodies.pairs_of(panels)
-        self.columns = search.grid.columns - 1
+        self.places = search.layout.first
         self.parts = [self.bodies.components(numbers, vertex[which]) for numbers in self.pairs]
         self.kept_by = np.zeros(len(which), np.int64)
         self.sleep = np.full(len(which), np.inf)
@@ -133,7 +132,7 @@ class OppositeBoards:
             found = []
             for numbers, parts in zip(self.pairs, self.parts, strict=True):
                 panel = self.bodies.panels[numbers[which]]
-                row, column = np.divmod(panel, self.columns)
+                row, column = self.places[panel].T
                 along, down, over = parts[..., which]
                 total = along * bounds.steps[0][column] + down * bounds.steps[1][row]
                 found.append(step**2 / 8 * (total + over * swing[panel]))
@@ -191,11 +190,20 @@ class OppositeBoards:
         return np.asarray(np.max(kept, axis=0))
 
 
-def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
-    """Panels opposite each other at the inner vertices that are not settled, and these (P,)."""
+def opposite_panels(layout: Layout, settled: Booleans) -> tuple[Pairs, Integers]:
+    """Panels opposite each other at the inner vertices that are not settled, and these (P,).
+
+    Flaps beside the grid make inner vertices of the border's, which are never settled.
+    """
+    grid = layout.grid
     panel = np.arange(grid.panel_count).reshape(grid.rows - 1, grid.columns - 1)
     there = ~settled
     vertex = grid.vertices()[1:-1, 1:-1][there]
-    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there]])
-    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there]])
-    return (first, second), np.tile(vertex, 2)
+    upper, lower = layout.pairs.T
+    # Hinges are listed by flaps.
+    above, below = (layout.hinges[each - grid.panel_count, 1] for each in (upper, lower))
+    faces = layout.faces[upper]
+    on_border = faces[faces < grid.vertex_count]
+    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there], upper, lower])
+    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there], below, above])
+    return (first, second), np.concatenate([vertex, vertex, on_border, on_border])

@@ -21,6 +21,7 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import BuiltPanels, build_panels
 
@@ -56,7 +57,7 @@ class Corners:
     columns: The columns of its vertices at which corners may be cut off: those of the sheet.
     opposite, vertices: Panels (P,) opposite each other, and the vertex (P,) that they share.
     drives: States in which their boards are compared (radians).
-    flat: The flat sheet (rows, columns, 3) in which boards are described.
+    flat: Vertices (V, 3) of the flat sheet in which boards are described.
     boards: All boards on it.
     """
 
@@ -70,8 +71,8 @@ class Corners:
 
     def bodies(self, built: BuiltPanels) -> Bodies:
         """Its boards as bodies."""
-        faces = self.mechanism.grid.faces_vertices()
-        return Bodies(self.boards(built), faces, self.flat.reshape(-1, 3))
+        faces = Layout.of(self.mechanism).faces
+        return Bodies(self.boards(built), faces, self.flat)
 
 
 def prove_boards(
@@ -86,10 +87,10 @@ def prove_boards(
 
     Raises DesignError if nothing is left of a panel.
     """
-    mechanism, flat = design.mechanism.still, design.mechanism.positions(0.0)
+    mechanism, flat = design.mechanism.still, points_of(design.mechanism, 0.0)
     built = build_panels(design, end)
     settled = built.settled()
-    opposite, vertices = opposite_panels(mechanism.grid, settled)
+    opposite, vertices = opposite_panels(Layout.of(mechanism), settled)
 
     def corners(drive: float) -> Corners:
         drives = np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
@@ -142,7 +143,7 @@ def cut_corners(
 
 
 def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
-    first, second = mechanism.grid.faces_vertices()[list(panels)]
+    first, second = Layout.of(mechanism).faces[list(panels)]
     return bool(np.isin(first, second).any())
 
 
@@ -161,7 +162,7 @@ def _relieve(
     vertex = corners.vertices[which]
 
     def gaps(bodies: Bodies, drive: float, some: Integers) -> Array:
-        state = bodies.carried(mechanism.positions(drive).reshape(-1, 3))
+        state = bodies.carried(points_of(mechanism, drive))
         found = Apartness.of((state, state), (pairs[0][some], pairs[1][some]))
         return np.asarray(found.gaps[0])
 
@@ -207,14 +208,9 @@ def _can_be_built(design: Design, limit: float, reliefs: Array) -> bool:
 
 def _shortest_edges(mechanism: Mechanism) -> Array:
     """Length (rows, columns) of the shortest edge at every vertex."""
-    flat = mechanism.positions(0.0)
-    along, down = (np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (1, 0))
-    shortest = np.full(flat.shape[:2], np.inf)
-    for part, length in (
-        (np.s_[:, :-1], along),
-        (np.s_[:, 1:], along),
-        (np.s_[:-1], down),
-        (np.s_[1:], down),
-    ):
-        shortest[part] = np.minimum(shortest[part], length)
-    return shortest
+    layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
+    ends, _ = layout.edges
+    length = np.linalg.norm(flat[ends[:, 1]] - flat[ends[:, 0]], axis=-1)
+    shortest = np.full(len(flat), np.inf)
+    np.minimum.at(shortest, ends, length[:, None])
+    return shortest[: layout.grid.vertex_count].reshape(layout.grid.rows, layout.grid.columns)

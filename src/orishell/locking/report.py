@@ -8,7 +8,8 @@ from orishell.clash import ProofRecord
 from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
 from orishell.locking.result import Lock
-from orishell.solids import BuiltPanels, find_meetings, find_set_backs
+from orishell.motion.layout import Layout
+from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 
 
 @record
@@ -51,7 +52,8 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     if built is None:
         return None
     build = built.build
-    back = find_set_backs(built.folds, build.height, build.gap)
+    sides = SideFolds.of(Layout.of(design.mechanism), built.folds, built.beside)
+    back = set_backs_of(sides, build.height, build.gap)
     longest = np.concatenate([back.top, back.bottom])
     return PanelReport(
         construction=build.construction,
@@ -60,7 +62,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         gap=build.gap,
         stop_deg=_stop_deg(design),
         set_back_for=built.limit,
-        largest_fold=float(np.abs(built.folds.on_edges()).max()),
+        largest_fold=float(sides.largest.max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
         boards=len(built.boards) + (len(built.flaps) if built.flaps is not None else 0),
         corners_cut=int((built.reliefs > 0).sum()),
@@ -71,11 +73,11 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
 
 
 def _meeting(design: Design, built: BuiltPanels) -> MeetingReport | None:
-    sheet, folds, boards = design.mechanism, built.folds, built.boards
+    sheet, folds, boards, beside = design.mechanism, built.folds, built.boards, built.beside
     if design.clipped is not None and built.flaps is not None:
         sheet, boards = design.clipped, built.flaps
-        folds = sheet.fold_angles(sheet.target_drive)
-    found = find_meetings(sheet, built.build, folds, boards)
+        folds, beside = sheet.fold_angles(sheet.target_drive), FlapFolds.at(sheet, sheet.target_drive)
+    found = find_meetings(sheet, built.build, folds, boards, beside)
     if not len(found.rows):
         return None
     return MeetingReport(

@@ -36,9 +36,10 @@ class Layout:
     # (F, 2), row and column that a panel is called by: -1 is the column left of the sheet
     names: Integers
     flaps: Booleans  # (F,), which are flaps
-    # numbers (K, 2) of panels about the row creases of flaps that are no columns of the grid
+    # numbers (K, 2) of panels about the row creases of flaps that are no columns of the grid, the
+    # upper ones first
     pairs: Integers
-    # numbers (H, 2) of such flaps and of the panels that they are hinged to
+    # numbers (H, 2) of such flaps, in ascending order, and of the panels that they are hinged to
     hinges: Integers
 
     @classmethod
@@ -74,6 +75,17 @@ class Layout:
         known = np.concatenate([listed, np.sort(folding, axis=1) @ [count, 1]])
         rest = np.stack(np.divmod(np.setdiff1d(keys, known), count), axis=-1)
         return np.concatenate([whole[kept], folding, rest]), kept
+
+    @cached_property
+    def folding_sides(self) -> tuple[Integers, Integers]:
+        """Sides of panels at the hinges (H, 2) and the row creases (K, 2) of flaps beside it.
+
+        Side k goes from a panel's corner k to the next. A flap begins with its hinge.
+        """
+        on_border = np.where(self.names[self.hinges[:, 0], 1] < 0, 0, 2)
+        from_vertex = self.faces[self.pairs, 0] < self.grid.vertex_count
+        hinges = np.stack([np.zeros_like(on_border), on_border], axis=-1)
+        return hinges, np.where(from_vertex, 3, 1)
 
     def between(self, one: int, other: int) -> Integers:
         """Vertices (2,) that two panels share."""

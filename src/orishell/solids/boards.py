@@ -10,8 +10,10 @@ from orishell.conventions.errors import DesignError
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.numerics.arrays import Array, Booleans
-from orishell.solids.setbacks import find_set_backs
+from orishell.motion.layout import Layout
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.solids.setbacks import set_backs_of
+from orishell.solids.sides import FlapFolds, SideFolds
 
 INSIDE = 1e-12
 """A corner counts as inside an edge up to this share of the panel's size."""
@@ -39,10 +41,11 @@ def inset_panels(panels: Array, distance: Array, grid: Grid, cut: Array | None =
 
     points, kept = _crossings(inward, level, size)
     if (few := kept.sum(axis=1) < 3).any():
-        row, column = divmod(int(few.argmax()), grid.columns - 1)
+        panel = int(few.argmax())
+        row, column = divmod(panel, grid.columns - 1)
         raise DesignError(
             "boards of this thickness leave nothing of a panel",
-            place=f"of panel [{row}, {column}]",
+            place=f"of panel [{row}, {column}]" if panel < grid.panel_count else "of a flap",
         )
     # Between two sides lies the corner that is farthest out between their directions.
     outward = -_unit(_unit(inward) + np.roll(inward, 1, axis=1))
@@ -78,6 +81,18 @@ def build_boards(
     folds: CreaseValues,
     reliefs: Array | None = None,
 ) -> Boards:
+    """The boards of all panels of a grid (rows, columns, 3): see :func:`boards_on`."""
+    return boards_on(flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs)
+
+
+def boards_on(
+    flat: Array,
+    layout: Layout,
+    build: PanelSpec,
+    folds: CreaseValues,
+    reliefs: Array | None = None,
+    beside: FlapFolds | None = None,
+) -> Boards:
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
     A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
@@ -88,30 +103,31 @@ def build_boards(
     Parameters
     ----------
     flat
-        Vertices (rows, columns, 3) of the flat sheet.
+        Vertices (V, 3) of the flat sheet.
     reliefs
         How far corners are cut off at every vertex (rows, columns) (length); None if none is.
+    beside
+        The largest fold angles of flaps that are no columns of the grid, if there are such flaps.
 
     Raises
     ------
     DesignError
         If nothing is left of a panel.
     """
-    faces = grid.faces_vertices()
-    panels = flat.reshape(-1, 3)[faces, :2]
-    back = find_set_backs(folds, build.height, build.gap)
-    edges = grid.faces_edges()
-    cut = None if reliefs is None else reliefs.ravel()[faces]
+    faces, grid, sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
+    panels = flat[faces, :2]
+    back = set_backs_of(sides, build.height, build.gap)
+    cut = None if reliefs is None else _at_corners(reliefs, faces)
     there: list[Booleans] = [
-        np.asarray(np.isfinite(each[edges]).all(axis=1)) for each in (back.top, back.bottom)
+        np.asarray(np.isfinite(each).all(axis=1)) for each in (back.top, back.bottom)
     ]
 
     def outline(distance: Array, present: Booleans) -> Array:
         kept = None if cut is None else cut[present]
-        return inset_panels(panels[present], distance[edges][present], grid, kept)
+        return inset_panels(panels[present], distance[present], grid, kept)
 
     if build.construction == "bevel":
-        middle = find_set_backs(folds, 0.0, build.gap).top
+        middle = set_backs_of(sides, 0.0, build.gap).top
         solid = there[0] & there[1]
         levels = [(back.bottom, -build.height), (middle, 0.0), (back.top, build.height)]
         outlines = np.stack([_at(outline(d, solid), z) for d, z in levels], axis=1)
@@ -129,6 +145,12 @@ def build_boards(
     panels_of, sides, outlines = (np.concatenate(each) for each in zip(*made, strict=True))
     order = np.lexsort([-sides, panels_of])
     return Boards(panels_of[order], sides[order], outlines[order])
+
+
+def _at_corners(reliefs: Array, faces: Integers) -> Array:
+    """Of reliefs (rows, columns) those at corners (F, 4); none at those that are not the grid's."""
+    more = int(faces.max()) + 1 - reliefs.size
+    return np.asarray(np.pad(reliefs.ravel(), (0, more))[faces])
 
 
 def _at(outline: Array, height: float) -> Array:
