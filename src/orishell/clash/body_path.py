@@ -45,13 +45,15 @@ def find_first_body_contact(
     bodies: Bodies,
     *,
     settled: Booleans,
+    only: Booleans | None = None,
     progress: Progress = no_progress,
 ) -> PathResult:
     """Return where two boards of panels without a common crease first come within a tolerance.
 
     Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
+    Pairs with no panel of ``only`` (F,) are left out.
     """
-    search = _BodySearch(mechanism, end, tolerance, bodies)
+    search = _BodySearch(mechanism, end, tolerance, bodies, only)
     opposite = OppositeBoards(search, settled)
     everything = np.arange(len(opposite.pairs[0]))
     found, clear = search_ranges(opposite.examine, everything, stretch(progress, 0.0, OPPOSITE))
@@ -59,7 +61,7 @@ def find_first_body_contact(
     if found is not None:
         ends = search.states.drive(found[0]), search.states.drive(clear)
         contact = PathContact(*ends, bodies.carriers(found[1]), found[1])
-        search = _BodySearch(mechanism, ends[0], tolerance, bodies)
+        search = _BodySearch(mechanism, ends[0], tolerance, bodies, only)
     result = search.run(stretch(progress, OPPOSITE, 1.0))
     ranges, tests = result.proof.ranges + opposite.ranges, result.proof.tests + opposite.tests
     proof = replace(result.proof, ranges=ranges, tests=tests)
@@ -73,8 +75,16 @@ def find_first_body_contact(
 class _BodySearch(PathSearch):
     """A search for the first contact of boards whose panels have no common vertex."""
 
-    def __init__(self, mechanism: Mechanism, end: float, tolerance: float, bodies: Bodies) -> None:
-        super().__init__(mechanism, end, tolerance, bodies=bodies)
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        end: float,
+        tolerance: float,
+        bodies: Bodies,
+        only: Booleans | None,
+    ) -> None:
+        super().__init__(mechanism, end, tolerance, only=only, bodies=bodies)
+        self.only = only
         self.layout, self.bodies = Layout.of(mechanism), bodies
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
 
@@ -112,6 +122,9 @@ class OppositeBoards:
         self.tolerance = search.tolerance + search.rounding
         self.edges, self.normals = search.bounds, search.normals
         panels, vertex = opposite_panels(search.layout, settled)
+        if search.only is not None:
+            wanted = search.only[panels[0]] | search.only[panels[1]]
+            panels, vertex = selected(panels, wanted), vertex[wanted]
         self.pairs, which = self.bodies.pairs_of(panels)
         self.places = search.layout.first
         self.parts = [self.bodies.components(numbers, vertex[which]) for numbers in self.pairs]

@@ -76,7 +76,12 @@ class Corners:
 
 
 def prove_boards(
-    design: Design, end: float, tolerance: float, progress: Progress = no_progress
+    design: Design,
+    end: float,
+    tolerance: float,
+    progress: Progress = no_progress,
+    *,
+    only: Booleans | None = None,
 ) -> tuple[BuiltPanels, PathResult]:
     """Return the boards of a design, corners cut off where need be, and their first contact.
 
@@ -84,6 +89,7 @@ def prove_boards(
 
     end: The drive up to which boards are set back and the path is examined (radians).
     tolerance: Distance at which boards touch (length).
+    only: Panels (F,): pairs of boards with none of theirs are left out. All panels if None.
 
     Raises DesignError if nothing is left of a panel.
     """
@@ -105,6 +111,7 @@ def prove_boards(
             tolerance,
             corners(end).bodies(built),
             settled=settled,
+            only=only,
             progress=progress,
         )
 

@@ -76,7 +76,10 @@ def _meeting(design: Design, built: BuiltPanels) -> MeetingReport | None:
     sheet, folds, boards, beside = design.mechanism, built.folds, built.boards, built.beside
     if design.clipped is not None and built.flaps is not None:
         sheet, boards = design.clipped, built.flaps
-        folds, beside = sheet.fold_angles(sheet.target_drive), FlapFolds.at(sheet, sheet.target_drive)
+        folds, beside = (
+            sheet.fold_angles(sheet.target_drive),
+            FlapFolds.at(sheet, sheet.target_drive),
+        )
     found = find_meetings(sheet, built.build, folds, boards, beside)
     if not len(found.rows):
         return None

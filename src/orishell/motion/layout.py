@@ -12,7 +12,6 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
 from orishell.motion.grid import UNFOLDED, Grid
 from orishell.motion.mechanism import Mechanism
@@ -56,6 +55,11 @@ class Layout:
         flaps = np.isin(names[:, 1], flap_columns)
         none, faces = np.zeros((0, 2), np.int64), grid.faces_vertices()
         return cls(grid, faces, faces, names, names + 1, names, flaps, none, none)
+
+    @property
+    def beside(self) -> Booleans:
+        """Which panels (F,) are beside the grid."""
+        return np.arange(len(self.faces)) >= self.grid.panel_count
 
     @cached_property
     def edges(self) -> tuple[Integers, Booleans]:
@@ -117,24 +121,6 @@ class LaidOut(Protocol):
 
     def hinge_folds(self, drive: ArrayLike) -> Array:
         """Fold angles (..., H) of the hinges of its layout (radians)."""
-
-
-def require_grid(mechanism: Mechanism, what: str) -> None:
-    """Refuse flaps that are no columns of the grid, where they would be left out.
-
-    what: What they cannot be.
-
-    Raises
-    ------
-    DesignError
-        If the mechanism has such flaps.
-    """
-    if isinstance(mechanism, LaidOut):
-        raise DesignError(
-            f"flaps that are slit from row to row cannot be {what} yet",
-            keys=("pattern.flap",),
-            candidates=[Remedy({"pattern.border": "straight"}), Remedy({"pattern.flap": 0.0})],
-        )
 
 
 def points_of(mechanism: Mechanism, drive: ArrayLike) -> Array:

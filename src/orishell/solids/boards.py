@@ -82,7 +82,7 @@ def build_boards(
     reliefs: Array | None = None,
 ) -> Boards:
     """The boards of all panels of a grid (rows, columns, 3): see :func:`boards_on`."""
-    return boards_on(flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs)
+    return boards_on(flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs=reliefs)
 
 
 def boards_on(
@@ -90,6 +90,7 @@ def boards_on(
     layout: Layout,
     build: PanelSpec,
     folds: CreaseValues,
+    *,
     reliefs: Array | None = None,
     beside: FlapFolds | None = None,
 ) -> Boards:

@@ -99,7 +99,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:
         beside, flat = largest_flap_folds(mechanism, limit), points_of(mechanism, 0.0)
-        boards = boards_on(flat, Layout.of(mechanism), build, folds, reliefs, beside)
+        boards = boards_on(flat, Layout.of(mechanism), build, folds, reliefs=reliefs, beside=beside)
         return BuiltPanels(build, limit, folds, cut, boards, None, beside)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     own = _with_flaps_columns(np.arange(grid.panel_count), design.clipped)
@@ -122,7 +122,8 @@ def _with_flaps(
     if reliefs is not None:
         reliefs = np.pad(reliefs, ((0, 0), (inner.start, clipped.grid.columns - inner.stop)))
     flat, beside = points_of(clipped, 0.0), FlapFolds.at(clipped, target)
-    return boards_on(flat, Layout.of(clipped), build, CreaseValues(row, column), reliefs, beside)
+    all_folds = CreaseValues(row, column)
+    return boards_on(flat, Layout.of(clipped), build, all_folds, reliefs=reliefs, beside=beside)
 
 
 @record
@@ -163,8 +164,8 @@ class _RowCreases:
         if isinstance(mechanism, LaidOut):
             pairs, (_, sides) = layout.pairs, layout.folding_sides
             # Seen from the upper flap, the crease ends where its side does.
-            upper, side = layout.faces[pairs[:, 0]], sides[:, :1]
-            ends = np.take_along_axis(upper, (side + [0, 1]) % 4, axis=1)
+            upper = layout.faces[pairs[:, 0]]
+            ends = np.take_along_axis(upper, (sides[:, :1] + np.arange(2)) % 4, axis=1)
             names = layout.names[pairs[:, 0]]
             return cls(pairs, sides, names, ends, mechanism.flap_folds(target))
         rows, columns = (
@@ -218,9 +219,7 @@ def find_meetings(
     left, right = (flat[creases.ends[:, k], :2] for k in (0, 1))
     level = np.where(closing > 0, -1, 0)
     ends = [
-        _along(
-            _side(boards.outlines[pair[:, k], level, :, :2], creases.sides[:, k]), left, right
-        )
+        _along(_side(boards.outlines[pair[:, k], level, :, :2], creases.sides[:, k]), left, right)
         for k in (0, 1)
     ]
     start, stop = np.maximum(*ends)[:, 0], np.minimum(*ends)[:, 1]

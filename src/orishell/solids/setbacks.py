@@ -56,6 +56,7 @@ def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
     limit
         The drive up to which the motion is used (radians).
     """
+
     def angles(drives: Array) -> tuple[Array, Array]:
         found = mechanism.fold_angles(drives)
         return found.row, found.column
@@ -166,8 +167,9 @@ def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpe
     flat
         Vertices (rows, columns, 3) of the flat sheet.
     """
-    panels = flat.reshape(-1, 3)[grid.faces_vertices(), :2]
-    return float(allowed_heights(panels, SideFolds.of(Layout.of_grid(grid), folds), build).min())
+    layout = Layout.of_grid(grid)
+    sides = SideFolds.of(layout, folds)
+    return float(allowed_heights(flat.reshape(-1, 3), layout, sides, build).min())
 
 
 def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None = None) -> float:
@@ -179,7 +181,7 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
         The drive up to which the motion is known to be free; None for its end (radians).
     """
     layout = Layout.of(mechanism)
-    across = _ways_across(points_of(mechanism, 0.0)[layout.faces, :2])
+    across = _ways_across(points_of(mechanism, 0.0), layout)
     end = mechanism.end_drive if end is None else end
     bare = bare_faces(SideFolds.at(mechanism, mechanism.target_drive), layout.flaps)
 
@@ -195,13 +197,13 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
     return end
 
 
-def allowed_heights(panels: Array, sides: SideFolds, build: PanelSpec) -> Array:
+def allowed_heights(flat: Array, layout: Layout, sides: SideFolds, build: PanelSpec) -> Array:
     """How high boards may stand (2, F, 2): faces, upper one first; panels; ways across.
 
-    Panels (F, 4, 2) lie in the flat sheet. The first way is from left to right, the second from
+    The flat sheet has the vertices (V, 3). The first way is from left to right, the second from
     bottom to top. 0 where even the gap takes too much.
     """
-    return _heights(_ways_across(panels), sides, build)
+    return _heights(_ways_across(flat, layout), sides, build)
 
 
 def bare_faces(sides: SideFolds, flaps: Booleans) -> Booleans:
@@ -240,12 +242,18 @@ def _over(length: Array | float, share: Array) -> Array:
         return np.asarray(np.divide(taken, share, out=bound, where=some))
 
 
-def _ways_across(corners: Array) -> Array:
-    """Shortest width (F, 2) of panels (F, 4, 2) from left to right and from top to bottom."""
+def _ways_across(flat: Array, layout: Layout) -> Array:
+    """Shortest width (F, 2) of panels from left to right and from top to bottom.
+
+    Of flaps beside the grid, whose other two sides are free, it is measured to the middle of the
+    opposite side: they may end in a point.
+    """
+    corners = flat[layout.faces, :2]
     along = np.roll(corners, -1, axis=1) - corners
     inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
     inward /= np.hypot(inward[..., 0], inward[..., 1])[..., None]
     # Distances (F, 4 edges, 2 ends) of the ends of the opposite edge from every edge's line.
     opposite = np.stack([np.roll(corners, -2, axis=1), np.roll(corners, -3, axis=1)], axis=2)
-    away = ((opposite - corners[:, :, None]) * inward[:, :, None]).sum(axis=-1).min(axis=-1)
-    return np.asarray(np.minimum(away[:, :2], away[:, 2:]))
+    away = ((opposite - corners[:, :, None]) * inward[:, :, None]).sum(axis=-1)
+    width = np.where(layout.beside[:, None], away.mean(axis=-1), away.min(axis=-1))
+    return np.asarray(np.minimum(width[:, :2], width[:, 2:]))

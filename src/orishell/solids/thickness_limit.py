@@ -14,7 +14,6 @@ from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import LaidOut, Layout, has_flaps, points_of
-from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers, largest_below
 from orishell.solids.setbacks import (
     allowed_heights,
@@ -51,7 +50,7 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     layout, target = Layout.of(mechanism), mechanism.target_drive
     folds, beside = largest_folds(mechanism, target), largest_flap_folds(mechanism, target)
     sides = SideFolds.of(layout, folds, beside)
-    heights = allowed_heights(points_of(mechanism, 0.0)[layout.faces, :2], sides, build)
+    heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
     heights[bare_faces(sides, layout.flaps)] = np.inf
     _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
     most = 2 * float(heights.min())
@@ -246,5 +245,5 @@ def _most_beside(stopped: Mechanism, layout: Layout, build: PanelSpec) -> float:
         np.zeros((grid.rows - 2, grid.columns - 1)), np.zeros((grid.rows - 1, grid.columns - 2))
     )
     sides = SideFolds.of(layout, still, FlapFolds(0 * beside.hinges, beside.pairs))
-    heights = allowed_heights(points_of(stopped, 0.0)[layout.faces, :2], sides, build)
+    heights = allowed_heights(points_of(stopped, 0.0), layout, sides, build)
     return float(heights[:, layout.flaps].min())
