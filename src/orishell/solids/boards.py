@@ -115,9 +115,9 @@ def boards_on(
     DesignError
         If nothing is left of a panel.
     """
-    faces, grid, sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
+    faces, grid, at_sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
     panels = flat[faces, :2]
-    back = set_backs_of(sides, build.height, build.gap)
+    back = set_backs_of(at_sides, build.height, build.gap)
     cut = None if reliefs is None else _at_corners(reliefs, faces)
     there: list[Booleans] = [
         np.asarray(np.isfinite(each).all(axis=1)) for each in (back.top, back.bottom)
@@ -128,7 +128,7 @@ def boards_on(
         return inset_panels(panels[present], distance[present], grid, kept)
 
     if build.construction == "bevel":
-        middle = set_backs_of(sides, 0.0, build.gap).top
+        middle = set_backs_of(at_sides, 0.0, build.gap).top
         solid = there[0] & there[1]
         levels = [(back.bottom, -build.height), (middle, 0.0), (back.top, build.height)]
         outlines = np.stack([_at(outline(d, solid), z) for d, z in levels], axis=1)

@@ -165,7 +165,8 @@ class _RowCreases:
             pairs, (_, sides) = layout.pairs, layout.folding_sides
             # Seen from the upper flap, the crease ends where its side does.
             upper = layout.faces[pairs[:, 0]]
-            ends = np.take_along_axis(upper, (sides[:, :1] + np.arange(2)) % 4, axis=1)
+            along: Integers = (sides[:, :1] + np.arange(2)) % 4
+            ends = np.take_along_axis(upper, along, axis=1)
             names = layout.names[pairs[:, 0]]
             return cls(pairs, sides, names, ends, mechanism.flap_folds(target))
         rows, columns = (
@@ -188,8 +189,13 @@ class _RowCreases:
 
     def chosen(self, which: Booleans) -> _RowCreases:
         """Those at which ``which`` (M,) is true."""
-        each = self.panels, self.sides, self.names, self.ends, self.folds
-        return _RowCreases(*(array[which] for array in each))
+        return _RowCreases(
+            self.panels[which],
+            self.sides[which],
+            self.names[which],
+            self.ends[which],
+            self.folds[which],
+        )
 
 
 def find_meetings(
@@ -213,7 +219,7 @@ def find_meetings(
     closing = np.sign(creases.folds).astype(np.int64)
     side = 0 * closing if build.construction == "bevel" else closing
     pair = number[creases.panels, side[:, None] + 1]
-    there = (pair >= 0).all(axis=1)
+    there: Booleans = np.asarray((pair >= 0).all(axis=1))
     creases, closing, pair = creases.chosen(there), closing[there], pair[there]
 
     left, right = (flat[creases.ends[:, k], :2] for k in (0, 1))

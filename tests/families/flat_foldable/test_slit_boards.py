@@ -128,7 +128,7 @@ def test_normals_of_flaps_swing_no_faster_than_their_bounds(number: int) -> None
     corners = sheet.points(np.array([middle - h, middle, middle + h]))[:, layout.faces]
 
     def swing(vectors: Array) -> Array:
-        return np.linalg.norm(np.diff(vectors, n=2, axis=0)[0], axis=-1) / h**2
+        return np.asarray(np.linalg.norm(np.diff(vectors, n=2, axis=0)[0], axis=-1) / h**2)
 
     assert (swing(unit_normals(corners)) <= normals * (1 + 1e-9) + 1e-8).all()
     flaps = layout.flaps
