@@ -34,7 +34,17 @@ class OffsetSection:
 
 
 def find_offset_section(column: Array, piece: Piece, offset: float) -> OffsetSection:
-    """The section along a column (R, 3) over a piece, with what lies an offset beside this."""
+    """Cut a surface along a column of a shell, and the two surfaces beside it.
+
+    Parameters
+    ----------
+    column
+        Vertices (R, 3) of the shell.
+    piece
+        The surface asked for.
+    offset
+        How far crests and valleys should be from it (length).
+    """
     share = np.arange(STEPS)[:, None] / STEPS
     points = column[:-1, None] * (1 - share) + column[1:, None] * share
     points = np.concatenate([points.reshape(-1, 3), column[-1:]])
