@@ -81,7 +81,22 @@ def build_boards(
     folds: CreaseValues,
     reliefs: Array | None = None,
 ) -> Boards:
-    """The boards of all panels of a grid (rows, columns, 3): see :func:`boards_on`."""
+    """The boards of all panels of a grid, set back for the largest fold angles, in [-pi, pi].
+
+    See :func:`boards_on`.
+
+    Parameters
+    ----------
+    flat
+        Vertices (rows, columns, 3) of the flat sheet.
+    reliefs
+        How far corners are cut off at every vertex (rows, columns) (length); None if none is.
+
+    Raises
+    ------
+    DesignError
+        If nothing is left of a panel.
+    """
     return boards_on(flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs=reliefs)
 
 

@@ -207,8 +207,12 @@ def find_meetings(
 ) -> Meetings:
     """Where boards of flaps, folded or clipped on, meet at the target, if a crease has both.
 
-    The fold angles are the largest, those that the boards were set back for; ``beside`` are those
-    of flaps that are no columns of the grid.
+    The fold angles are the largest, those that the boards were set back for.
+
+    Parameters
+    ----------
+    beside
+        Those of flaps that are no columns of the grid, if there are such flaps.
     """
     layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
     creases = _RowCreases.of(mechanism)

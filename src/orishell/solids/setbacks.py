@@ -111,7 +111,15 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
 
 
 def set_backs_of(sides: SideFolds, height: float, gap: float = 0.0) -> SetBacks:
-    """Likewise from the sides of panels (F, 4)."""
+    """Set-backs of boards from the sides of panels (F, 4): see :func:`find_set_backs`.
+
+    Parameters
+    ----------
+    height
+        How high boards stand over the membrane on one face (length).
+    gap
+        What the tool cuts away between two boards, half of it from each (length).
+    """
     return _set_backs(sides.valley, sides.mountain, sides.crease, height, gap)
 
 

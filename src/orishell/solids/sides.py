@@ -28,7 +28,7 @@ class FlapFolds:
 
     @classmethod
     def at(cls, mechanism: Mechanism, drive: float) -> FlapFolds | None:
-        """Those at a drive; None for a sheet without such flaps."""
+        """Those at a drive (radians); None for a sheet without such flaps."""
         if not isinstance(mechanism, LaidOut):
             return None
         return cls(mechanism.hinge_folds(drive), mechanism.flap_folds(drive))
@@ -38,13 +38,21 @@ class FlapFolds:
 class SideFolds:
     """Fold angles at the sides of panels (F, 4), from a corner to the next, without signs."""
 
-    valley: Array  # of valleys, 0 elsewhere (radians)
-    mountain: Array  # of mountains, 0 elsewhere (radians)
-    crease: Booleans  # whether there is a crease
+    valley: Array  # (F, 4), of valleys, 0 elsewhere (radians)
+    mountain: Array  # (F, 4), of mountains, 0 elsewhere (radians)
+    crease: Booleans  # (F, 4), whether there is a crease
 
     @classmethod
     def of(cls, layout: Layout, folds: CreaseValues, beside: FlapFolds | None = None) -> SideFolds:
-        """Those of a sheet, of the fold angles of its grid and of its flaps beside it."""
+        """Those of a sheet, of the fold angles of its grid and of its flaps beside it.
+
+        Parameters
+        ----------
+        layout
+            All its panels.
+        beside
+            Fold angles of flaps that are no columns of the grid, if there are such flaps.
+        """
         edges, more = layout.grid.faces_edges(), len(layout.faces) - layout.grid.panel_count
         angle = np.pad(folds.on_edges()[edges], ((0, more), (0, 0)))
         crease = np.pad(folds.on_edges(border=np.inf)[edges] < np.inf, ((0, more), (0, 0)))
@@ -63,7 +71,7 @@ class SideFolds:
 
     @classmethod
     def at(cls, mechanism: Mechanism, drive: float) -> SideFolds:
-        """Those of a mechanism in one state."""
+        """Those of a mechanism at a drive (radians)."""
         layout, folds = Layout.of(mechanism), mechanism.fold_angles(drive)
         return cls.of(layout, folds, FlapFolds.at(mechanism, drive))
 
