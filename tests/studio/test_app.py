@@ -421,7 +421,7 @@ def test_a_files_name_is_the_designs_and_leads_nowhere(
 
 def test_hundreds_of_thousands_of_points(client: httpx.Client) -> None:
     design = starter()
-    design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(150_000)], "smooth": True}
+    design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(600_000)], "smooth": True}
     answer = client.post("/api/design", json={"design": design})
     assert answer.status_code == 413
     design["target"]["f"]["points"] = design["target"]["f"]["points"][:90_000]
