@@ -46,6 +46,30 @@ test("fold angles of the last state are those that the design says", () => {
   for (let edge = 0; edge < view.edges.length / 2; edge++) expect(foldAngle(view, motion, edge) ?? 0).toBeCloseTo(0, 2);
 });
 
+test("a hinge on a part of a side is measured between the flap and the panel that carries it", () => {
+  // A square, and a flap at right angles along the middle half of its right side.
+  const flat = Float32Array.from([0, 4, 0, 0, 4, 0, 4, 4, 4, 3, 4, 1, 6, 1, 6, 3]);
+  const folded = [0, 4, 0, 0, 0, 0, 4, 0, 0, 4, 4, 0, 4, 3, 0, 4, 1, 0, 4, 1, 2, 4, 3, 2];
+  const positions = Float32Array.from([...Array.from({ length: 8 }, (_, v) => [flat[2 * v]!, flat[2 * v + 1]!, 0]).flat(), ...folded]);
+  const edges = Uint32Array.from([4, 5, 0, 1, 1, 2, 2, 5, 4, 3, 3, 0, 5, 6, 6, 7, 7, 4]);
+  const drawn = {
+    ...view, flat, positions, edges,
+    header: { ...view.header, arrays: { flat: { type: "float32" as const, shape: [8, 2], offset: 0 }, positions: { type: "float32" as const, shape: [2, 8, 3], offset: 0 } } },
+    faces: Uint32Array.from([0, 1, 2, 3, 4, 5, 6, 7]),
+    assignment: Uint8Array.from([2, 0, 0, 0, 0, 0, 0, 0, 0]),
+    foldAngles: Float32Array.from([90, 0, 0, 0, 0, 0, 0, 0, 0]),
+  };
+  const sheet = sheetOf(drawn);
+  expect([...sheet.beside.subarray(0, 2)]).toEqual([1, 0]);
+  expect(sheet.hinges.get(2)).toEqual([0]);
+  expect([...sheet.edges]).toEqual([1, 2, -1, 5, 0, 6, 7, 8]);
+  expect([...sheet.beside.subarray(6, 10)]).toEqual([0, -1, 0, -1]);
+  const motion = new Motion(drawn);
+  motion.setFold(1);
+  expect(foldAngle(drawn, motion, 0)).toBeCloseTo(90, 3);
+  expect(foldAngle(drawn, motion, 3)).toBe(null);
+});
+
 test("one walks from panel to panel, and not beyond the sheet", () => {
   const [rows, columns] = view.header.grid!;
   expect(neighbour(view, 0, 0, 1)).toBe(1);

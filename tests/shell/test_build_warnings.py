@@ -10,7 +10,7 @@ import pytest
 from orishell.curves import Curve, curve_from_points
 from orishell.deployment.feet import find_feet
 from orishell.design import Design, PanelSpec
-from orishell.design_file import read_design_file
+from orishell.design_file import check_design, read_design_file
 from orishell.deviation import locked_shell
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
@@ -29,6 +29,7 @@ from orishell.shell.build_warnings import (
     WASTEFUL,
     warn_of_building,
 )
+from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.workshop import Workshop
@@ -231,3 +232,33 @@ def test_shipped_examples_draw_what_they_deserve(name: str, deserved: list[str])
     texts = shell.report.warnings
     assert len(texts) == len(deserved)
     assert all(words in text for words, text in zip(deserved, texts, strict=True))
+
+
+def fitted(formula: str, half: float, **pattern: Any) -> Design:
+    """A sheet of 5 x 5 panels on z(x, y) over a square."""
+    sides = {"x": [-half, half], "y": [-half, half]}
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "target": {"surface": {"formula": formula, **sides}},
+        "pattern": {"rows": 4, "columns": 4, "fold_deg": 92, "direction_deg": 0, **pattern},
+    }
+    return designed(check_design(tables, Path("shell.toml"), files=False))
+
+
+def test_a_fitted_sheet_is_put_on_its_corners_where_that_levels_it() -> None:
+    dome = "-0.4*x**2-0.4*y**2"
+    (text,) = matching(fitted(dome, 0.6), "not level")
+    assert text.endswith(
+        'ground = "corners" in [pattern] puts it on its four corners, at one height'
+    )
+    feet = find_feet(fitted(dome, 0.6, ground="corners"))
+    assert feet is not None
+    assert feet.level
+    (text,) = matching(replace(fitted(dome, 0.6), grounded=None), "not level")
+    assert text.endswith("trim the last panels at the ground, or build the ground up to them")
+
+
+def test_of_a_fitted_sheet_that_is_large_nothing_is_promised() -> None:
+    """Neither other fold angles at the start nor other directions made fits smaller by much."""
+    (text,) = matching(fitted("0.5*x*y", 1.0), "times as large")
+    assert text.endswith("as large as the surface that it covers")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -10,13 +11,16 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.memory import Memory
 from orishell.curves.nearest import Nearest
-from orishell.design_file import DesignFile, read_design_file
+from orishell.design_file import DesignFile, check_design, read_design_file
 from orishell.deviation import measure_deviation
 from orishell.deviation.triangles import Triangles
 from orishell.families.tolerance import Tolerance
+from orishell.shell import tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell
+from orishell.shell.size_trials import Choice
 from orishell.shell.tolerance import measure, meet_tolerance
 from samples import led_by, thorough
 
@@ -37,6 +41,36 @@ def write_file(directory: Path, family: str, tolerance: str, pattern: str = "") 
         f"[pattern]\n{pattern}\n[tolerance]\n{tolerance}\n[motion]\nframes = 3\n"
     )
     return path
+
+
+def test_the_studio_does_not_search_twice_for_one_design(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither for other frames; a file beside which curves may lie is read anew."""
+    path = write_file(tmp_path, "orthodiagonal", "surface = 0.16", "depth = 0.12")
+    tables = tomllib.loads(path.read_text())
+    told: list[float] = []
+
+    def sought(files: bool, frames: int, order: int = 1) -> tuple[dict[str, Any], Choice]:
+        turned = dict(list(tables.items())[::order])
+        file = check_design(turned, path, files=files).changed({"motion.frames": frames})
+        assert file.tolerance is not None
+        told.clear()
+        sized, choice = meet_tolerance(
+            file, file.tolerance, lambda share, _what: told.append(share)
+        )
+        assert sized.frames == frames
+        return sized.tables, choice
+
+    monkeypatch.setattr(tolerance, "MEMORY", Memory())
+    tables_once, choice = sought(False, 3)
+    assert told
+    tables_twice, again = sought(False, 5, -1)
+    assert not told
+    assert tables_twice["pattern"] == tables_once["pattern"]
+    assert again is choice
+    assert sought(True, 3)[1].trial == choice.trial
+    assert told
 
 
 @thorough

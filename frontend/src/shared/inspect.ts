@@ -8,12 +8,17 @@ import { edgePanels, panelCount, type View } from "./view.ts";
 export const SIDES = ["left", "bottom", "right", "top"] as const;
 /** Creases folded nearer to flat on themselves than this are measured without a sign (degrees). */
 const CLOSED = 179.9;
+/** How far off a side a vertex on it may be, by its length: numbers are singles. */
+const OFF = 1e-4;
 
 export interface Sheet {
-  /** (E, 2) panels beside every edge, -1 where there is none. */
+  /** (E, 2) panels beside every edge, -1 where there is none; that of which it is but a part of a
+   * side is the second one. */
   beside: Int32Array;
-  /** (F, 4) the edge of every side. */
+  /** (F, 4) the edge of every side, -1 for one of several edges. */
   edges: Int32Array;
+  /** By their places in the faces, edges of such sides at which panels are hinged. */
+  hinges: Map<number, number[]>;
   /** (F,) */
   areas: Float64Array;
   /** (F,) shortest side. */
@@ -30,13 +35,21 @@ export function sheetOf(view: View): Sheet {
   if (before) return before;
   const count = panelCount(view);
   const beside = edgePanels(view);
-  const edges = new Int32Array(4 * count).fill(-1);
+  const edges = new Int32Array(4 * count).fill(-1), hinges = new Map<number, number[]>();
   for (let e = 0; e < beside.length / 2; e++) {
     for (const panel of [beside[2 * e]!, beside[2 * e + 1]!]) {
       if (panel < 0) continue;
       const side = sideOf(view, panel, view.edges[2 * e]!, view.edges[2 * e + 1]!);
       if (side >= 0) edges[4 * panel + side] = e;
     }
+  }
+  const parted = [...edges.keys()].filter((place) => edges[place] === -1);
+  for (let e = 0; parted.length && e < beside.length / 2; e++) {
+    if (beside[2 * e + 1] !== -1) continue;
+    const side = parted.find((place) => [0, 1].every((end) => liesOn(view, view.edges[2 * e + end]!, place)));
+    if (side === undefined) continue;
+    if (beside[2 * e] !== -1) hinges.set(side, [...(hinges.get(side) ?? []), e]);
+    beside[beside[2 * e] === -1 ? 2 * e : 2 * e + 1] = side >> 2;
   }
   const areas = new Float64Array(count), shortest = new Float64Array(count).fill(Infinity);
   let smallest = 0, largest = 0;
@@ -49,7 +62,7 @@ export function sheetOf(view: View): Sheet {
     if (areas[panel]! < areas[smallest]!) smallest = panel;
     if (areas[panel]! > areas[largest]!) largest = panel;
   }
-  const sheet = { beside, edges, areas, shortest, smallest, largest };
+  const sheet = { beside, edges, hinges, areas, shortest, smallest, largest };
   known.set(view, sheet);
   return sheet;
 }
@@ -88,7 +101,7 @@ export function foldAngle(view: View, motion: Motion, edge: number): number | nu
   const from = view.edges[2 * edge]!, to = view.edges[2 * edge + 1]!;
   const first = normalOf(motion, one), second = normalOf(motion, other);
   const along = motion.at(motion.cornerOf(one, to), new Vector3()).sub(motion.at(motion.cornerOf(one, from), new Vector3()));
-  // The one panel lies to the left of its sides.
+  // The one panel, which the whole edge is a side of, lies to the left of its sides.
   if (!runs(view, one, from, to)) along.negate();
   const angle = degrees(first.angleTo(second));
   const sign = second.clone().cross(first).dot(along) < 0 ? -1 : 1;
@@ -109,6 +122,15 @@ export function neighbour(view: View, panel: number, down: number, right: number
 function normalOf(motion: Motion, panel: number): Vector3 {
   const [a, b, c, d] = [0, 1, 2, 3].map((k) => motion.at(4 * panel + k, new Vector3()));
   return c!.sub(a!).cross(d!.sub(b!)).normalize();
+}
+
+/** Whether a vertex lies on a side, from the corner with this place in the faces to the next one. */
+function liesOn(view: View, vertex: number, place: number): boolean {
+  const from = flatPlace(view, view.faces[place]!);
+  const side = flatPlace(view, view.faces[(place & ~3) | ((place + 1) & 3)]!).sub(from);
+  const away = flatPlace(view, vertex).sub(from);
+  const share = Math.min(1, Math.max(0, away.dot(side) / side.lengthSq()));
+  return away.addScaledVector(side, -share).length() <= OFF * side.length();
 }
 
 function sideOf(view: View, panel: number, from: number, to: number): number {

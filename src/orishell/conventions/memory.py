@@ -20,7 +20,7 @@ class Memory:
         So many are kept.
     """
 
-    def __init__(self, most: int = 16) -> None:
+    def __init__(self, most: int = 48) -> None:
         self._most = most
         self._found: dict[str, Any] = {}
 

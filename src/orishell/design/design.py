@@ -70,6 +70,9 @@ class Design:
     # the design with its motion ending at a drive (radians), where neither a target nor a stage
     # says where it ends; otherwise None
     ending_at: Callable[[float], Design] | None = None
+    # the sheet with its rim moved to level feet, by the value of ground in [pattern] that asks for
+    # it; raises DesignError if that has none. None if the family cannot.
+    grounded: Callable[[Literal["corners", "level"]], Mechanism] | None = None
     # Where f and g were fitted to a surface: values of keys of the design file with which it asks
     # for the same shell by f and g in place of the surface. None removes a key.
     by_curves: Mapping[str, Any] = field(default_factory=dict)

@@ -1,13 +1,4 @@
-"""A piece of surface that a shell is to cover: what fits know of their target.
-
-Distances are of third order in the size of the triangles: over the foot q in a triangle with
-corners v_i, shares b_i and unit normals n_i, a surface with these normals is the height
-
-    h = 1/2 sum_i b_i ((v_i - q) . n_i) (n_i . n),     n = sum_i b_i n_i, of unit length,
-
-exactly so for a quadratic one: half of the tangent planes' mean (Boubekeur and Alexa, Phong
-tessellation, ACM TOG 27 (2008) 141). So the distance (p - q) . n - h changes with p as n says.
-"""
+"""A piece of surface that a shell is to cover: what fits know of their target."""
 
 from __future__ import annotations
 
@@ -18,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.design.foot import Foot, shares_of
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -96,21 +88,27 @@ class Piece:
 
         Beyond the rim it is the distance from the plane that touches there.
         """
+        foot = self._foot(points)
+        return foot.distances, foot.direction
+
+    def over(self, points: Array) -> tuple[Array, Array]:
+        """Signed distances (N,) of points (N, 3), and their derivatives (N, 3) by the points."""
+        foot = self._foot(points)
+        return foot.distances, foot.slopes
+
+    def _foot(self, points: Array) -> Foot:
         _, index, feet = self._tree.squared_distance(
             self.vertices, self.triangles, np.ascontiguousarray(points)
         )
         corners = self.triangles[index]
-        normals, steps = self.normals[corners], self.vertices[corners] - feet[:, None]
-        shares = _shares(steps)
-        normal = np.einsum("nk,nki->ni", shares, normals)
-        normal /= lengths(normal)[:, None]
-        return dots(points - feet, normal) - _height(shares, steps, normals, normal), normal
+        steps = self.vertices[corners] - feet[:, None]
+        return Foot(points - feet, steps, shares_of(steps), self.normals[corners])
 
     def beside(self, side: int, points: Array) -> tuple[Array, Array]:
-        """Distances (N,) of points (N, 3) from a side, within the surface and positive outside.
+        """Distances (N,) of points (N, 3) from a side, and their derivatives (N, 3) by the points.
 
-        And the unit vectors (N, 3) along which they are measured: square to the rim, outwards.
-        Beyond its corners a side goes on straight.
+        Distances lie within the surface, square to the rim, and are positive outside. Beyond its
+        corners a side goes on straight.
         """
         line, directions = self._outwards[side]
         points = np.asarray(points)
@@ -122,11 +120,8 @@ class Piece:
         found = np.arange(len(points))
         away, share = away[found, piece], share[found, piece]
         shares, ends = np.stack([1 - share, share], axis=-1), np.stack([piece, piece + 1], axis=-1)
-        outwards = np.einsum("nk,nki->ni", shares, directions[ends])
-        outwards /= lengths(outwards)[:, None]
-        steps = line[ends] - (points - away)[:, None]
-        height = _height(shares, steps, directions[ends], outwards)
-        return dots(away, outwards) - height, outwards
+        foot = Foot(away, line[ends] - (points - away)[:, None], shares, directions[ends])
+        return foot.distances, foot.slopes
 
     @cached_property
     def _outwards(self) -> tuple[tuple[Array, Array], ...]:
@@ -151,17 +146,3 @@ class Piece:
         tree = igl.AABB()
         tree.init(self.vertices, np.ascontiguousarray(self.triangles))
         return tree
-
-
-def _shares(steps: Array) -> Array:
-    """Barycentric coordinates (N, 3) of points, given the steps (N, 3, 3) to the corners."""
-    p, q, r = np.moveaxis(steps, 1, 0)
-    whole = np.cross(q - p, r - p)
-    areas = [np.cross(q, r), np.cross(r, p), np.cross(p, q)]
-    return np.stack([dots(each, whole) for each in areas], axis=-1) / dots(whole, whole)[:, None]
-
-
-def _height(shares: Array, steps: Array, directions: Array, direction: Array) -> Array:
-    """How high (N,) a surface with these directions (N, K, 3) of its corners is over the foot."""
-    rise = dots(steps, directions) * np.einsum("nki,ni->nk", directions, direction)
-    return np.asarray(0.5 * (shares * rise).sum(axis=-1))

@@ -20,7 +20,7 @@ from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 LARGEST = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
@@ -228,6 +228,17 @@ class Document:
         if shape is None or (shape[0] - 1) * (shape[1] - 1) != len(self.mesh.faces):
             return None
         return shape
+
+    @property
+    def rows_and_columns(self) -> tuple[Integers, Integers] | None:
+        """Row (F,) and column (F,) of every panel of a grid and of flaps beside it; else None."""
+        if self.grid_shape is None:
+            return None
+        if self.names:
+            rows, columns = np.array([name.split(",") for name in self.names], np.int64).T
+        else:
+            rows, columns = np.divmod(np.arange(len(self.mesh.faces)), self.grid_shape[1] - 1)
+        return rows, columns
 
     def areas(self) -> Array:
         """Area (F,) of every panel."""

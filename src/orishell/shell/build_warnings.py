@@ -7,15 +7,17 @@ to change; words of the mathematics do not occur in it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.quantities import conversion, plain
-from orishell.deployment.feet import Feet
+from orishell.deployment.feet import Feet, find_feet
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, area_of, extents, find_assignment
-from orishell.motion.layout import points_of
+from orishell.motion.layout import has_flaps, points_of
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
 from orishell.workshop import Workshop
@@ -142,12 +144,25 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     remedy = "trim the last panels at the ground, or build the ground up to them"
     if gap > 0.5 * feet.uneven:
         remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
+    elif _level_on_corners(design):
+        remedy = 'ground = "corners" in [pattern] puts it on its four corners, at one height'
     elif "ends" in design.parameters:
         remedy = f"other rows, another depth or narrower flaps may level them; else {remedy}"
     yield (
         f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
         f"{plain(feet.uneven, 3)} {unit} in height: {remedy}"
     )
+
+
+def _level_on_corners(design: Design) -> bool:
+    """Whether ground = "corners" gives a sheet without flaps level feet: it is tried."""
+    if design.grounded is None or has_flaps(design.mechanism):
+        return False
+    try:
+        feet = find_feet(replace(design, mechanism=design.grounded("corners")))
+    except DesignError:
+        return False
+    return feet is not None and feet.level
 
 
 def _of_size(design: Design) -> Iterator[str]:
@@ -165,11 +180,17 @@ def _of_size(design: Design) -> Iterator[str]:
     elif "depth" in parameters:
         depth = float(np.array(parameters["depth"], np.float64))
         less = f"shallower folds, by a smaller depth (it is {plain(depth, 3)}),"
-    else:
+    elif "sector_deg" in parameters:
         less = "sector angles nearer to 90 degrees"
+    else:
+        # Of fitted sheets those that began with other fold angles were as large within 5 %, or
+        # lost; those with half as many rows and columns 4 to 15 % smaller, and twice as far away.
+        less = ""
+    flaps = "narrower flaps" if has_flaps(design.mechanism) or less else ""
+    remedies = " or ".join(each for each in (less, flaps) if each)
     yield (
-        f"the sheet is {ratio:.2f} times as large as the surface that it covers: {less} or "
-        "narrower flaps would make it smaller"
+        f"the sheet is {ratio:.2f} times as large as the surface that it covers"
+        f"{f': {remedies} would make it smaller' if remedies else ''}"
     )
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError
+from orishell.conventions.memory import MEMORY, key_of
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design_file import DesignFile
@@ -30,6 +33,8 @@ QUICK = 1_000
 """Samples each way during the search; the result is measured with as many as for the report."""
 SIZE_KEYS = frozenset({"pattern.rows", "pattern.columns"})
 """What may not be given beside a tolerance, so that no remedy names it."""
+UNSIZED = frozenset({"motion", "search"})
+"""Tables that have no say in it."""
 NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 
@@ -38,9 +43,33 @@ def meet_tolerance(
 ) -> tuple[DesignFile, Choice]:
     """The file with rows, columns and what else it leaves open, and what they were chosen from.
 
+    A file that names no other files is known by its tables, and not searched for twice: the studio
+    asks for the shell of the family that it has just chosen.
+
     Raises DesignError if no pattern meets the tolerance; says what can be met.
     Raises InputError if the pattern would be too large for its frames.
     """
+    if file.files:
+        return _searched(file, tolerance, progress)
+    tables = {name: each for name, each in file.tables.items() if name not in UNSIZED}
+    key = key_of("sizes", json.dumps(tables, sort_keys=True, default=repr), tolerance)
+    fresh: list[tuple[DesignFile, Choice]] = []
+
+    def find() -> tuple[dict[str, Any], Choice]:
+        fresh.append(_searched(file, tolerance, progress))
+        sized, choice = fresh[0]
+        return sized.tables["pattern"], choice
+
+    pattern, choice = MEMORY.recall(key, find)
+    if fresh:
+        return fresh[0]
+    return file.changed({"tolerance": None, "pattern": pattern}), choice
+
+
+def _searched(
+    file: DesignFile, tolerance: Tolerance, progress: Progress
+) -> tuple[DesignFile, Choice]:
+    """What is found by trying."""
     limits = _limits(file, tolerance)
     try:
         if file.surface is not None:

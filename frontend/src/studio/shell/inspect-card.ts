@@ -80,16 +80,17 @@ export class InspectCard {
     const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)]];
     if (!whole) return [list([...facts, ["Shortest side", length(sheet.shortest[panel]!, unit)]])];
     facts.push(["Corners", sectorAngles(view, panel).map(degrees).join("  ")]);
-    const rows = SIDES.map((side, k) => {
-      const edge = sheet.edges[4 * panel + k]!;
-      return h(
-        "tr",
-        {},
-        h("th", { scope: "row" }, side),
-        h("td", {}, edge < 0 ? "" : length(edgeLength(view, edge), unit)),
-        ...this.angles(view, edge).map((text) => h("td", {}, text)),
-      );
-    });
+    const rows = SIDES.flatMap((side, k) =>
+      (sheet.hinges.get(4 * panel + k) ?? [sheet.edges[4 * panel + k]!]).map((edge) =>
+        h(
+          "tr",
+          {},
+          h("th", { scope: "row" }, side),
+          h("td", {}, edge < 0 ? "" : length(edgeLength(view, edge), unit)),
+          ...this.angles(view, edge).map((text) => h("td", {}, text)),
+        ),
+      ),
+    );
     const heads = ["Side", "Length", "Fold now", "At target"].map((text) => h("th", { scope: "col" }, text));
     return [list(facts), h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows))];
   }

@@ -61,6 +61,10 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     if document.boards is not None:
         shown[document.boards.panels[document.boards.sides == 0]] = False
     meshes = _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks, shown)
+    panels, ends, meanings = _parts_of_sides(document)
+    away = placed(state.positions)[ends] - origins[panels, None]
+    materials = [1 + list(inks).index(each) for each in meanings]
+    _add_parts(buffers, meshes, panels, away @ axes[panels], materials)
     if document.boards is not None:
         solids, panels = document.boards_in(state), document.boards.panels
         away = placed(solids) - origins[panels, None, None]
@@ -128,7 +132,39 @@ def _inks(document: Document) -> dict[str, Integers]:
         str(each): ((drawn & (meanings == each)) * [1, 2, 4, 8]).sum(axis=1)
         for each in np.unique(meanings)
     }
-    return {meaning: sides for meaning, sides in found.items() if sides.any()}
+    parts = set(_parts_of_sides(document)[2])
+    return {meaning: sides for meaning, sides in found.items() if sides.any() or meaning in parts}
+
+
+def _parts_of_sides(document: Document) -> tuple[Integers, Integers, list[str]]:
+    """Edges that are a part of a panel's side: the panel (N,), ends (N, 2), colour by its meaning.
+
+    Hinges are not among them, which are drawn with what they carry.
+    """
+    mesh = document.mesh
+    edges = mesh.loops_edges()
+    whole = (edges[:, :, None] == mesh.faces_edges()[:, None]).any(axis=-1)
+    drawn = mesh.edge_faces.max(axis=1)[edges] == np.arange(len(edges))[:, None]
+    panels, places = np.nonzero((edges >= 0) & ~whole & drawn)
+    parts = edges[panels, places]
+    return panels, mesh.edges[parts], [MEANINGS[document.assignment[each]] for each in parts]
+
+
+def _add_parts(
+    buffers: Buffers,
+    meshes: list[dict[str, Any]],
+    panels: Integers,
+    ends: Array,
+    materials: list[int],
+) -> None:
+    """Give panels lines (N, 2, 3), in their own frames."""
+    if not len(panels):
+        return
+    first = buffers.add_bounded(singles(ends), "VEC3", target=VERTICES, byteStride=12)
+    for number, (panel, material) in enumerate(zip(panels.tolist(), materials, strict=True)):
+        meshes[panel]["primitives"].append(
+            {"attributes": {"POSITION": first + number}, "mode": 1, "material": material}
+        )
 
 
 def _meshes(

@@ -84,8 +84,8 @@ def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
     count = len(corners)
     rows: Iterable[object] = [""] * count
     columns = rows
-    if document.whole_grid is not None:
-        rows, columns = np.divmod(np.arange(count), document.whole_grid[1] - 1)
+    if document.rows_and_columns is not None:
+        rows, columns = document.rows_and_columns
     numbers = np.column_stack([corners.reshape(count, 8), document.areas(), perimeter]).tolist()
     return heads, (
         [panel, row, column, *values]

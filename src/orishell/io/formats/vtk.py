@@ -49,8 +49,8 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
 def _write_state(path: Path, document: Document, state: DocumentState) -> None:
     count = len(document.mesh.faces)
     cell_data = {"panel": [np.arange(count, dtype=np.int32)]}
-    if document.whole_grid is not None:
-        rows, columns = np.divmod(np.arange(count, dtype=np.int32), document.whole_grid[1] - 1)
+    if document.rows_and_columns is not None:
+        rows, columns = (each.astype(np.int32) for each in document.rows_and_columns)
         cell_data |= {"row": [rows], "column": [columns]}
     cells = ("quad", document.mesh.faces)
     points, facts = document.in_world(state.positions), _facts(document, state.drive_deg)

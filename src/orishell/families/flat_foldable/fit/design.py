@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -63,7 +64,8 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         )
     if fit.reached.vertices > USELESS:
         raise _useless(asked, fit)
-    mechanism = grounded(mechanism_of(fit), asked.ground)
+    free = mechanism_of(fit)
+    mechanism = grounded(free, asked.ground)
     return Design(
         mechanism=mechanism,
         parameters={
@@ -81,6 +83,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         closeness=_closeness(fit, piece, mechanism),
         swept=asked.surface,
         may_stand=True,
+        grounded=None if asked.straight else partial(grounded, free),
         warnings=tuple(_warnings(fit)),
     )
 

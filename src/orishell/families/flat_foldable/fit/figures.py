@@ -32,6 +32,11 @@ class Reached:
         """The largest distance both ways."""
         return max(self.shell, self.back)
 
+    @property
+    def figures(self) -> tuple[float, float, float, float]:
+        """Those by which sheets are compared."""
+        return self.rms, self.vertices, self.shell, self.back
+
     def score(self, share: float = 1.0) -> float:
         """What decides between starts, the less the better.
 

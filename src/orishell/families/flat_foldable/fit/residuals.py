@@ -1,7 +1,6 @@
 """What a fit keeps small, and its derivatives.
 
-The distance of a vertex from the surface is n . (p - foot), n the normal at the foot: as p - foot
-lies along n, its derivative by p is n. Distances are in the unit of the piece's size.
+Distances and their derivatives by points are those of the piece, in the unit of its size.
 """
 
 from __future__ import annotations
@@ -47,9 +46,9 @@ class Fitted:
     unknowns: Array  # (P,)
     placed: Placed
     heights: Array  # (R+2, C+2), of vertices over the offset surfaces, in the unit
-    normals: Array  # (R+2, C+2, 3), at the feet of vertices
-    centre_normals: Array  # (R+1, C+1, 3), at those of panels' centres
-    outwards: list[Array]  # (K, 3) each, square to the four sides of the rim
+    by_vertices: Array  # (R+2, C+2, 3), derivatives of their distances from the surface
+    by_centres: Array  # (R+1, C+1, 3), of those of panels' centres
+    by_border: list[Array]  # (K, 3) each, of those from the four sides of the rim
     beyond: Integers  # edges that are too long or too short
     sharp: Integers  # corners that are too sharp or too blunt
     folded: Integers  # numbers of unknowns: fold angles that are too large
@@ -74,7 +73,9 @@ class Problem:
         # A Miura-ori's rows zigzag about those of an even sheet.
         zigzag = of.placed(of.first).vertices - homes(piece.flattened(FLAT), shape)
         zigzag -= (zigzag @ piece.axes[2])[..., None] * piece.axes[2]
-        self.homes = homes(piece, shape) + zigzag
+        even = homes(piece, shape)
+        self.homes = even + zigzag
+        self.upright = piece.nearest(even.reshape(-1, 3))[1].reshape(even.shape)
         self.linear = np.concatenate(list(self._linear()))
 
     def at(self, unknowns: Array) -> Fitted | None:
@@ -85,13 +86,12 @@ class Problem:
             return None
         weights, size, vertices = self.weights, self.of.size, placed.vertices
         centres = middles(vertices)
-        heights, normals = self.piece.nearest(vertices.reshape(-1, 3))
-        off, centre_normals = self.piece.nearest(centres.reshape(-1, 3))
+        heights, by_vertices = self.piece.over(vertices.reshape(-1, 3))
+        off, by_centres = self.piece.over(centres.reshape(-1, 3))
         heights = heights.reshape(vertices.shape[:2]) / size - unknowns[OFFSET] * self.of.sides
-        normals = normals.reshape(vertices.shape)
         rims = [self.piece.beside(side, at) for side, at in enumerate(border(vertices))]
         away = vertices - self.homes
-        away -= dots(away, normals)[..., None] * normals
+        away -= dots(away, self.upright)[..., None] * self.upright
         logs = np.log(lengths(self._spans(vertices)))
         long = self.conditions.beyond(logs)
         beyond = np.flatnonzero(long)
@@ -111,8 +111,9 @@ class Problem:
             self.linear @ (unknowns - self.of.first),
         ]
         return Fitted(
-            unknowns, placed, heights, normals, centre_normals.reshape(centres.shape),
-            [each for _, each in rims], beyond, sharp, folded, residuals,
+            unknowns, placed, heights, by_vertices.reshape(vertices.shape),
+            by_centres.reshape(centres.shape), [each for _, each in rims],
+            beyond, sharp, folded, residuals,
         )  # fmt: skip
 
     def derivatives(self, at: Fitted) -> list[Array]:
@@ -120,12 +121,12 @@ class Problem:
         weights, size, count = self.weights, self.of.size, len(at.unknowns)
         slopes = self.of.slopes(at.unknowns, at.placed)
         vertices = at.placed.vertices
-        heights = _along(slopes, at.normals)
-        sideways = slopes - heights[:, :, None] * at.normals[..., None]
-        heights /= size
+        upwards = _along(slopes, self.upright)[:, :, None]
+        sideways = slopes - upwards * self.upright[..., None]
+        heights = _along(slopes, at.by_vertices) / size
         heights[..., OFFSET] -= self.of.sides
-        off = _along(middles(slopes), at.centre_normals)
-        rims = [_along(*each) for each in zip(border(slopes), at.outwards, strict=True)]
+        off = _along(middles(slopes), at.by_centres)
+        rims = [_along(*each) for each in zip(border(slopes), at.by_border, strict=True)]
         spans = self._spans(vertices)
         stretch = _along(self._spans(slopes), spans) / dots(spans, spans)[:, None]
         unit = np.eye(count)

@@ -26,9 +26,12 @@ COARSE = 9
 """Sheets with more panels along a side are tried with so many first, or one less."""
 SHARE = 0.45
 """Of the work, that the coarse trials are."""
-GOOD, MOST = 0.02, 3
-"""A sheet whose vertices leave the offset surfaces by more than this share of the diagonal is not
-the last that is finished, unless so many were."""
+GOOD = (0.005, 0.02)
+"""Coarse sheets tell only about which will be nearest. If vertices of the first one that is
+finished leave the offset surfaces by more than this share of the diagonal, a second one is; if
+those of the second do, a third and last one."""
+ALIKE = 0.02
+"""Sheets are alike if none of their figures differs by more than this share."""
 TIE = 1e-3
 """Coarse sheets whose scores differ by less than this share are equally near."""
 WHAT = "fitting the sheet"
@@ -78,14 +81,19 @@ class Task:
         return None if found is None else Fit(start, of, *found)
 
     def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
-        """Starts, those first that lead nearest with a coarse sheet."""
+        """Starts, those first that lead nearest with a coarse sheet; of those alike only one."""
         coarse, share = self.coarse()
-        scores = []
+        reached: list[Reached | None] = []
         for number, start in enumerate(starts):
             found = coarse.tried(start, FAST)
-            scores.append(np.inf if found is None else found.reached.score(share))
+            reached.append(None if found is None else found.reached)
             progress((number + 1) / len(starts), WHAT)
-        return [starts[k] for k in _order(scores)]
+        scores = [np.inf if each is None else each.score(share) for each in reached]
+        kept: list[int] = []
+        for k in _order(scores):
+            if not any(_alike(reached[k], reached[other]) for other in kept):
+                kept.append(k)
+        return [starts[k] for k in kept]
 
     def coarse(self) -> tuple[Task, float]:
         """The same with fewer panels, and how much larger these are."""
@@ -108,6 +116,12 @@ def _order(scores: list[float]) -> list[int]:
         found.append(next(k for k in left if scores[k] <= (1 + TIE) * least))
         left.remove(found[-1])
     return found
+
+
+def _alike(one: Reached | None, other: Reached | None) -> bool:
+    if one is None or other is None:
+        return False
+    return np.allclose(one.figures, other.figures, rtol=ALIKE, atol=0)
 
 
 def fit_sheet(
@@ -137,12 +151,13 @@ def fit_sheet(
     if len(starts) > 1:
         starts = task.ranked(starts, stretch(progress, 0, SHARE))
     finished: list[Fit] = []
-    for number, start in enumerate(starts[:MOST]):
-        begun = SHARE + (1 - SHARE) * number / MOST
-        told = stretch(progress, begun, begun + (1 - SHARE) / MOST)
+    limits = (*GOOD, np.inf)
+    for number, (start, good) in enumerate(zip(starts, limits, strict=False)):
+        begun = SHARE + (1 - SHARE) * number / len(limits)
+        told = stretch(progress, begun, begun + (1 - SHARE) / len(limits))
         found = task.tried(start, THOROUGH, told)
         if found is not None:
             finished.append(found)
-            if found.reached.vertices <= GOOD:
+            if found.reached.vertices <= good:
                 break
     return min(finished, key=lambda each: each.reached.score(), default=None)
