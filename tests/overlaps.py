@@ -9,6 +9,7 @@ import pytest
 
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 NOTHING = 1e-12
@@ -45,8 +46,8 @@ def beyond_a_face(corners: Array, pairs: Integers) -> Booleans:
 
 def overlap(mechanism: Mechanism, boards: Boards, drive: float) -> float:
     """The largest common volume of two boards of different panels, relative to that of all."""
-    faces, flat = mechanism.grid.faces_vertices(), mechanism.positions(0.0).reshape(-1, 3)
-    corners = boards.carried(faces, flat[:, :2], mechanism.positions(drive).reshape(-1, 3))
+    faces, flat = Layout.of(mechanism).faces, points_of(mechanism, 0.0)
+    corners = boards.carried(faces, flat[:, :2], points_of(mechanism, drive))
     made = solids(corners, boards)
     low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
     near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)

@@ -19,7 +19,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards
 from orishell.motion import diagonal, panel_normals
-from orishell.motion.quads import grid_corners
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array
 from orishell.solids import build_panels
 from samples import examples
@@ -54,7 +54,7 @@ def test_normals_accelerate_no_more_than_their_bounds(request: Request, part: in
     place = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
     tree = PanelTree.over(grid.faces_vertices(), place.astype(np.float64))
     bounds = EdgeBounds(mechanism, end, tree).within(part / 8, (part + 1) / 8)
-    allowed = NormalBounds(grid_corners(mechanism.positions(0.0))).within(*bounds.steps)
+    allowed = NormalBounds(Layout.of(mechanism), points_of(mechanism, 0.0)).within(*bounds.steps)
     step, middle = 1e-3 * end, (part + 0.5) / 8 * end
     normals = panel_normals(mechanism.positions(middle + step * np.array([-1, 0, 1])))
     second = (normals[2] - 2 * normals[1] + normals[0]) / step**2
@@ -78,7 +78,7 @@ def test_bodies_are_apart_where_their_hulls_have_no_common_point(construction: s
     mechanism = design.mechanism
     bodies, state = state_of(design, mechanism.target_drive)
     inner = np.zeros((mechanism.grid.rows - 2, mechanism.grid.columns - 2), np.bool_)
-    panels, _ = opposite_panels(mechanism.grid, inner)
+    panels, _ = opposite_panels(Layout.of(mechanism), inner)
     pairs, _ = bodies.pairs_of(panels)
     gaps = Apartness.of((state, state), pairs).gaps[0]
     hulls = [
@@ -103,7 +103,7 @@ def test_corners_are_cut_off_no_further_than_is_needed() -> None:
     assert not cut[[0, -1]].any()
     assert not cut[:, [0, -1]].any()
     assert built.reliefs.max() < built.build.height
-    panels, vertices = opposite_panels(mechanism.grid, built.settled())
+    panels, vertices = opposite_panels(Layout.of(mechanism), built.settled())
 
     def least(share: float) -> Array:
         """The least gap of boards about each vertex that is cut, at the target."""

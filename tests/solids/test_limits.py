@@ -12,9 +12,11 @@ from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
+from orishell.motion.layout import Layout
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, largest_height
 from orishell.solids.setbacks import bare_faces
+from orishell.solids.sides import SideFolds
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
@@ -130,8 +132,9 @@ def test_a_crease_that_folds_flat_leaves_no_height() -> None:
     flat = np.stack([x, y, 0 * x], axis=-1)
     folds = CreaseValues(row=np.array([[np.pi], [-1.0]]), column=np.zeros((3, 0)))
     assert largest_height(flat, grid, folds) == 0
-    assert bare_faces(folds, grid, [0]).tolist() == [[True, True, False], [False] * 3]
-    assert not bare_faces(folds, grid, []).any()
+    sides, columns = SideFolds.of(Layout.of_grid(grid), folds), np.zeros(3)
+    assert bare_faces(sides, np.isin(columns, [0])).tolist() == [[True, True, False], [False] * 3]
+    assert not bare_faces(sides, np.isin(columns, [])).any()
 
 
 @pytest.mark.parametrize("figure", [1, 2])

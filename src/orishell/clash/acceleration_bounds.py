@@ -59,16 +59,20 @@ class EdgeBounds:
 
 
 class NormalBounds:
-    """Bounds of the accelerations of the normals of panels, given by corners (R-1, C-1, 4, 3).
+    """Bounds of the accelerations of the normals of panels, given in the flat sheet (V, 3).
 
     With edges u, v of a panel its normal n is u x v over a constant area A, and as u' u' = -u u''
     for a rigid edge,
 
         abs(n'') <= (sqrt(abs(u'') abs(v)) + sqrt(abs(v'') abs(u)))^2 / A.
+
+    Flaps beside the grid have such bounds at the grid's vertex only: their hinge lies on an edge
+    of the border.
     """
 
-    def __init__(self, corners: Array) -> None:
+    def __init__(self, layout: Layout, flat: Array) -> None:
         # At corner 0, 1, 2, 3 the edge along a row is 3, 1, 1, 3, that down a column 0, 0, 2, 2.
+        corners = flat[layout.faces]
         sides = np.roll(corners, -1, axis=-2) - corners
         row, column = sides[..., [3, 1, 1, 3], :], sides[..., [0, 0, 2, 2], :]
         area = lengths(np.cross(row, column))
@@ -76,11 +80,14 @@ class NormalBounds:
         area = np.maximum(area, FLATTEST * area.max())
         self.along = np.sqrt(lengths(column) / area)
         self.down = np.sqrt(lengths(row) / area)
+        self.layout = layout
+        self.known = layout.faces < layout.grid.vertex_count
 
     def within(self, along: Array, down: Array) -> Array:
         """Bounds (F,) where edges along rows (C-1,) and down columns (R-1,) accelerate so much."""
-        root = np.sqrt(along)[:, None] * self.along + np.sqrt(down)[:, None, None] * self.down
-        return np.asarray((root**2).min(axis=-1).ravel())
+        row, column = self.layout.first.T[..., None]
+        root = np.sqrt(along)[column] * self.along + np.sqrt(down)[row] * self.down
+        return np.asarray((root**2).min(axis=-1, initial=np.inf, where=self.known))
 
 
 @record

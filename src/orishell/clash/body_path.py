@@ -29,8 +29,7 @@ from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
-from orishell.motion.grid import Grid
-from orishell.motion.quads import grid_corners
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
@@ -50,17 +49,19 @@ def find_first_body_contact(
     bodies: Bodies,
     *,
     settled: Booleans,
+    only: Booleans | None = None,
     progress: Progress = no_progress,
 ) -> PathResult:
     """Return where two boards of panels without a common crease first come within a tolerance.
 
     Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
+    Pairs with no panel of ``only`` (F,) are left out.
     """
 
     def search(until: float) -> BodySearch:
-        return BodySearch(mechanism, until, tolerance, bodies)
+        return BodySearch(mechanism, until, tolerance, bodies, only)
 
-    near = NearPairs.opposite(bodies, mechanism.grid, settled)
+    near = NearPairs.opposite(bodies, Layout.of(mechanism), settled, only)
     return first_contact(search, end, near, progress)
 
 
@@ -93,10 +94,18 @@ def first_contact(
 class BodySearch(PathSearch):
     """A search for the first contact of boards whose panels have no common vertex."""
 
-    def __init__(self, mechanism: Mechanism, end: float, tolerance: float, bodies: Bodies) -> None:
-        super().__init__(mechanism, end, tolerance, bodies=bodies)
-        self.grid, self.bodies = mechanism.grid, bodies
-        self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        end: float,
+        tolerance: float,
+        bodies: Bodies,
+        only: Booleans | None = None,
+    ) -> None:
+        super().__init__(mechanism, end, tolerance, only=only, bodies=bodies)
+        self.only = only
+        self.layout, self.bodies = Layout.of(mechanism), bodies
+        self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
         return 2 * float(self._swings(part).max())
@@ -134,12 +143,18 @@ class NearPairs:
     steps: Array
 
     @classmethod
-    def opposite(cls, bodies: Bodies, grid: Grid, settled: Booleans) -> NearPairs:
+    def opposite(
+        cls, bodies: Bodies, layout: Layout, settled: Booleans, only: Booleans | None
+    ) -> NearPairs:
         """Those that are opposite each other at a vertex, with hinges in the creases.
 
         Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
+        Pairs with no panel of ``only`` (F,) are left out.
         """
-        panels, vertex = opposite_panels(grid, settled)
+        panels, vertex = opposite_panels(layout, settled)
+        if only is not None:
+            wanted = only[panels[0]] | only[panels[1]]
+            panels, vertex = selected(panels, wanted), vertex[wanted]
         pairs, which = bodies.pairs_of(panels)
         none = np.zeros(len(which))
         return cls(pairs, vertex[which], np.stack([none, none]), bodies.panels[pairs[0]], none)
@@ -152,7 +167,7 @@ class NearBodies:
         self.bodies, self.states = search.bodies, search.states
         self.tolerance = search.tolerance + search.rounding
         self.edges, self.normals = search.bounds, search.normals
-        self.pairs, self.columns = near.bodies, search.grid.columns - 1
+        self.pairs, self.places = near.bodies, search.layout.first
         self.parts = [
             self.bodies.components(numbers, near.vertices, base)
             for numbers, base in zip(self.pairs, near.bases, strict=True)
@@ -177,7 +192,7 @@ class NearBodies:
             swung = swing[self.between[which]]
             for numbers, parts, step_h in zip(self.pairs, self.parts, self.steps, strict=True):
                 panel = self.bodies.panels[numbers[which]]
-                row, column = np.divmod(panel, self.columns)
+                row, column = self.places[panel].T
                 along, down, over = parts[..., which]
                 total = along * bounds.steps[0][column] + down * bounds.steps[1][row]
                 total = total + over * swing[panel] + step_h[which] * swung
@@ -218,7 +233,7 @@ class NearBodies:
         needed = np.full(len(which), self.tolerance)
         for numbers, largest, step_h in zip(self.pairs, self.largest, self.steps, strict=True):
             panel = self.bodies.panels[numbers[which]]
-            row, column = np.divmod(panel, self.columns)
+            row, column = self.places[panel].T
             along, down, over = largest[:, which]
             total = along * rows[column] + down * columns[row] + over * swing[panel]
             needed += step**2 / 8 * (total + step_h[which] * swing[self.between[which]])
@@ -254,11 +269,20 @@ class NearBodies:
         return np.asarray(np.max(kept, axis=0))
 
 
-def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
-    """Panels opposite each other at the inner vertices that are not settled, and these (P,)."""
+def opposite_panels(layout: Layout, settled: Booleans) -> tuple[Pairs, Integers]:
+    """Panels opposite each other at the inner vertices that are not settled, and these (P,).
+
+    Flaps beside the grid make inner vertices of the border's, which are never settled.
+    """
+    grid = layout.grid
     panel = np.arange(grid.panel_count).reshape(grid.rows - 1, grid.columns - 1)
     there = ~settled
     vertex = grid.vertices()[1:-1, 1:-1][there]
-    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there]])
-    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there]])
-    return (first, second), np.tile(vertex, 2)
+    upper, lower = layout.pairs.T
+    # Hinges are listed by flaps.
+    above, below = (layout.hinges[each - grid.panel_count, 1] for each in (upper, lower))
+    faces = layout.faces[upper]
+    on_border = faces[faces < grid.vertex_count]
+    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there], upper, lower])
+    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there], below, above])
+    return (first, second), np.concatenate([vertex, vertex, on_border, on_border])

@@ -35,8 +35,7 @@ from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
-from orishell.motion.layout import Layout
-from orishell.motion.quads import grid_corners
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -145,7 +144,7 @@ class ShiftedBounds(EdgeBounds):
         super().__init__(mechanism, end, tree)
         assert bodies.hinges is not None
         self.tree, self.bodies, self.hinges = tree, bodies, bodies.hinges
-        self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
+        self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
         self.reach = np.maximum(np.abs(bodies.low), np.abs(bodies.high))
 
     def within(self, start: float, stop: float) -> RangeBounds:

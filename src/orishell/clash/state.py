@@ -169,17 +169,24 @@ def _between(arms: tuple[Array, Array], normal: Array, vector: Array) -> Boolean
 
 
 def deepest_contact(
-    bodies: Bodies, points: Array, tolerance: float, *, only: Booleans, settled: Integers
+    bodies: Bodies,
+    points: Array,
+    tolerance: float,
+    *,
+    only: Booleans,
+    settled: Integers,
+    hinged: Integers,
 ) -> tuple[tuple[int, int], float] | None:
     """Return the two bodies that reach farthest into each other, and how far; None if none touch.
 
-    Left out are bodies of panels with a common crease, which meet by design, of panels opposite
-    each other at a settled vertex, and pairs without a panel of ``only`` (F,).
+    Left out are bodies of panels with a common crease, which meet by design, also where that ends
+    between corners, for ``hinged`` panels (H, 2); of panels opposite each other at a settled
+    vertex; and pairs without a panel of ``only`` (F,).
     """
     slabs = Slabs.of(points, bodies.faces, bodies.height)
     near = near_panels(points, bodies.faces, tolerance, bodies.height * slabs.normals.T)
     near = selected(near, only[near[0]] | only[near[1]])
-    near = selected(near, ~_apart_by_design(bodies.faces, near, settled))
+    near = selected(near, ~_apart_by_design(bodies.faces, near, settled, hinged))
     near = near_slabs((slabs, slabs), near, np.full(len(near[0]), tolerance))
     pairs, _ = bodies.pairs_of(near)
     state = bodies.carried(points)
@@ -188,8 +195,13 @@ def deepest_contact(
     return None if found is None else (found, max(0.0, -float(apart.gaps[0].min())))
 
 
-def _apart_by_design(faces: Integers, pairs: Pairs, settled: Integers) -> Booleans:
+def _apart_by_design(
+    faces: Integers, pairs: Pairs, settled: Integers, hinged: Integers
+) -> Booleans:
     """Pairs (P,) of panels with a common crease, or opposite each other at a settled vertex."""
     corners = common_corners(faces, *pairs).any(axis=2)
     at_settled = (corners & np.isin(faces[pairs[0]], settled)).any(axis=1)
-    return np.asarray((corners.sum(axis=1) > 1) | at_settled)
+    keys, known = (
+        np.sort(each, axis=-1) @ [len(faces), 1] for each in (np.stack(pairs, axis=-1), hinged)
+    )
+    return np.asarray((corners.sum(axis=1) > 1) | np.isin(keys, known) | at_settled)

@@ -96,7 +96,7 @@ class Design:
             If the sheet cannot have such flaps.
         """
         mechanism = self.mechanism.with_stop(stop)
-        if not stop or not mechanism.flap_columns:
+        if not stop or not has_flaps(mechanism):
             return replace(self, mechanism=mechanism)
         parameters = {**self.parameters, "stop_deg": tidy_degrees(stop)}
         return replace(self, mechanism=mechanism, parameters=parameters)

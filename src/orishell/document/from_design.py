@@ -25,7 +25,7 @@ from orishell.motion.layout import (
     points_of,
 )
 from orishell.motion.mesh import build_mesh
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 
 def document_of_motion(
@@ -78,11 +78,13 @@ def _clipped(
 ) -> tuple[Document, ...]:
     """The flaps of a sheet, each a document of its own."""
     if isinstance(mechanism, LaidOut):
-        return tuple(_clipped_pairs(mechanism, unit))
+        return tuple(_clipped_pairs(mechanism, unit, panel, boards))
     return _clipped_strips(mechanism, unit, panel, boards)
 
 
-def _clipped_pairs(mechanism: Mechanism, unit: str) -> Iterator[Document]:
+def _clipped_pairs(
+    mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
+) -> Iterator[Document]:
     """Slit flaps, two at a time with the crease between them, in the sheet's frame.
 
     Panels are called as they are where they fold with the sheet.
@@ -96,7 +98,7 @@ def _clipped_pairs(mechanism: Mechanism, unit: str) -> Iterator[Document]:
         mesh = build_mesh(numbers.reshape(2, 4), len(own))
         letters = np.where(mesh.crease, "V" if fold > 0 else "M", "B")
         angles = _degrees(np.full(len(letters), fold), mesh.crease)
-        upper, lower = (names[panel] for panel in pair)
+        upper, lower = (names[each] for each in pair)
         yield Document(
             title=f"Boards {upper} and {lower}, clipped on",
             unit=unit,
@@ -108,6 +110,8 @@ def _clipped_pairs(mechanism: Mechanism, unit: str) -> Iterator[Document]:
             grid_shape=None,
             curves={},
             named={SHELL: 0},
+            panel=panel,
+            boards=boards and _of_pair(boards, pair),
             names=(upper, lower),
         )
 
@@ -156,6 +160,12 @@ def _of_column(boards: Boards, column: int, columns: int) -> Boards:
     """The boards of one column of panels, as a strip on its own."""
     mine = boards.chosen(boards.panels % columns == column)
     return replace(mine, panels=mine.panels // columns)
+
+
+def _of_pair(boards: Boards, pair: Integers) -> Boards:
+    """The boards of two panels, as a sheet on their own."""
+    mine = boards.chosen(np.isin(boards.panels, pair))
+    return replace(mine, panels=np.searchsorted(pair, mine.panels))
 
 
 def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:

@@ -22,6 +22,7 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import BuiltPanels, build_panels
 
@@ -57,7 +58,7 @@ class Corners:
     columns: The columns of its vertices at which corners may be cut off: those of the sheet.
     opposite, vertices: Panels (P,) opposite each other, and the vertex (P,) that they share.
     drives: States in which their boards are compared (radians).
-    flat: The flat sheet (rows, columns, 3) in which boards are described.
+    flat: Vertices (V, 3) of the flat sheet in which boards are described.
     boards: All boards on it.
     """
 
@@ -71,12 +72,17 @@ class Corners:
 
     def bodies(self, built: BuiltPanels) -> Bodies:
         """Its boards as bodies."""
-        faces = self.mechanism.grid.faces_vertices()
-        return Bodies(self.boards(built), faces, self.flat.reshape(-1, 3))
+        faces = Layout.of(self.mechanism).faces
+        return Bodies(self.boards(built), faces, self.flat)
 
 
 def prove_boards(
-    design: Design, end: float, tolerance: float, progress: Progress = no_progress
+    design: Design,
+    end: float,
+    tolerance: float,
+    progress: Progress = no_progress,
+    *,
+    only: Booleans | None = None,
 ) -> tuple[BuiltPanels, PathResult]:
     """Return the boards of a design, corners cut off where need be, and their first contact.
 
@@ -84,13 +90,14 @@ def prove_boards(
 
     end: The drive up to which boards are set back and the path is examined (radians).
     tolerance: Distance at which boards touch (length).
+    only: Panels (F,): pairs of boards with none of theirs are left out. All panels if None.
 
     Raises DesignError if nothing is left of a panel.
     """
-    mechanism, flat = design.mechanism.still, design.mechanism.positions(0.0)
+    mechanism, flat = design.mechanism.still, points_of(design.mechanism, 0.0)
     built = build_panels(design, end)
     settled = built.settled()
-    opposite, vertices = opposite_panels(mechanism.grid, settled)
+    opposite, vertices = opposite_panels(Layout.of(mechanism), settled)
 
     def corners(drive: float) -> Corners:
         # Whole boards meet at their vertices in the flat sheet, and lie on each other in the pack,
@@ -111,6 +118,7 @@ def prove_boards(
             tolerance,
             bodies,
             settled=settled,
+            only=only,
             progress=progress,
         )
 
@@ -149,7 +157,7 @@ def cut_corners(
 
 
 def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
-    first, second = mechanism.grid.faces_vertices()[list(panels)]
+    first, second = Layout.of(mechanism).faces[list(panels)]
     return bool(np.isin(first, second).any())
 
 
@@ -168,7 +176,7 @@ def _relieve(
     vertex = corners.vertices[which]
 
     def gaps(bodies: Bodies, drive: float, some: Integers) -> Array:
-        state = bodies.carried(mechanism.positions(drive).reshape(-1, 3))
+        state = bodies.carried(points_of(mechanism, drive))
         found = Apartness.of((state, state), (pairs[0][some], pairs[1][some]))
         return np.asarray(found.gaps[0])
 
@@ -214,14 +222,9 @@ def _can_be_built(design: Design, limit: float, reliefs: Array) -> bool:
 
 def _shortest_edges(mechanism: Mechanism) -> Array:
     """Length (rows, columns) of the shortest edge at every vertex."""
-    flat = mechanism.positions(0.0)
-    along, down = (np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (1, 0))
-    shortest = np.full(flat.shape[:2], np.inf)
-    for part, length in (
-        (np.s_[:, :-1], along),
-        (np.s_[:, 1:], along),
-        (np.s_[:-1], down),
-        (np.s_[1:], down),
-    ):
-        shortest[part] = np.minimum(shortest[part], length)
-    return shortest
+    layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
+    ends, _ = layout.edges
+    length = np.linalg.norm(flat[ends[:, 1]] - flat[ends[:, 0]], axis=-1)
+    shortest = np.full(len(flat), np.inf)
+    np.minimum.at(shortest, ends, length[:, None])
+    return shortest[: layout.grid.vertex_count].reshape(layout.grid.rows, layout.grid.columns)

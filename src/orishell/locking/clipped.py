@@ -22,6 +22,7 @@ from orishell.design import Design
 from orishell.locking.boards import Corners, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
+from orishell.motion.layout import points_of
 from orishell.solids import BuiltPanels, settled_vertices
 
 
@@ -88,9 +89,9 @@ def clip_boards(
     built: Its boards, those of the sheet proved to be apart: smaller ones are, too.
     tolerance: Distance at which boards touch (length).
     """
-    mechanism, grid = sheet.mechanism, sheet.mechanism.grid
+    mechanism, layout = sheet.mechanism, sheet.layout
     settled = settled_vertices(mechanism.fold_angles(sheet.target))
-    opposite, vertices = opposite_panels(grid, settled)
+    opposite, vertices = opposite_panels(layout, settled)
     flapped = sheet.flapped(opposite)
     corners = Corners(
         mechanism,
@@ -98,16 +99,17 @@ def clip_boards(
         selected(opposite, flapped),
         vertices[flapped],
         [sheet.target],
-        mechanism.positions(0.0),
+        points_of(mechanism, 0.0),
         lambda each: each.with_flaps(mechanism),
     )
-    apart = grid.vertices()[1:-1, 1:-1][settled]
-    panels = np.arange(grid.panel_count)
-    flaps, points = sheet.flapped((panels, panels)), sheet.points_at_target()
+    apart = layout.grid.vertices()[1:-1, 1:-1][settled]
+    points = sheet.points_at_target()
 
     def look(built: BuiltPanels) -> _Met:
         bodies = corners.bodies(built)
-        found = deepest_contact(bodies, points, tolerance, only=flaps, settled=apart)
+        found = deepest_contact(
+            bodies, points, tolerance, only=layout.flaps, settled=apart, hinged=layout.hinges
+        )
         if found is None:
             return _Met(None, 0.0)
         pair, depth = found

@@ -43,7 +43,7 @@ def find_lock(
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     flaps_only
-        Look for contacts of the flaps only.
+        Look for contacts of the flaps and their boards only.
     beyond
         Look for contacts beyond the target as well. Otherwise only :attr:`Lock.early` counts.
 
@@ -66,14 +66,19 @@ def find_lock(
     if design.clipped is not None and not lock.early:
         met = find_crossing(sheet.with_flaps(design.clipped), size)
         lock = replace(lock, clipped_contact=met and _at_target(met, lock))
-    if design.panel is None or lock.early or flaps_only:
+    if design.panel is None or lock.early:
         return lock
     end = lock.closes_to if beyond else min(lock.closes_to, lock.target_drive)
-    built, path = prove_boards(design, end, size, progress)
-    lock = replace(lock, built=built, boards_proof=path.proof)
-    if path.contact is not None:
-        found = sheet.contact_of_boards(path.contact, built.boards)
-        lock = replace(lock, drive=found.drive, cause="boards", first_contact=found)
+    if flaps_only and design.clipped is not None:
+        built = build_panels(design, end)
+    else:
+        only = _flap_panels(sheet) if flaps_only else None
+        built, path = prove_boards(design, end, size, progress, only=only)
+        lock = replace(lock, boards_proof=path.proof)
+        if path.contact is not None:
+            found = sheet.contact_of_boards(path.contact, built.boards)
+            lock = replace(lock, drive=found.drive, cause="boards", first_contact=found)
+    lock = replace(lock, built=built)
     if design.clipped is None or lock.early:
         return lock
     built, met = clip_boards(design, sheet.with_flaps(design.clipped), built, size)

@@ -20,8 +20,8 @@ from orishell.solids import build_panels
 
 NARROWEST = 1e-3
 """Flaps narrower than this share of what was asked for are of no use."""
-FINE = 1e-3
-"""Accuracy of the widest flaps, relative to their width."""
+FINE, OF_BOARDS = 1e-3, 1e-2
+"""Accuracy of the widest flaps, relative to their width, without and with a thickness."""
 
 
 def reaches_target(design: Design, tolerance: float, *, flaps_only: bool = False) -> bool:
@@ -38,9 +38,11 @@ def reaches_target(design: Design, tolerance: float, *, flaps_only: bool = False
 
 
 def widest_flap(
-    design: Design, narrower: Callable[[float], Design], tolerance: float, *, boards: bool = False
+    design: Design, narrower: Callable[[float], Design], tolerance: float
 ) -> float | None:
     """Return the largest width, below that of a design's flaps, at which no flap meets anything.
+
+    Their boards neither, where panels have a thickness.
 
     Parameters
     ----------
@@ -48,8 +50,6 @@ def widest_flap(
         Makes the design with flaps of another width (length); raises DesignError where it cannot.
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
-    boards
-        Look for contacts of all boards and panels, not of panels of the flaps only.
     """
     asked = flap_width(design)
     if asked <= 0:
@@ -60,9 +60,10 @@ def widest_flap(
             made = narrower(width)
         except DesignError:
             return False
-        return reaches_target(made, tolerance, flaps_only=not boards)
+        return reaches_target(made, tolerance, flaps_only=True)
 
-    return largest_quotable(works, asked, NARROWEST, FINE)
+    fine = FINE if design.panel is None else OF_BOARDS
+    return largest_quotable(works, asked, NARROWEST, fine)
 
 
 def largest_quotable(
@@ -145,7 +146,7 @@ def end_motion(
         depth = corrugation_depth(design.mechanism.positions(end))
         return design, replace(lock, target_drive=end, corrugation_depth=depth)
     if narrower is not None:
-        width = widest_flap(design, narrower, tolerance, boards=contact.sides is not None)
+        width = widest_flap(design, narrower, tolerance)
         if width is not None:
             design = narrower(width)
             lock = find_lock(design, tolerance=tolerance, progress=progress)

@@ -9,7 +9,8 @@ from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
 from orishell.locking.result import Lock
 from orishell.motion import area_of
-from orishell.solids import BuiltPanels, find_meetings, find_set_backs
+from orishell.motion.layout import Layout
+from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
 from orishell.solids.hinged.arms import SHORT
 
@@ -71,9 +72,10 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     if built is None:
         return None
     build = built.build
+    sides = SideFolds.of(Layout.of(design.mechanism), built.folds, built.beside)
     # Whole boards stand back by the gap alone.
     height = 0.0 if design.has_whole_boards else build.height
-    back = find_set_backs(built.folds, height, build.gap)
+    back = set_backs_of(sides, height, build.gap)
     longest = np.concatenate([back.top, back.bottom])
     return PanelReport(
         construction=build.construction,
@@ -82,7 +84,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         gap=build.gap,
         stop_deg=_stop_deg(design),
         set_back_for=built.limit,
-        largest_fold=float(np.abs(built.folds.on_edges()).max()),
+        largest_fold=float(sides.largest.max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
         boards=sum(
             int((~each.arms).sum()) for each in (built.boards, built.flaps) if each is not None
@@ -116,11 +118,14 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
 
 
 def _meeting(design: Design, built: BuiltPanels) -> MeetingReport | None:
-    sheet, folds, boards = design.mechanism, built.folds, built.boards
+    sheet, folds, boards, beside = design.mechanism, built.folds, built.boards, built.beside
     if design.clipped is not None and built.flaps is not None:
         sheet, boards = design.clipped, built.flaps
-        folds = sheet.fold_angles(sheet.target_drive)
-    found = find_meetings(sheet, built.build, folds, boards)
+        folds, beside = (
+            sheet.fold_angles(sheet.target_drive),
+            FlapFolds.at(sheet, sheet.target_drive),
+        )
+    found = find_meetings(sheet, built.build, folds, boards, beside)
     if not len(found.rows):
         return None
     return MeetingReport(

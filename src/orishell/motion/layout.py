@@ -12,7 +12,6 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
 from orishell.motion.grid import UNFOLDED, Grid
 from orishell.motion.mechanism import Mechanism
@@ -36,9 +35,10 @@ class Layout:
     # (F, 2), row and column that a panel is called by: -1 is the column left of the sheet
     names: Integers
     flaps: Booleans  # (F,), which are flaps
-    # numbers (K, 2) of panels about the row creases of flaps that are no columns of the grid
+    # numbers (K, 2) of panels about the row creases of flaps that are no columns of the grid, the
+    # upper ones first
     pairs: Integers
-    # numbers (H, 2) of such flaps and of the panels that they are hinged to
+    # numbers (H, 2) of such flaps, in ascending order, and of the panels that they are hinged to
     hinges: Integers
 
     @classmethod
@@ -55,6 +55,11 @@ class Layout:
         flaps = np.isin(names[:, 1], flap_columns)
         none, faces = np.zeros((0, 2), np.int64), grid.faces_vertices()
         return cls(grid, faces, faces, names, names + 1, names, flaps, none, none)
+
+    @property
+    def beside(self) -> Booleans:
+        """Which panels (F,) are beside the grid."""
+        return np.arange(len(self.faces)) >= self.grid.panel_count
 
     @cached_property
     def edges(self) -> tuple[Integers, Booleans]:
@@ -74,6 +79,17 @@ class Layout:
         known = np.concatenate([listed, np.sort(folding, axis=1) @ [count, 1]])
         rest = np.stack(np.divmod(np.setdiff1d(keys, known), count), axis=-1)
         return np.concatenate([whole[kept], folding, rest]), kept
+
+    @cached_property
+    def folding_sides(self) -> tuple[Integers, Integers]:
+        """Sides of panels at the hinges (H, 2) and the row creases (K, 2) of flaps beside it.
+
+        Side k goes from a panel's corner k to the next. A flap begins with its hinge.
+        """
+        on_border = np.where(self.names[self.hinges[:, 0], 1] < 0, 0, 2)
+        from_vertex = self.faces[self.pairs, 0] < self.grid.vertex_count
+        hinges = np.stack([np.zeros_like(on_border), on_border], axis=-1)
+        return hinges, np.where(from_vertex, 3, 1)
 
     def between(self, one: int, other: int) -> Integers:
         """Vertices (2,) that two panels share."""
@@ -105,24 +121,6 @@ class LaidOut(Protocol):
 
     def hinge_folds(self, drive: ArrayLike) -> Array:
         """Fold angles (..., H) of the hinges of its layout (radians)."""
-
-
-def require_grid(mechanism: Mechanism, what: str) -> None:
-    """Refuse flaps that are no columns of the grid, where they would be left out.
-
-    what: What they cannot be.
-
-    Raises
-    ------
-    DesignError
-        If the mechanism has such flaps.
-    """
-    if isinstance(mechanism, LaidOut):
-        raise DesignError(
-            f"flaps that are slit from row to row cannot be {what} yet",
-            keys=("pattern.flap",),
-            candidates=[Remedy({"pattern.border": "straight"}), Remedy({"pattern.flap": 0.0})],
-        )
 
 
 def points_of(mechanism: Mechanism, drive: ArrayLike) -> Array:

@@ -64,6 +64,7 @@ def find_hinge_section(
         return None  # they do not stand back
     mechanism = motion.mechanism
     grid = mechanism.grid
+    boards = boards.chosen(boards.panels < grid.panel_count)  # creases of the sheet only
     corners = mechanism.positions(0.0).reshape(-1, 3)[grid.faces_vertices(), :2]
     edges = grid.faces_edges()
     along = np.roll(corners, -1, axis=1) - corners

@@ -15,7 +15,7 @@ from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.hinges import Straightened
-from orishell.motion.layout import has_flaps, require_grid
+from orishell.motion.layout import has_flaps
 from orishell.solids import (
     drive_for_height,
     find_stop,
@@ -44,7 +44,6 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     design = design_of(file, file.pattern, progress)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
-        require_grid(design.mechanism, "made of boards")
         design = _with_panels(design, file.panel, file.pattern.closing)
     if file.deployment.flap_attachment == "clipped":
         design = design.with_clipped_flaps()
@@ -105,7 +104,8 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
     needed = float(largest_fold(mechanism, np.array([mechanism.target_drive]))[0])
     if needed <= limit + ROUNDING:
         return
-    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if mechanism.flap_columns else []
+    flaps = has_flaps(mechanism)
+    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if flaps else []
     asked = 180.0 if from_pack else rounded(float(np.rad2deg(needed)) + UP, 6)
     raise DesignError(
         "hinges do not close as far as the target asks",
@@ -121,8 +121,7 @@ def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> De
     """The design with panels of a thickness: its flaps stop where their boards meet."""
     if panel.construction == "hinged":
         return _with_whole_boards(design, panel, closing)
-    flaps = design.mechanism.flap_columns
-    stop = 0.0 if not flaps else panel.stop
+    stop = panel.stop if has_flaps(design.mechanism) else 0.0
     if stop is None:
         stop = find_stop(design.mechanism, panel)
     return replace(design.with_stop(stop), panel=panel)

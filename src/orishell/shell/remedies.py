@@ -177,7 +177,7 @@ class _RemedySearch:
         file = self.file
         if clash.thick:
             if clash.flap:
-                yield from self._narrower(boards=True)
+                yield from self._narrower()
             yield from self._thinner()
             return
         if file.target is None:
@@ -187,7 +187,7 @@ class _RemedySearch:
             return
         # Where the sheet meets itself without flaps, no width of flaps helps.
         if clash.flap and self._reaches_target(Remedy({"pattern.flap": 0.0})):
-            yield from self._narrower(boards=False)
+            yield from self._narrower()
         for resized in (_scaled_f, _shortened_g):
 
             def works(share: float, resized: Resized = resized) -> bool:
@@ -197,15 +197,15 @@ class _RemedySearch:
             if share is not None:
                 yield resized(file, share)
 
-    def _narrower(self, *, boards: bool) -> Iterator[Remedy]:
-        """The widest flaps, or those of boards, that meet nothing."""
+    def _narrower(self) -> Iterator[Remedy]:
+        """The widest flaps that meet nothing."""
 
         def narrower(width: float) -> Design:
             self._watch()
             return designed(self.file.changed({"pattern.flap": width}))
 
         tolerance = self.file.contact_tolerance
-        width = widest_flap(designed(self.file), narrower, tolerance, boards=boards)
+        width = widest_flap(designed(self.file), narrower, tolerance)
         if width is not None:
             yield Remedy({"pattern.flap": width})
 

@@ -17,7 +17,9 @@ from orishell.solids.setbacks import (
     find_set_backs,
     largest_folds,
     largest_height,
+    set_backs_of,
 )
+from orishell.solids.sides import FlapFolds, SideFolds
 from orishell.solids.thickness_limit import (
     ThicknessLimit,
     find_stop,
@@ -30,8 +32,10 @@ from orishell.solids.thickness_limit import (
 
 __all__ = [
     "BuiltPanels",
+    "FlapFolds",
     "Meetings",
     "SetBacks",
+    "SideFolds",
     "ThicknessLimit",
     "build_boards",
     "build_panels",
@@ -44,6 +48,7 @@ __all__ = [
     "largest_height",
     "largest_thickness",
     "limit_in_words",
+    "set_backs_of",
     "settled_vertices",
     "thinner",
     "wide_gap",

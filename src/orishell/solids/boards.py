@@ -11,9 +11,11 @@ from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges
-from orishell.numerics.arrays import Array, Booleans
+from orishell.motion.layout import Layout
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.hinged.arms import build_whole_boards
-from orishell.solids.setbacks import find_set_backs
+from orishell.solids.setbacks import set_backs_of
+from orishell.solids.sides import FlapFolds, SideFolds
 
 INSIDE = 1e-12
 """A corner counts as inside an edge up to this share of the panel's size."""
@@ -41,10 +43,11 @@ def inset_panels(panels: Array, distance: Array, grid: Grid, cut: Array | None =
 
     points, kept = _crossings(inward, level, size)
     if (few := kept.sum(axis=1) < 3).any():
-        row, column = divmod(int(few.argmax()), grid.columns - 1)
+        panel = int(few.argmax())
+        row, column = divmod(panel, grid.columns - 1)
         raise DesignError(
             "boards of this thickness leave nothing of a panel",
-            place=f"of panel [{row}, {column}]",
+            place=f"of panel [{row}, {column}]" if panel < grid.panel_count else "of a flap",
         )
     # Between two sides lies the corner that is farthest out between their directions.
     outward = -_unit(_unit(inward) + np.roll(inward, 1, axis=1))
@@ -82,12 +85,9 @@ def build_boards(
     *,
     hinges: Hinges | None = None,
 ) -> Boards:
-    """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
+    """The boards of all panels of a grid, set back for the largest fold angles, in [-pi, pi].
 
-    A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
-    panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
-    plane it stands back by half the gap, on its faces as far as boards do, and it is straight in
-    between. Whole boards on hinges, square cut, stand back by half the gap; arms follow on each.
+    See :func:`boards_on`.
 
     Parameters
     ----------
@@ -103,25 +103,62 @@ def build_boards(
     DesignError
         If nothing is left of a panel.
     """
-    faces = grid.faces_vertices()
-    panels = flat.reshape(-1, 3)[faces, :2]
-    back = find_set_backs(folds, build.height, build.gap)
-    edges = grid.faces_edges()
-    cut = None if reliefs is None else reliefs.ravel()[faces]
+    return boards_on(
+        flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs=reliefs, hinges=hinges
+    )
+
+
+def boards_on(
+    flat: Array,
+    layout: Layout,
+    build: PanelSpec,
+    folds: CreaseValues,
+    *,
+    reliefs: Array | None = None,
+    beside: FlapFolds | None = None,
+    hinges: Hinges | None = None,
+) -> Boards:
+    """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
+
+    A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
+    panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
+    plane it stands back by half the gap, on its faces as far as boards do, and it is straight in
+    between. Whole boards on hinges, square cut, stand back by half the gap; arms follow on each.
+
+    Parameters
+    ----------
+    flat
+        Vertices (V, 3) of the flat sheet.
+    reliefs
+        How far corners are cut off at every vertex (rows, columns) (length); None if none is.
+    beside
+        The largest fold angles of flaps that are no columns of the grid, if there are such flaps.
+    hinges
+        The hinges of whole boards; None if hinges are in the creases.
+
+    Raises
+    ------
+    DesignError
+        If nothing is left of a panel.
+    """
+    faces, grid, at_sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
+    panels = flat[faces, :2]
+    back = set_backs_of(at_sides, build.height, build.gap)
+    cut = None if reliefs is None else _at_corners(reliefs, faces)
     there: list[Booleans] = [
-        np.asarray(np.isfinite(each[edges]).all(axis=1)) for each in (back.top, back.bottom)
+        np.asarray(np.isfinite(each).all(axis=1)) for each in (back.top, back.bottom)
     ]
 
     def outline(distance: Array, present: Booleans) -> Array:
         kept = None if cut is None else cut[present]
-        return inset_panels(panels[present], distance[edges][present], grid, kept)
+        return inset_panels(panels[present], distance[present], grid, kept)
 
     if hinges is not None:
-        middle = find_set_backs(folds, 0.0, build.gap).top
-        inset = inset_panels(panels, middle[edges], grid, cut)
+        middle = set_backs_of(at_sides, 0.0, build.gap).top
+        inset = inset_panels(panels, middle, grid, cut)
         return build_whole_boards(panels, inset, hinges, build)
     if build.construction == "bevel":
-        middle = find_set_backs(folds, 0.0, build.gap).top
+        middle = set_backs_of(at_sides, 0.0, build.gap).top
         solid = there[0] & there[1]
         levels = [(back.bottom, -build.height), (middle, 0.0), (back.top, build.height)]
         outlines = np.stack([_at(outline(d, solid), z) for d, z in levels], axis=1)
@@ -139,6 +176,12 @@ def build_boards(
     panels_of, sides, outlines = (np.concatenate(each) for each in zip(*made, strict=True))
     order = np.lexsort([-sides, panels_of])
     return Boards(panels_of[order], sides[order], outlines[order])
+
+
+def _at_corners(reliefs: Array, faces: Integers) -> Array:
+    """Of reliefs (rows, columns) those at corners (F, 4); none at those that are not the grid's."""
+    more = int(faces.max()) + 1 - reliefs.size
+    return np.asarray(np.pad(reliefs.ravel(), (0, more))[faces])
 
 
 def _at(outline: Array, height: float) -> Array:

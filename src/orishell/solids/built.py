@@ -20,11 +20,12 @@ from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
-from orishell.motion.layout import require_grid
+from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.solids.boards import build_boards
+from orishell.solids.boards import boards_on
 from orishell.solids.hinged import find_hinges
-from orishell.solids.setbacks import find_set_backs, largest_folds
+from orishell.solids.setbacks import largest_flap_folds, largest_folds, set_backs_of
+from orishell.solids.sides import FlapFolds, SideFolds
 
 
 @record
@@ -39,6 +40,8 @@ class BuiltPanels:
     boards: Boards
     # boards of flaps that are clipped on at its target; None if there are none
     flaps: Boards | None
+    # the largest folds of flaps that fold with the sheet but are no columns of it, if there are any
+    beside: FlapFolds | None = None
 
     def settled(self) -> Booleans:
         """Inner vertices (rows-2, columns-2) about which opposite boards are apart all the way."""
@@ -47,9 +50,7 @@ class BuiltPanels:
     def with_flaps(self, clipped: Mechanism) -> Boards:
         """All boards, as panels of the sheet with its flaps: ``clipped``."""
         assert self.flaps is not None
-        inner, across = clipped.inner_columns, clipped.grid.columns - 1
-        row, column = np.divmod(self.boards.panels, inner.stop - inner.start - 1)
-        own = row * across + column + inner.start
+        own = _with_flaps_columns(self.boards.panels, clipped)
         panels = np.concatenate([own, self.flaps.panels])
         order = np.argsort(panels, kind="stable")
         both = self.boards, self.flaps
@@ -58,6 +59,13 @@ class BuiltPanels:
             np.concatenate([each.sides for each in both])[order],
             np.concatenate([each.outlines for each in both])[order],
         )
+
+
+def _with_flaps_columns(panels: Integers, clipped: Mechanism) -> Integers:
+    """Numbers (B,) of panels of a sheet, as panels of it with its flaps: ``clipped``."""
+    inner, across = clipped.inner_columns, clipped.grid.columns - 1
+    row, column = np.divmod(panels, inner.stop - inner.start - 1)
+    return np.asarray(row * across + column + inner.start)
 
 
 def settled_vertices(folds: CreaseValues) -> Booleans:
@@ -88,38 +96,40 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     """
     build, mechanism = design.panel, design.mechanism
     assert build is not None, "panels without a thickness are not built"
-    require_grid(mechanism, "made of boards")
     grid, folds = mechanism.grid, largest_folds(mechanism, limit)
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:
         hinges = design.hinges
         if build.construction == "hinged" and hinges is None:
             hinges = find_hinges(mechanism, build)
-        boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs, hinges=hinges)
-        return BuiltPanels(build, limit, folds, cut, boards, None)
+        beside, flat = largest_flap_folds(mechanism, limit), points_of(mechanism, 0.0)
+        boards = boards_on(
+            flat, Layout.of(mechanism), build, folds, reliefs=reliefs, beside=beside, hinges=hinges
+        )
+        return BuiltPanels(build, limit, folds, cut, boards, None, beside)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
-    inner = design.clipped.inner_columns
-    row, column = np.divmod(everything.panels, design.clipped.grid.columns - 1)
-    mine = (column >= inner.start) & (column < inner.stop - 1)
-    number = row * (grid.columns - 1) + column - inner.start
-    boards = replace(everything.chosen(mine), panels=number[mine])
-    flaps = everything.chosen(~mine)
-    return BuiltPanels(build, limit, folds, cut, boards, flaps)
+    own = _with_flaps_columns(np.arange(grid.panel_count), design.clipped)
+    mine = np.isin(everything.panels, own)
+    boards = everything.chosen(mine)
+    boards = replace(boards, panels=np.searchsorted(own, boards.panels))
+    return BuiltPanels(build, limit, folds, cut, boards, everything.chosen(~mine))
 
 
 def _with_flaps(
     clipped: Mechanism, build: PanelSpec, folds: CreaseValues, reliefs: Array | None
 ) -> Boards:
     """The boards of the sheet and its flaps, which fold as at the target and no further."""
-    at_target = clipped.fold_angles(clipped.target_drive)
+    target = clipped.target_drive
+    at_target = clipped.fold_angles(target)
     inner = clipped.inner_columns
     row, column = at_target.row.copy(), at_target.column.copy()
     row[:, inner.start : inner.stop - 1] = folds.row
     column[:, inner.start : inner.stop - 2] = folds.column
     if reliefs is not None:
         reliefs = np.pad(reliefs, ((0, 0), (inner.start, clipped.grid.columns - inner.stop)))
-    flat = clipped.positions(0.0)
-    return build_boards(flat, clipped.grid, build, CreaseValues(row, column), reliefs)
+    flat, beside = points_of(clipped, 0.0), FlapFolds.at(clipped, target)
+    all_folds = CreaseValues(row, column)
+    return boards_on(flat, Layout.of(clipped), build, all_folds, reliefs=reliefs, beside=beside)
 
 
 @record
@@ -143,48 +153,101 @@ class Meetings:
         return np.asarray(self.spans[:, 1] - self.spans[:, 0])
 
 
+@record
+class _RowCreases:
+    """Row creases (M,) of flaps."""
+
+    panels: Integers  # (M, 2), the one above each and the one below
+    sides: Integers  # (M, 2) of these panels at the crease
+    names: Integers  # (M, 2), row and column of the panel above
+    ends: Integers  # vertices (M, 2), the left one in the flat sheet first
+    folds: Array  # fold angles (M,) at the target (radians)
+
+    @classmethod
+    def of(cls, mechanism: Mechanism) -> _RowCreases:
+        """Those of columns that are flaps, or of flaps beside the grid."""
+        layout, target = Layout.of(mechanism), mechanism.target_drive
+        if isinstance(mechanism, LaidOut):
+            pairs, (_, sides) = layout.pairs, layout.folding_sides
+            # Seen from the upper flap, the crease ends where its side does.
+            upper = layout.faces[pairs[:, 0]]
+            along: Integers = (sides[:, :1] + np.arange(2)) % 4
+            ends = np.take_along_axis(upper, along, axis=1)
+            names = layout.names[pairs[:, 0]]
+            return cls(pairs, sides, names, ends, mechanism.flap_folds(target))
+        rows, columns = (
+            each.ravel()
+            for each in np.meshgrid(
+                np.arange(mechanism.grid.rows - 2),
+                np.array(mechanism.flap_columns, dtype=np.int64),
+                indexing="ij",
+            )
+        )
+        across = mechanism.grid.columns - 1
+        panel, left = rows * across + columns, (rows + 1) * (across + 1) + columns
+        return cls(
+            np.stack([panel, panel + across], axis=-1),
+            np.broadcast_to([1, 3], (len(rows), 2)),
+            np.stack([rows, columns], axis=-1),
+            np.stack([left, left + 1], axis=-1),
+            mechanism.fold_angles(target).row[rows, columns],
+        )
+
+    def chosen(self, which: Booleans) -> _RowCreases:
+        """Those at which ``which`` (M,) is true."""
+        return _RowCreases(
+            self.panels[which],
+            self.sides[which],
+            self.names[which],
+            self.ends[which],
+            self.folds[which],
+        )
+
+
 def find_meetings(
-    mechanism: Mechanism, build: PanelSpec, folds: CreaseValues, boards: Boards
+    mechanism: Mechanism,
+    build: PanelSpec,
+    folds: CreaseValues,
+    boards: Boards,
+    beside: FlapFolds | None = None,
 ) -> Meetings:
     """Where boards of flaps, folded or clipped on, meet at the target, if a crease has both.
 
     The fold angles are the largest, those that the boards were set back for.
+
+    Parameters
+    ----------
+    beside
+        Those of flaps that are no columns of the grid, if there are such flaps.
     """
-    grid, flat = mechanism.grid, mechanism.positions(0.0)
-    across = grid.columns - 1
-    at_target = mechanism.fold_angles(mechanism.target_drive).row
-    flaps = np.array(mechanism.flap_columns, dtype=np.int64)
-    rows, columns = (
-        each.ravel() for each in np.meshgrid(np.arange(grid.rows - 2), flaps, indexing="ij")
-    )
-    closing = np.sign(at_target[rows, columns]).astype(np.int64)
+    layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
+    creases = _RowCreases.of(mechanism)
 
     # Boards by panel and side.
-    number = np.full((grid.panel_count, len(SIDES)), -1)
+    number = np.full((len(layout.faces), len(SIDES)), -1)
     number[boards.panels, boards.sides + 1] = np.arange(len(boards))
+    closing = np.sign(creases.folds).astype(np.int64)
     side = 0 * closing if build.is_solid else closing
-    panel = rows * across + columns
-    pair = np.stack([number[panel, side + 1], number[panel + across, side + 1]], axis=-1)
-    there = (pair >= 0).all(axis=1)
-    rows, columns, closing, pair = rows[there], columns[there], closing[there], pair[there]
+    pair = number[creases.panels, side[:, None] + 1]
+    there: Booleans = np.asarray((pair >= 0).all(axis=1))
+    creases, closing, pair = creases.chosen(there), closing[there], pair[there]
 
-    left, right = (flat[rows + 1, columns + k, :2] for k in (0, 1))
+    left, right = (flat[creases.ends[:, k], :2] for k in (0, 1))
     level = np.where(closing > 0, -1, 0)
-    # The bottom edge of the board above, the top edge of the one below.
     ends = [
-        _along(_side(boards.outlines[pair[:, k], level, :, :2], edge), left, right)
-        for k, edge in enumerate((1, 3))
+        _along(_side(boards.outlines[pair[:, k], level, :, :2], creases.sides[:, k]), left, right)
+        for k in (0, 1)
     ]
     start, stop = np.maximum(*ends)[:, 0], np.minimum(*ends)[:, 1]
 
-    found = find_set_backs(folds, build.height, build.gap)
-    edge = (rows + 1) * across + columns
-    back = np.where(closing > 0, found.top[edge], found.bottom[edge])
-    fold = np.abs(at_target[rows, columns])
+    found = set_backs_of(SideFolds.of(layout, folds, beside), build.height, build.gap)
+    above = creases.panels[:, 0], creases.sides[:, 0]
+    back = np.where(closing > 0, found.top[above], found.bottom[above])
+    fold = np.abs(creases.folds)
     half = 0.5 * (np.pi - fold)
     return Meetings(
-        rows,
-        columns,
+        creases.names[:, 0],
+        creases.names[:, 1],
         pair,
         back,
         np.stack([start, np.maximum(start, stop)], axis=-1),
@@ -193,11 +256,12 @@ def find_meetings(
     )
 
 
-def _side(outlines: Array, edge: int) -> Array:
-    """Ends (M, 2, 2) of the sides of outlines (M, K, 2) that follow an edge of their panels."""
+def _side(outlines: Array, sides: Integers) -> Array:
+    """Ends (M, 2, 2) of the edges of outlines (M, K, 2) that follow sides (M,) of their panels."""
     corners = outlines.shape[1]
-    first = edge if corners == 4 else 2 * edge + 1
-    return outlines[:, [first, (first + 1) % corners]]
+    first = sides if corners == 4 else 2 * sides + 1
+    rows = np.arange(len(outlines))[:, None]
+    return np.asarray(outlines[rows, (first[:, None] + [0, 1]) % corners])
 
 
 def _along(points: Array, left: Array, right: Array) -> Array:

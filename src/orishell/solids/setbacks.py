@@ -16,7 +16,7 @@ angles for given boards.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
 
 import numpy as np
 
@@ -24,24 +24,23 @@ from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.bisection import bisect
+from orishell.solids.sides import SHUT, FlapFolds, SideFolds
 
 STATES = 257
 """States among which the largest fold angles of creases are looked for."""
 AT_ONCE = 2**23
 """Fold angles that are looked at together: memory grows with it."""
 
-SHUT = 1e-9
-"""A crease whose fold angle is this near to pi folds flat (radians)."""
-
 
 @record
 class SetBacks:
-    """How far boards stand back from every edge of the sheet."""
+    """How far boards stand back from every edge of the sheet, or every side of its panels."""
 
-    # for the boards on the upper and the lower face of the flat sheet (E,), in the order of the
-    # grid's edges, 0 at the border (length)
+    # for the boards on the upper and the lower face of the flat sheet, 0 at the border: (E,) in the
+    # order of the grid's edges, or (F, 4) (length)
     top: Array
     bottom: Array
 
@@ -57,17 +56,41 @@ def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
     limit
         The drive up to which the motion is used (radians).
     """
+
+    def angles(drives: Array) -> tuple[Array, Array]:
+        found = mechanism.fold_angles(drives)
+        return found.row, found.column
+
+    return CreaseValues(*_largest_of(angles, limit, 2 * mechanism.grid.panel_count))
+
+
+def largest_flap_folds(mechanism: Mechanism, limit: float) -> FlapFolds | None:
+    """Likewise of flaps that are no columns of the grid; None if there are none."""
+    if not isinstance(mechanism, LaidOut):
+        return None
+    sheet, count = mechanism, len(mechanism.layout.hinges) + len(mechanism.layout.pairs)
+
+    def angles(drives: Array) -> tuple[Array, Array]:
+        return sheet.hinge_folds(drives), sheet.flap_folds(drives)
+
+    return FlapFolds(*_largest_of(angles, limit, count))
+
+
+def _largest_of(
+    angles: Callable[[Array], tuple[Array, Array]], limit: float, count: int
+) -> tuple[Array, Array]:
+    """The largest of both fold angles (S, ...) at drives (S,), ``count`` to each."""
     drives = np.linspace(0.0, limit, STATES)
-    together = max(AT_ONCE // (2 * mechanism.grid.panel_count), 1)
-    row = column = np.array(0.0)
+    together = max(AT_ONCE // count, 1)
+    first = second = np.array(0.0)
     for start in range(0, STATES, together):
         # With the state before and the one after: parabolas go through both.
         around = slice(max(start - 1, 0), start + together + 1)
         own = slice(start - around.start, start - around.start + together)
-        angles = mechanism.fold_angles(drives[around])
-        row = _larger(row, _largest(angles.row, own))
-        column = _larger(column, _largest(angles.column, own))
-    return CreaseValues(row, column)
+        found = angles(drives[around])
+        first = _larger(first, _largest(found[0], own))
+        second = _larger(second, _largest(found[1], own))
+    return first, second
 
 
 def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetBacks:
@@ -84,14 +107,33 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
     """
     angle = folds.on_edges()
     crease = folds.on_edges(border=np.inf) < np.inf
-    shut = np.abs(angle) >= np.pi - SHUT
-    closing = height * np.tan(np.where(shut, 0.0, np.abs(angle)) / 2)
-    closing = np.where(shut & (height > 0), np.inf, closing)
+    return _set_backs(np.maximum(angle, 0.0), np.maximum(-angle, 0.0), crease, height, gap)
+
+
+def set_backs_of(sides: SideFolds, height: float, gap: float = 0.0) -> SetBacks:
+    """Set-backs of boards from the sides of panels (F, 4): see :func:`find_set_backs`.
+
+    Parameters
+    ----------
+    height
+        How high boards stand over the membrane on one face (length).
+    gap
+        What the tool cuts away between two boards, half of it from each (length).
+    """
+    return _set_backs(sides.valley, sides.mountain, sides.crease, height, gap)
+
+
+def _set_backs(
+    valley: Array, mountain: Array, crease: Booleans, height: float, gap: float
+) -> SetBacks:
     least = np.where(crease, gap / 2, 0.0)
-    return SetBacks(
-        top=np.maximum(np.where(angle > 0, closing, 0.0), least),
-        bottom=np.maximum(np.where(angle < 0, closing, 0.0), least),
-    )
+
+    def of(angle: Array) -> Array:
+        shut = angle >= np.pi - SHUT
+        closing = height * np.tan(np.where(shut, 0.0, angle) / 2)
+        return np.asarray(np.maximum(np.where(shut & (height > 0), np.inf, closing), least))
+
+    return SetBacks(top=of(valley), bottom=of(mountain))
 
 
 def _larger(first: Array, second: Array) -> Array:
@@ -133,7 +175,9 @@ def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpe
     flat
         Vertices (rows, columns, 3) of the flat sheet.
     """
-    return float(allowed_heights(flat, grid, folds, build).min())
+    layout = Layout.of_grid(grid)
+    sides = SideFolds.of(layout, folds)
+    return float(allowed_heights(flat.reshape(-1, 3), layout, sides, build).min())
 
 
 def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None = None) -> float:
@@ -144,13 +188,13 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
     end
         The drive up to which the motion is known to be free; None for its end (radians).
     """
-    grid, edges = mechanism.grid, mechanism.grid.faces_edges()
-    across = _ways_across(mechanism.positions(0.0), grid)
+    layout = Layout.of(mechanism)
+    across = _ways_across(points_of(mechanism, 0.0), layout)
     end = mechanism.end_drive if end is None else end
-    bare = bare_faces(mechanism.fold_angles(mechanism.target_drive), grid, mechanism.flap_columns)
+    bare = bare_faces(SideFolds.at(mechanism, mechanism.target_drive), layout.flaps)
 
     def works(drive: float) -> bool:
-        heights = _heights(across, edges, mechanism.fold_angles(drive), build)
+        heights = _heights(across, SideFolds.at(mechanism, drive), build)
         return bool((heights[~bare] >= build.height).all())
 
     good = 0.0
@@ -161,33 +205,30 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
     return end
 
 
-def allowed_heights(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec) -> Array:
+def allowed_heights(flat: Array, layout: Layout, sides: SideFolds, build: PanelSpec) -> Array:
     """How high boards may stand (2, F, 2): faces, upper one first; panels; ways across.
 
-    The first way is from left to right, the second from bottom to top. 0 where even the gap takes
-    too much.
+    The flat sheet has the vertices (V, 3). The first way is from left to right, the second from
+    bottom to top. 0 where even the gap takes too much.
     """
-    return _heights(_ways_across(flat, grid), grid.faces_edges(), folds, build)
+    return _heights(_ways_across(flat, layout), sides, build)
 
 
-def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Booleans:
+def bare_faces(sides: SideFolds, flaps: Booleans) -> Booleans:
     """Faces of panels (2, F) that carry no board: a crease folds flat on them.
 
-    Only panels in some columns may go without: flaps.
+    Only flaps (F,) may go without.
     """
-    unit = find_set_backs(folds, 1.0)
-    shut = np.isinf(np.stack([unit.top, unit.bottom])[:, grid.faces_edges()]).any(axis=-1)
-    column = np.arange(grid.panel_count) % (grid.columns - 1)
-    return np.asarray(shut & np.isin(column, columns))
+    return np.asarray(sides.shut() & flaps)
 
 
-def _heights(across: Array, edges: Integers, folds: CreaseValues, build: PanelSpec) -> Array:
-    """The heights (2, F, 2), from widths (F, 2) and edges (F, 4) of panels."""
+def _heights(across: Array, sides: SideFolds, build: PanelSpec) -> Array:
+    """The heights (2, F, 2), from widths (F, 2) of panels."""
     room, setback = build.share * across, build.setback
-    unit, open_ = find_set_backs(folds, 1.0), find_set_backs(folds, 0.0, build.gap)
+    unit, open_ = set_backs_of(sides, 1.0), set_backs_of(sides, 0.0, build.gap)
     # Both of them, from opposite edges: what a height of 1 takes, and half the gap.
-    near, far = np.split(np.stack([unit.top, unit.bottom])[:, edges], 2, axis=-1)
-    near_gap, far_gap = np.split(open_.top[edges], 2, axis=-1)
+    near, far = np.split(np.stack([unit.top, unit.bottom]), 2, axis=-1)
+    near_gap, far_gap = np.split(open_.top, 2, axis=-1)
     heights = np.minimum.reduce(
         [
             _over(room, near + far),
@@ -209,13 +250,18 @@ def _over(length: Array | float, share: Array) -> Array:
         return np.asarray(np.divide(taken, share, out=bound, where=some))
 
 
-def _ways_across(flat: Array, grid: Grid) -> Array:
-    """Shortest width (F, 2) of panels from left to right and from top to bottom."""
-    corners = flat.reshape(-1, 3)[grid.faces_vertices(), :2]
+def _ways_across(flat: Array, layout: Layout) -> Array:
+    """Shortest width (F, 2) of panels from left to right and from top to bottom.
+
+    Of flaps beside the grid, whose other two sides are free, it is measured to the middle of the
+    opposite side: they may end in a point.
+    """
+    corners = flat[layout.faces, :2]
     along = np.roll(corners, -1, axis=1) - corners
     inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
     inward /= np.hypot(inward[..., 0], inward[..., 1])[..., None]
     # Distances (F, 4 edges, 2 ends) of the ends of the opposite edge from every edge's line.
     opposite = np.stack([np.roll(corners, -2, axis=1), np.roll(corners, -3, axis=1)], axis=2)
-    away = ((opposite - corners[:, :, None]) * inward[:, :, None]).sum(axis=-1).min(axis=-1)
-    return np.asarray(np.minimum(away[:, :2], away[:, 2:]))
+    away = ((opposite - corners[:, :, None]) * inward[:, :, None]).sum(axis=-1)
+    width = np.where(layout.beside[:, None], away.mean(axis=-1), away.min(axis=-1))
+    return np.asarray(np.minimum(width[:, :2], width[:, 2:]))

@@ -13,9 +13,16 @@ from orishell.conventions.formatting import rounded, rounded_down
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.numerics.arrays import Array
+from orishell.motion.layout import LaidOut, Layout, has_flaps, points_of
 from orishell.numerics.bisection import bisect_integers, largest_below
-from orishell.solids.setbacks import allowed_heights, bare_faces, largest_folds, largest_height
+from orishell.solids.setbacks import (
+    allowed_heights,
+    bare_faces,
+    largest_flap_folds,
+    largest_folds,
+    largest_height,
+)
+from orishell.solids.sides import FlapFolds, SideFolds
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +47,17 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
 
     Flaps whose creases fold flat carry no boards there, and are left out.
     """
-    grid, flat = mechanism.grid, mechanism.positions(0.0)
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    heights = allowed_heights(flat, grid, folds, build)
-    heights[bare_faces(folds, grid, mechanism.flap_columns)] = np.inf
-    of_flaps = np.isin(np.arange(grid.panel_count) % (grid.columns - 1), mechanism.flap_columns)
+    layout, target = Layout.of(mechanism), mechanism.target_drive
+    folds, beside = largest_folds(mechanism, target), largest_flap_folds(mechanism, target)
+    sides = SideFolds.of(layout, folds, beside)
+    heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
+    heights[bare_faces(sides, layout.flaps)] = np.inf
     _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
     most = 2 * float(heights.min())
     if not np.isfinite(most):
         return ThicknessLimit(most, "", on_flap=False)
-    return ThicknessLimit(
-        most, _crease(panel, way, np.abs(folds.on_edges()), grid), bool(of_flaps[panel])
-    )
+    crease = _crease(layout, panel, way + 2 * int(sides.largest[panel, way::2].argmax()))
+    return ThicknessLimit(most, crease, bool(layout.flaps[panel]))
 
 
 def limit_in_words(build: PanelSpec, most: float) -> str:
@@ -115,12 +121,19 @@ def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) 
     )
 
 
-def _crease(panel: int, way: int, sizes: Array, grid: Grid) -> str:
-    """The crease of two opposite edges of a panel that folds more."""
-    pair = grid.faces_edges()[panel, way::2]
-    first = int(grid.edges_vertices()[pair[int(sizes[pair].argmax())], 0])
+def _crease(layout: Layout, panel: int, side: int) -> str:
+    """The crease at a side of a panel."""
+    grid, (hinges, pairs) = layout.grid, layout.folding_sides
+    for panels, sides, what in (
+        (layout.hinges, hinges, "at the hinge between {} and {}"),
+        (layout.pairs, pairs, "at the crease between flaps {} and {}"),
+    ):
+        there = np.flatnonzero(((panels == panel) & (sides == side)).any(axis=1))
+        if len(there):
+            return what.format(*layout.names[panels[there[0]]].tolist())
+    first = int(grid.edges_vertices()[grid.faces_edges()[panel, side], 0])
     row, column = divmod(first, grid.columns)
-    if way == 0:
+    if side % 2 == 0:
         return f"at the crease of column {column} between rows {row} and {row + 1}"
     return f"at the crease of row {row} between columns {column} and {column + 1}"
 
@@ -141,7 +154,7 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
     DesignError
         If boards on flaps have no room, however early these stop.
     """
-    if not mechanism.flap_columns:
+    if not has_flaps(mechanism):
         return 0.0
 
     def works(steps: int) -> bool:
@@ -180,7 +193,7 @@ def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     Infinite where no crease folds. With a stop of 0 flaps carry no boards.
     """
     most = find_thickness_limit(mechanism.with_stop(0.0), build).thickness
-    if not mechanism.flap_columns or build.stop == 0:
+    if not has_flaps(mechanism) or build.stop == 0:
         return most
     return min(most, 2 * _most(mechanism, _last(mechanism), build))
 
@@ -208,6 +221,8 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
     if not _allowed(mechanism, steps):
         return -np.inf
     stopped = mechanism.with_stop(_angle(steps))
+    if isinstance(stopped, LaidOut):
+        return _most_beside(stopped, stopped.layout, build)
     flat, folds = stopped.positions(0.0), stopped.fold_angles(stopped.target_drive).row
     strip, no_columns = Grid(stopped.grid.rows, 2), np.zeros((stopped.grid.rows - 1, 0))
     return min(
@@ -219,3 +234,16 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
         )
         for flap in stopped.flap_columns
     )
+
+
+def _most_beside(stopped: Mechanism, layout: Layout, build: PanelSpec) -> float:
+    """Likewise between the row creases of flaps that are no columns of the grid."""
+    beside = FlapFolds.at(stopped, stopped.target_drive)
+    assert beside is not None
+    grid = layout.grid
+    still = CreaseValues(
+        np.zeros((grid.rows - 2, grid.columns - 1)), np.zeros((grid.rows - 1, grid.columns - 2))
+    )
+    sides = SideFolds.of(layout, still, FlapFolds(0 * beside.hinges, beside.pairs))
+    heights = allowed_heights(points_of(stopped, 0.0), layout, sides, build)
+    return float(heights[:, layout.flaps].min())

@@ -178,10 +178,11 @@ class Model:
         built = self.built
         if built is None:
             return None
-        # Boards of folded flaps are numbered with the sheet.
-        row, column = np.divmod(built.boards.panels, self.design.mechanism.grid.columns - 1)
+        # Boards of folded flaps are numbered with the sheet, or behind it.
+        grid = self.design.mechanism.grid
+        row, column = np.divmod(built.boards.panels, grid.columns - 1)
         column = column - self.before
-        own = (column >= 0) & (column < self.grid.columns - 1)
+        own = (row < grid.rows - 1) & (column >= 0) & (column < self.grid.columns - 1)
         boards = built.boards.chosen(own)
         number = row[own] * (self.grid.columns - 1) + column[own]
         return Boards(number, boards.sides, boards.outlines)

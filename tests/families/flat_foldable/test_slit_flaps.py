@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from mechanisms import TURNED, flat_foldable, random_net
-from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.design.piece import Piece
 from orishell.design_file import check_design
@@ -29,7 +28,6 @@ from orishell.locking.clipped import flap_width
 from orishell.locking.result import Lock
 from orishell.motion import area_of, drive_at_fold
 from orishell.motion.quads import signed_areas
-from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
 from orishell.structure.flaps import hung_area, kept_apart
 from orishell.verification import inspect_fold
@@ -299,17 +297,6 @@ def test_what_slit_flaps_weigh_and_keep_apart_in_a_structure() -> None:
              for (r, c), (s, d) in zip(upper, lower, strict=True)]  # fmt: skip
     assert len(apart) == 12
     assert (np.diff(apart, axis=1) < 0).all()
-
-
-def test_boards_on_slit_flaps_are_refused_by_name() -> None:
-    tables = {
-        "shell": {"family": "flat-foldable", "unit": "m"},
-        "target": {"surface": {"formula": "sqrt(25 - x**2 - y**2)", "x": [-3, 3], "y": [-3, 3]}},
-        "pattern": {"rows": 5, "columns": 5, "flap": 0.1},
-        "panel": {"thickness": 0.009, "membrane": 0.0005},
-    }
-    with pytest.raises(DesignError, match="cannot be made of boards yet"):
-        designed(check_design(tables, Path("cap.toml")))
 
 
 @pytest.mark.parametrize("flap", [0.05, "auto"])

@@ -104,7 +104,8 @@ class SlitFlaps(Locked):
                 hinge, corner, tip = new[:, half], new[:, 2 + half], new[:, 4]
                 panel = np.stack([vertex, hinge, corner, tip], axis=-1)
                 # Upper flaps on the left, and lower ones on the right, go counter-clockwise so.
-                faces.append(panel if left is (half == 0) else panel[:, [0, 3, 2, 1]])
+                # As in the grid, the first side and the third are beside columns.
+                faces.append(panel if left is (half == 0) else panel[:, [1, 0, 3, 2]])
                 above = here - 1 + half
                 first.append(np.stack([above, np.full_like(here, begin)], axis=-1))
                 last.append(first[-1] + [1, 2])
