@@ -9,10 +9,13 @@ Its pack is a stack of panels, as thick as the boards that lie on each other.
 """
 
 import matplotlib.pyplot as plt
-from drawing import camera, draw_pattern
+from drawing import EXAMPLES, camera, draw_pattern
 from fitted import draw_to_stack, fitted
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
+from orishell.shell.make import make_shell
+from orishell.shell.steps import MEASURES
 
 shell = fitted("dome")
 crests, valleys = (shell.design.closeness[side].max for side in ("crests", "valleys"))
@@ -30,11 +33,11 @@ figure, axes = plt.subplots(figsize=(8, 7), layout="constrained")
 draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mechanism), line=0.9)
 
 # %%
-# Locked: ``examples/dome_locked.toml`` is the same dome without a thickness. Two flaps at either
-# end of every row are folded flat upon each other at the target, and stop it there.
+# Locked: ``examples/dome_locked.toml`` is the same dome with flaps, two at either end of every row.
+# Their boards bear on each other at the target, and stop it there.
 #
 # .. live:: dome_locked
 
-locked = fitted("dome_locked")
+locked = make_shell(read_design_file(EXAMPLES / "dome_locked.toml"), skip=MEASURES)
 width = locked.design.parameters["flap"]
 print(f"flaps {width:.2f} m wide; what ends the motion: {locked.lock.cause}")

@@ -16,7 +16,7 @@ from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from planted import PLANTED, clear
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 STEPS = 400
@@ -157,7 +157,16 @@ def test_a_finer_base_finds_the_same_contact(monkeypatch: pytest.MonkeyPatch) ->
     assert find_lock(design).drive == pytest.approx(coarse, abs=1e-9)
 
 
+def test_a_crowd_that_is_apart_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where few pairs are called a crowd, a stack takes as many ranges as otherwise, 83 here."""
+    sheet = design_flat_foldable(rows=14, columns=14).mechanism
+    usual = find_first_contact(sheet, np.pi, 1e-6).proof.ranges
+    monkeypatch.setattr("orishell.clash.path.CROWD", 4)
+    assert find_first_contact(sheet, np.pi, 1e-6).proof.ranges < 2 * usual
+
+
 @pytest.mark.slow
+@thorough
 def test_a_stack_asks_for_no_more_ranges_where_the_sheet_is_larger() -> None:
     """The panels of a Miura-ori lie on each other at the end, so that most are near many.
 

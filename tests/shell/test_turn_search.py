@@ -43,7 +43,8 @@ def test_the_rectangle_is_turned_to_where_the_shell_comes_nearest_and_the_report
     distances = {each.turn_deg: each.distance for each in turned.tried}
     assert list(distances) == [0, 30, 60, 90, 120, 150]
     assert min(distances, key=lambda each: distances[each] or 9e9) == turned.turn_deg
-    assert shell.report.as_dict()["turned"]["turn_deg"] == turned.turn_deg  # type: ignore[index]
+    written: dict[str, Any] = shell.report.as_dict()
+    assert written["turned"]["turn_deg"] == turned.turn_deg
     said = [row.finding for row in shell.report.verdict if row.subject == "turn"]
     assert said[0].startswith(f"rectangle turned by {turned.turn_deg:g} degrees")
 

@@ -52,7 +52,7 @@ def array(view: bytes, name: str) -> Any:
 
 def test_info(client: httpx.Client) -> None:
     info = client.get("/api/info").json()
-    assert set(info["families"]) == set(FAMILIES)
+    assert set(info["families"]) == {*FAMILIES, "auto"}
     assert info["start"] is None
     for family in info["families"].values():
         keys = [each["key"] for each in family["parameters"]]

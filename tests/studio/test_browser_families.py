@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from orishell.families.registry import FAMILIES
+from samples import thorough
 from studio_pages import choose, drawn, settle
 from viewer_pages import wait_until
 
@@ -40,6 +41,7 @@ def any_family(page: Page) -> None:
     settle(page)
 
 
+@thorough
 def test_of_curves_the_best_is_shown_and_another_can_be_taken(page: Page) -> None:
     any_family(page)
     trials = state(page, "trials.value")

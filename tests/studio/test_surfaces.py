@@ -13,6 +13,7 @@ import pytest
 from orishell import InputError
 from orishell.conventions.memory import Memory, key_of
 from orishell.studio import api, surfaces
+from samples import thorough
 from surface_files import obj
 from typescript import fits
 
@@ -147,6 +148,7 @@ def test_a_mesh_that_is_too_large_is_refused_with_the_limit(
 
 
 @pytest.mark.slow
+@thorough
 def test_a_survey_of_200_000_triangles_becomes_part_of_a_design(client: httpx.Client) -> None:
     count = 316
     x, y = np.meshgrid(*[np.linspace(-1, 1, count + 1)] * 2, indexing="ij")

@@ -230,7 +230,7 @@ class PathSearch:
         below = self.tree.depth - level
         sample = self._panels((few[0] << below, few[1] << below))
         found = self._narrow_phase(replace(part, open=joined([])), sample)
-        return 2 * len(found.open[0]) >= len(sample[0])
+        return 2 * len(found.open[0]) > len(sample[0])
 
     def _panels(self, pairs: Pairs) -> Pairs:
         """Pairs of panels from pairs of lowest nodes, those that share a vertex left out."""

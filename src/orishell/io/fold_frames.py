@@ -13,7 +13,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.io.format import plain_line
 from orishell.motion.mesh import QuadMesh
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 T = TypeVar("T")
 
@@ -39,6 +39,27 @@ def number_table(
     if table.ndim == 2 and table.shape[1] in widths and table.dtype.kind in kinds:
         return table
     raise _first_misfit(value, where, row, widths, whole)
+
+
+def require_vertices(
+    rows: Integers, vertex_count: int, where: str, *, count: Integers | None = None
+) -> None:
+    """Refuse numbers of vertices (N, K) that are not there; rows have so many (N,), or K each.
+
+    Raises InputError: Naming the first row with one.
+    """
+    missing = (rows < 0) | (rows >= vertex_count)
+    if count is not None:
+        missing &= np.arange(rows.shape[1]) < count[:, None]
+    if missing.any():
+        row = int(missing.any(axis=1).argmax())
+        here = rows[row, : None if count is None else count[row]]
+        raise InputError(
+            "there is no such vertex",
+            where=f"{where}[{row}]",
+            got=str(here.tolist()),
+            expected=f"numbers from 0 to {vertex_count - 1}",
+        )
 
 
 def number_list(value: list[Any], where: str, entry: str) -> Array:
@@ -117,12 +138,12 @@ class Frames:
 
         ``read`` is given a value and its place, as messages name it.
         """
-        known: Any = None
+        known: T | None = None
         for number, frame in enumerate(self.raw):
             if key in frame:
                 where = self.place(number, key)
-                found: Any = read(frame[key], where)
-                if known is not None and not np.array_equal(known, found):
+                found = read(frame[key], where)
+                if known is not None and not np.array_equal(np.asarray(known), np.asarray(found)):
                     raise InputError(
                         "the frames differ in more than their coordinates and fold angles",
                         where=where,
@@ -130,7 +151,7 @@ class Frames:
                         remedy="write each model to a file of its own",
                     )
                 known = found
-        return known  # type: ignore[no-any-return]
+        return known
 
     def place(self, number: int, key: str) -> str:
         """A key as messages name it."""

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.io.fold_frames import number_table
+from orishell.io.fold_frames import number_table, require_vertices
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -25,16 +25,7 @@ def read_loops(value: Any, where: str, vertex_count: int) -> Integers:
         loops = number_table(value, where, "panel", widths=(4,), whole=True).astype(np.int64)
     else:
         loops = np.array([row + [-1] * (longest - len(row)) for row in value], np.int64)
-    given = np.arange(loops.shape[1]) < [[len(row)] for row in value]
-    fault = (given & ((loops < 0) | (loops >= vertex_count))).any(axis=1)
-    if fault.any():
-        row = int(np.argmax(fault))
-        raise InputError(
-            "there is no such vertex",
-            where=f"{where}[{row}]",
-            got=str(value[row]),
-            expected=f"numbers from 0 to {vertex_count - 1}",
-        )
+    require_vertices(loops, vertex_count, where, count=np.array([len(row) for row in value]))
     return loops
 
 

@@ -20,6 +20,7 @@ from orishell.io.fold_frames import (
     read_grid_shape,
     read_title,
     read_unit,
+    require_vertices,
     shown,
 )
 from orishell.io.fold_polygons import find_corners, read_loops
@@ -184,7 +185,7 @@ def _vertex_numbers(
 
     def read(value: Any, where: str) -> Integers:
         found = number_table(value, where, row, widths=(width,), whole=True)
-        _require_range(found, vertex_count, where)
+        require_vertices(found, vertex_count, where)
         return found.astype(np.int64)
 
     return frames.common(key, read)
@@ -242,18 +243,6 @@ def _classes(frames: Frames, number: int) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
         raise misfit(value, frames.place(number, "frame_classes"), "a list of texts")
     return tuple(value)
-
-
-def _require_range(table: Integers, vertex_count: int, where: str) -> None:
-    fault = ((table < 0) | (table >= vertex_count)).any(axis=1)
-    if fault.any():
-        row = int(np.argmax(fault))
-        raise InputError(
-            "there is no such vertex",
-            where=f"{where}[{row}]",
-            got=str(table[row].tolist()),
-            expected=f"numbers from 0 to {vertex_count - 1}",
-        )
 
 
 def _require_length(value: Any, edges: Integers | None, where: str) -> None:

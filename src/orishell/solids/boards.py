@@ -87,8 +87,6 @@ def build_boards(
 ) -> Boards:
     """The boards of all panels of a grid, set back for the largest fold angles, in [-pi, pi].
 
-    See :func:`boards_on`.
-
     Parameters
     ----------
     flat

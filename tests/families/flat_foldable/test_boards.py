@@ -10,6 +10,10 @@ import pytest
 from fitted_shells import fitted
 from orishell.design import Design, PanelSpec
 from orishell.locking import find_lock
+from orishell.motion.layout import Layout
+from orishell.solids import largest_folds
+from orishell.solids.setbacks import allowed_heights
+from orishell.solids.sides import SideFolds
 from overlaps import NOTHING, overlap
 from samples import thorough
 
@@ -29,6 +33,15 @@ def boards(design: Design, construction: str) -> PanelSpec:
     return PanelSpec(thickness=thickness, construction="bevel", gap=0.1 * thickness)
 
 
+def thickest(design: Design, end: float) -> float:
+    """The largest thickness with which boards have room up to a drive (radians)."""
+    assert design.panel is not None
+    layout = Layout.of(design.mechanism)
+    sides = SideFolds.of(layout, largest_folds(design.mechanism, end))
+    flat = design.mechanism.positions(0.0).reshape(-1, 3)
+    return 2 * float(allowed_heights(flat, layout, sides, design.panel).min())
+
+
 @pytest.mark.parametrize("count", [8, pytest.param(16, marks=thorough)])
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 @pytest.mark.parametrize("surface", ["cap", "saddle .5"])
@@ -39,9 +52,11 @@ def test_boards_are_apart_to_the_pack(surface: str, construction: str, count: in
     lock = find_lock(design)
     assert lock.built is not None
     assert (lock.cause, lock.first_contact) == ("boards", None)
-    # Boards set back so far close to 7 degrees or nearer.
-    assert np.deg2rad(171) < lock.closes_to < np.pi
     mechanism, placed = design.mechanism, lock.built.boards
+    assert mechanism.target_drive < lock.closes_to < np.pi
+    # They close as far as set-backs of half a panel let them: thicker boards would have no room.
+    assert design.panel is not None
+    assert thickest(design, lock.closes_to) == pytest.approx(design.panel.thickness, rel=1e-9)
     for drive in np.linspace(0.0, lock.closes_to, STATES):
         assert overlap(mechanism, placed, drive) < NOTHING
     assert overlap(mechanism, placed, lock.closes_to + BEYOND) > NOTHING

@@ -180,6 +180,7 @@ def test_fitted_shells_lock(name: str) -> None:
 
 
 @pytest.mark.slow
+@thorough
 def test_width_is_found_by_the_proof() -> None:
     bare = fitted("saddle", 9)
     made = replace(design_flat_foldable(rows=5, columns=5), mechanism=bare)
