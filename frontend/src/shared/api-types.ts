@@ -251,8 +251,10 @@ export interface DeploymentReport {
   closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
   opening: "ties" | null;
-  /** The state that packs smallest; None if that was not asked for. */
+  /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
+  /** Of each piece, where there are pieces. */
+  pieces: Pack[];
   /** Its ties. */
   ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
@@ -643,6 +645,10 @@ export interface HingedReport {
   offset_max: number;
   /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
   offset_rms: number;
+  /** One if the sheet is whole. */
+  pieces: PieceReport[];
+  /** None if the sheet is whole. */
+  joints: JointReport | null;
 }
 
 /** What the page loads first: what there is to choose from, limits, the design to open. */
@@ -657,6 +663,18 @@ export interface Info {
   search: SearchInfo;
   limits: Largest;
   start: NamedDesign | null;
+}
+
+/** Where pieces are joined at the target. */
+export interface JointReport {
+  /** Number of creases along which there are joints, and no hinges. */
+  creases: number;
+  /** How far boards are cut back from them at most. */
+  largest_cut: number;
+  /** How far boards are apart there, on the faces on which they close. */
+  open_max: number;
+  /** How far boards are apart there, on the faces on which they close. */
+  open_rms: number;
 }
 
 /** A key of the design file in words. */
@@ -980,6 +998,16 @@ export interface Patch {
   size: [number, number];
   /** From the plan's x to its own. */
   turn_deg: number;
+}
+
+/** A piece that folds by itself. */
+export interface PieceReport {
+  /** Its first and last row of panels. */
+  first_row: number;
+  /** Its first and last row of panels. */
+  last_row: number;
+  /** Its first and last row of panels. */
+  longest_arm: number;
 }
 
 /** How contact was excluded along the whole path. */

@@ -50,6 +50,7 @@ class PanelSpec(Table):
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
     largest_arm: Size | Literal["any"] = "any"
     arm_width: Annotated[Number, Field(gt=0)] | Literal["auto"] = "auto"
+    pieces: Annotated[int, Field(ge=2)] | Literal["auto", "whole"] = "whole"
     density: Size = 0.0
     membrane_density: Size = 0.0
 
@@ -89,11 +90,15 @@ class PanelSpec(Table):
                 {"most": self.thickness, "key": "membrane", "got": self.membrane},
             )
         if self.construction != "hinged":
-            for key in ("largest_arm", "arm_width"):
+            for key, why in (
+                ("largest_arm", "only its hinges stand on arms"),
+                ("arm_width", "only its hinges stand on arms"),
+                ("pieces", "only its boards fold in pieces"),
+            ):
                 if getattr(self, key) != type(self).model_fields[key].default:
                     raise PydanticCustomError(
                         "no_arms",
-                        'construction = "hinged", because only its hinges stand on arms',
+                        f'construction = "hinged", because {why}',
                         {"key": key, "got": getattr(self, key)},
                     )
         return self

@@ -9,10 +9,15 @@ panel p is shifted, from where its crease would have it, by
 
 Around a vertex these steps sum up to nothing in all states if the heights fulfil two conditions
 (:mod:`~orishell.solids.hinged.conditions`).
+
+A sheet in pieces has joints in place of the hinges of some rows. The heights there are those at
+which hinges would let the pieces move as one, so the pieces fit each other exactly at the target.
+Folded up further they are drawn apart.
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -23,6 +28,9 @@ from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
 
+OPEN = 1e-9
+"""Joints that fold flat at the target count as open by so much."""
+
 
 @runtime_checkable
 class Straightened(Protocol):
@@ -30,6 +38,17 @@ class Straightened(Protocol):
 
     def straightened(self) -> Mechanism:
         """The same with columns that are straight to the last digit, where they nearly are."""
+
+
+@record
+class Joints:
+    """Row creases along which pieces are joined at the target, and no hinges are."""
+
+    rows: tuple[int, ...]  # their numbers, ascending
+    # how far boards are cut back from them (2, J, columns-1), those above and below (length)
+    cuts: Array
+    # the mean cosine (J,) of the fold angles of each at the target
+    cosines: Array
 
 
 @record
@@ -43,6 +62,40 @@ class Hinges:
     # how far each hinge stands off the faces of the two boards that it joins (length): off the
     # board above and the one below (2, rows-2, columns-1), left and right (2, rows-1, columns-2)
     arms: tuple[Array, Array]
+    joints: Joints | None = None  # where pieces are joined; None if the sheet is one piece
+
+    @property
+    def pieces(self) -> list[slice]:
+        """Rows of panels of every piece."""
+        ends = () if self.joints is None else (row + 1 for row in self.joints.rows)
+        cuts = [0, *ends, len(self.levels)]
+        return [slice(*each) for each in pairwise(cuts)]
+
+    @property
+    def cut_back(self) -> Array:
+        """How far boards stand back from the sides of their panels at joints (F, 4) (length)."""
+        back = np.zeros((*self.levels.shape, 4))
+        if self.joints is not None:
+            above = list(self.joints.rows)
+            back[above, :, 1], back[[row + 1 for row in above], :, 3] = self.joints.cuts
+        return back.reshape(-1, 4)
+
+    @property
+    def sides(self) -> CreaseValues:
+        """On which side of the boards hinges are: +1 top, -1 bottom, 0 where there is none."""
+        row = self.signs.row.copy()
+        row[list(self.joints.rows if self.joints is not None else ())] = 0.0
+        return CreaseValues(row, self.signs.column)
+
+    def of_piece(self, rows: slice) -> Hinges:
+        """The hinges of a piece by its rows of panels."""
+        inner = slice(rows.start, rows.stop - 1)
+
+        def part(values: CreaseValues) -> CreaseValues:
+            return CreaseValues(values.row[inner], values.column[rows])
+
+        arms = self.arms[0][:, inner], self.arms[1][:, rows]
+        return Hinges(part(self.signs), part(self.heights), self.levels[rows], self.thickness, arms)
 
     @property
     def grid(self) -> Grid:
@@ -65,6 +118,8 @@ class Hinges:
         shifts = np.zeros_like(n)
         np.cumsum(down[:, 0], axis=0, out=shifts[1:, 0])
         shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
+        if self.joints is not None:
+            shifts += self._apart(n, self.joints)[:, None]
         shifts -= shifts.mean(axis=(0, 1))
         return shifts.reshape(-1, 3)
 
@@ -79,6 +134,31 @@ class Hinges:
         """Steps of the shift from panels to those below and to their right, by normals."""
         down = self.heights.row[..., None] * (n[:-1] - n[1:])
         return down, self.heights.column[..., None] * (n[:, :-1] - n[:, 1:])
+
+    def _apart(self, n: Array, joints: Joints) -> Array:
+        """How far rows of panels (rows-1, 3) are drawn apart with their pieces, by normals.
+
+        Folded up further than at the target, pieces would lie in one place. They move apart along
+        the normal that all panels share when they are folded flat, by the height of such a stack.
+        """
+        rows = list(joints.rows)
+        above, below = n[rows], n[[row + 1 for row in rows]]
+        cosines = (above * below).sum(axis=-1).mean(axis=1)
+        share = np.maximum(joints.cosines - cosines, 0.0) / np.maximum(1 + joints.cosines, OPEN)
+        most = max(each.stop - each.start for each in self.pieces) * n.shape[1]
+        height = most * self.thickness + 2 * self.longest_arm
+        along = (self._sides()[rows][..., None] * above).mean(axis=1)
+        apart = np.zeros((len(n), 3))
+        apart[[row + 1 for row in rows]] = height * share[:, None] * along
+        return np.cumsum(apart, axis=0)
+
+    def _sides(self) -> Array:
+        """1 or -1 (rows-1, columns-1): the way panels face, folded flat, as the first or not."""
+        down, across = (
+            np.where(signs != 0, -1.0, 1.0) for signs in (self.signs.row[:, :1], self.signs.column)
+        )
+        first = np.concatenate([[[1.0]], down.cumprod(axis=0)])
+        return np.concatenate([first, first * across.cumprod(axis=1)], axis=1)
 
     def gap(self, positions: Positions) -> float:
         """How far the loop around any inner vertex is from closing in a state (length)."""

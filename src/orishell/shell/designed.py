@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
+from orishell.deployment.pieces import choose_pieces
 from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
@@ -142,6 +143,9 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
     if isinstance(mechanism, Straightened):
         mechanism = mechanism.straightened()
     try:
+        if panel.pieces == "auto":
+            end = drive_at_fold(mechanism, design.largest_fold)
+            panel = panel.having(pieces=choose_pieces(mechanism, panel, end))
         hinges = find_hinges(mechanism, panel)
     except DesignError as error:
         if error.keys == ("panel.construction",):
@@ -161,7 +165,7 @@ def _on_membrane(panel: PanelSpec) -> Remedy:
         "panel.construction": "sandwich",
         "panel.membrane": rounded(MEMBRANE * panel.thickness),
     }
-    for key in ("largest_arm", "arm_width"):
+    for key in ("largest_arm", "arm_width", "pieces"):
         if key in panel.model_fields_set:
             changes[f"panel.{key}"] = None
     return Remedy(changes)

@@ -69,6 +69,9 @@ def measure_panels(
     areas = boards.areas()
     membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
     length = everything.edge_lengths()
+    hinged = np.isin(everything.assignment, ("M", "V"))
+    if boards.hinges is not None:  # none at joints of pieces
+        hinged &= boards.hinges.sides.on_edges() != 0
     sheets = None
     if nested and workshop.stock is not None:
         placements = nest_boards(document, workshop)
@@ -86,7 +89,7 @@ def measure_panels(
         board_area=float(areas.sum()),
         membrane_area=membrane,
         glue_area=float(areas[boards.sides != 0].sum()),
-        hinge_length=float(length[np.isin(everything.assignment, ("M", "V"))].sum()),
+        hinge_length=float(length[hinged].sum()),
         mass_kg=PanelMass(board_mass, membrane_mass, total),
         centre_of_mass=None if total is None else _centre_of_mass(document),
         stock_sheets=sheets,
