@@ -22,7 +22,13 @@ from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
-from orishell.locking.report import HingedReport, MeetingReport, PanelReport
+from orishell.locking.report import (
+    HingedReport,
+    JointReport,
+    MeetingReport,
+    PanelReport,
+    PieceReport,
+)
 from orishell.search.figures import NAMES
 from orishell.shell.designed import design_of
 from orishell.structure.case import CaseResult
@@ -244,6 +250,8 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
         ("meeting", MeetingReport),
         ("path", ProofRecord),
         ("hinged", HingedReport),
+        ("hinged.pieces", PieceReport),
+        ("hinged.joints", JointReport),
     ):
         fields |= {f"{name}.{key}" for key in written_fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields
