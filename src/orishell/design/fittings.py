@@ -59,8 +59,9 @@ class Fittings:
     """All hinges (H,) of whole boards, those of rows first."""
 
     edges: Integers  # numbers (H,) of their edges in the grid
-    # panels (H, 2) beside them, above and below or left and right, and edges of these, in EDGES
+    # panels (H, 2) beside them, above and below or left and right, and their edges (H, 2), in EDGES
     panels: Integers
+    at: Integers
     sides: Integers  # the face (H,) that they are on: 1 top, -1 bottom
     ends: Array  # of the hinges on their creases (H, 2, 2); the first panel is on the left
     leaves: Array  # widths (H,) of leaves (length)
@@ -87,6 +88,15 @@ class Fittings:
         """Number of holes, in boards, and in fins that have some."""
         in_fins = sum(len(arm.along) * arm.count for arm in self.arms if arm.in_fin is not None)
         return 2 * int(self.counts.sum()) + in_fins
+
+    def arm_mass(self, build: PanelSpec) -> float:
+        """Of all arms (kg, in a unit of a metre); 0 where their density is not known."""
+        area = sum(arm.count * arm.area for arm in self.arms)
+        return area * build.fin * build.arm_density
+
+    def hinge_mass(self, build: PanelSpec) -> float:
+        """Of all hinges (kg, in a unit of a metre); 0 where it is not known."""
+        return float(self.lengths.sum()) * build.hinge.linear_density
 
     def holes(self) -> tuple[Array, Integers, Integers]:
         """Middles (N, 2) of all holes in boards, and the hinge (N,) and panel (N,) of each."""
@@ -127,18 +137,16 @@ def fit_hinges(panels: Array, hinges: Hinges, build: PanelSpec) -> Fittings:
     start, end = corners[places, first], corners[places, (first + 1) % 4]
     trim = TRIMMED * (end - start)
     ends = np.stack([start + trim, end - trim], axis=1)
-    away, thickness = 0.5 * build.gap, build.thickness
-    depths = np.stack(
-        [_depths(panels[pair[:, k]], (first, second)[k]) for k in (0, 1)], axis=1
-    ) - np.array(away)
-    leaves = _leaf_widths(depths, pair, (first, second), hinges, build)
+    away, thickness, at = 0.5 * build.gap, build.thickness, np.stack([first, second], axis=1)
+    depths = np.stack([_depths(panels[pair[:, k]], at[:, k]) for k in (0, 1)], axis=1) - away
+    leaves = _leaf_widths(depths, pair, at, hinges, build)
     length = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     counts, steps = _holes_along(length, leaves, build)
     fins = np.where(arms - hinges.knuckle > SHORT * thickness, arms - hinges.knuckle, 0.0)
     hole = build.hinge.hole_in(thickness)
     of_kind, kinds = _kinds(length, fins, leaves, (counts, steps), build)
     return Fittings(
-        edges, pair, sides, ends, leaves, away, fins, counts, steps, hole, of_kind, kinds
+        edges, pair, at, sides, ends, leaves, away, fins, counts, steps, hole, of_kind, kinds
     )
 
 
@@ -176,7 +184,7 @@ def _depths(panels: Array, edge: Integers) -> Array:
 def _leaf_widths(
     depths: Array,
     pair: Integers,
-    edges: tuple[Integers, Integers],
+    at: Integers,
     hinges: Hinges,
     build: PanelSpec,
 ) -> Array:
@@ -191,7 +199,7 @@ def _leaf_widths(
         most = max(float(room.min()), 0.0)
         raise DesignError(
             "the leaf of a hinge is wider than its panel has room for",
-            place=f"at the {EDGES[int(edges[side][hinge])]} edge of panel {panel}",
+            place=f"at the {EDGES[int(at[hinge, side])]} edge of panel {panel}",
             keys=("panel.hinge.leaf",),
             size=f"it is {width:.4g} wide, and may be {most:.4g}",
             candidates=[Remedy({"panel.hinge.leaf": rounded_down(most)})] if most > 0 else [],

@@ -121,6 +121,13 @@ class PanelSpec(Table):
                     f'no {key}: "hinged" boards are whole and fold flat',
                     {"key": key, "got": _plain(getattr(self, key))},
                 )
+        leaf, hole = self.hinge.leaf_on(self.thickness), self.hinge.hole_in(self.thickness)
+        if hole > 0.5 * leaf:
+            raise PydanticCustomError(
+                "hole",
+                "at most half the width of a leaf, {most}",
+                {"most": f"{0.5 * leaf:.4g}", "key": "hinge.hole", "got": hole},
+            )
 
     @property
     def is_solid(self) -> bool:
@@ -136,6 +143,12 @@ class PanelSpec(Table):
     def fin(self) -> float:
         """How thick the fins are that carry hinges off the faces (length)."""
         return ARM_WIDTH * self.thickness if self.arm_width == "auto" else self.arm_width
+
+    @property
+    def weighs_boards_alone(self) -> bool:
+        """Whether whole boards have a density, and not both arms and hinges have."""
+        hinged = self.construction == "hinged" and bool(self.density)
+        return hinged and not (self.arm_density and self.hinge.linear_density)
 
     @property
     def height(self) -> float:
