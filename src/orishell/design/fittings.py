@@ -191,7 +191,7 @@ def _leaf_widths(
     """Widths (H,) of leaves, the same on both boards, where panels are so deep (H, 2)."""
     width = build.hinge.leaf_on(build.thickness)
     if build.hinge.leaf == "auto":
-        return np.minimum(width, USUAL_LEAF * depths.min(axis=1))
+        return np.asarray(np.minimum(width, USUAL_LEAF * depths.min(axis=1)))
     room = LARGEST_LEAF * depths
     if room.size and width > room.min():
         hinge, side = np.unravel_index(int(room.argmin()), room.shape)
