@@ -103,7 +103,8 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         return None
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
-    offsets = board_offsets(hinges, mechanism, design.meant)
+    shell = mechanism.positions(mechanism.target_drive)
+    offsets = board_offsets(hinges, shell, design.meant)
     long = np.concatenate([each.ravel() for each in hinges.arms])
     long = long[long > SHORT * hinges.thickness]
     return HingedReport(

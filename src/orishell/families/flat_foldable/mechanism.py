@@ -73,11 +73,11 @@ class FlatFoldable:
         return self
 
     def free_lengths(self) -> Mapping[str, Array]:
-        """Those of the middle row and column and of what ends at the border."""
+        """Lengths (K,) of the middle row and column and of what ends at the border, by name."""
         return {name: getattr(self.sheet.net, name)[:, 0] for name in LENGTHS}
 
     def with_lengths(self, lengths: Mapping[str, Array]) -> FlatFoldable:
-        """The same with other lengths: see :class:`~orishell.motion.hinges.FreeLengths`."""
+        """The same with other lengths (K,) by name, and all angles as they are."""
         columns = {name: each[:, None] for name, each in lengths.items()}
         return replace(self, sheet=replace(self.sheet.net, **columns).march())
 

@@ -115,11 +115,11 @@ class FlapSheet:
         return self._stopped(stop)
 
     def free_lengths(self) -> Mapping[str, Array]:
-        """Those of column 1 and of the middle row."""
+        """Lengths of column 1 (m+1,) and of the middle row (n-1,), free while angles stay."""
         return {"column": self.lengths, "row": np.abs(np.diff(self.points))}
 
     def with_lengths(self, lengths: Mapping[str, Array]) -> Self:
-        """The same with a column 1 and a middle row of other lengths."""
+        """The same with other lengths of column 1 (m+1,) and of the middle row (n-1,)."""
         edges = np.diff(self.points)
         steps = lengths["row"] * edges / np.abs(edges)
         points = self.points[0] + np.append(0.0, np.cumsum(steps))

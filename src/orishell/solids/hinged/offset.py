@@ -1,28 +1,28 @@
-"""How far whole boards lie at the target from what they are to meet."""
+"""How far whole boards lie from the sheet without a thickness, or from what they are to meet."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from orishell.motion import Mechanism
 from orishell.motion.hinges import Hinges
 from orishell.motion.quads import grid_corners, lengths
 from orishell.numerics.arrays import Array
 
 
-def board_offsets(hinges: Hinges, mechanism: Mechanism, meant: Array | None = None) -> Array:
-    """Distances (4 F,) of corners of boards at the target, half way up, from those of panels.
+def board_offsets(hinges: Hinges, positions: Array, meant: Array | None = None) -> Array:
+    """Distances (4 F,) of corners of boards, half way up, from those of panels.
 
     Parameters
     ----------
+    positions
+        Vertices (rows, columns, 3) of the sheet in a state.
     meant
         Vertices (rows, columns, 3) of the panels that boards are to meet. If None they are those
         of the sheet itself, after the motion of all boards together that brings them nearest
         (W. Kabsch, Acta Crystallographica A 32 (1976) 922).
     """
-    shell = mechanism.positions(mechanism.target_drive)
-    boards = hinges.boards(shell).reshape(-1, 3)
-    panels = grid_corners(shell if meant is None else meant).reshape(-1, 3)
+    boards = hinges.boards(positions).reshape(-1, 3)
+    panels = grid_corners(positions if meant is None else meant).reshape(-1, 3)
     if meant is not None:
         return lengths(boards - panels)
     start, end = boards - boards.mean(axis=0), panels - panels.mean(axis=0)
