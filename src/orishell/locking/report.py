@@ -47,8 +47,8 @@ class HingedReport:
     mean_arm: float
     arms: int  # number of fins that carry hinges
     arm_width: float  # how thick they are
-    # how far boards lie at the target from the sheet without a thickness, whose ties and own weight
-    # this report has: at most, and root mean square
+    # how far corners of boards, half way up, lie at the target from those of the panels that meet
+    # it, at most and root mean square; without a target from the sheet without a thickness
     offset_max: float
     offset_rms: float
     play: PlayReport  # what errors of hinges ask of the others
@@ -115,7 +115,7 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
     target = mechanism.positions(mechanism.target_drive)
-    offsets = board_offsets(hinges, target)
+    offsets = board_offsets(hinges, target, design.meant)
     long = np.concatenate([each.ravel() for each in hinges.arms])
     long = long[long - hinges.knuckle > SHORT * hinges.thickness]
     return HingedReport(
