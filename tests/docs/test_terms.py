@@ -18,7 +18,7 @@ from orishell.cli.main import app
 from orishell.conventions.record import written_fields
 from orishell.deployment import Deployment, OwnWeight, Pack, Tie
 from orishell.deployment.report import DeploymentReport
-from orishell.design import PanelSpec, Setback
+from orishell.design import HingeSpec, PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
@@ -31,6 +31,7 @@ from orishell.locking.report import (
 )
 from orishell.search.figures import NAMES
 from orishell.shell.designed import design_of
+from orishell.solids.hinged.play import Play
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.equilibrium import (
@@ -242,8 +243,9 @@ def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
 
 
 def test_the_guide_explains_every_key_and_field_of_panels() -> None:
-    keys = set(PanelSpec.model_fields) - {"largest_setback"}
+    keys = set(PanelSpec.model_fields) - {"largest_setback", "hinge"}
     keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
+    keys |= {f"hinge.{name}" for name in HingeSpec.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
     fields = set(written_fields(PanelReport))
     for name, part in (
@@ -252,6 +254,7 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
         ("hinged", HingedReport),
         ("hinged.pieces", PieceReport),
         ("hinged.joints", JointReport),
+        ("hinged.play.target", Play),
     ):
         fields |= {f"{name}.{key}" for key in written_fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields

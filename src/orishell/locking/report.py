@@ -7,14 +7,17 @@ import numpy as np
 from orishell.clash import ProofRecord
 from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
+from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
-from orishell.motion.boards import Boards
+from orishell.motion.boards import ARM, Boards
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout
+from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
-from orishell.solids.hinged.arms import SHORT
 from orishell.solids.hinged.joints import joint_openings
+from orishell.solids.hinged.play import Play, find_play
 
 
 @record
@@ -51,6 +54,14 @@ class JointReport:
 
 
 @record
+class PlayReport:
+    """What hinges beside their places ask of the others, in lengths by length of their errors."""
+
+    target: Play  # at the target
+    end: Play  # where boards fold no further: at the target, or in the pack
+
+
+@record
 class HingedReport:
     """Whole boards, their hinges and arms."""
 
@@ -60,12 +71,13 @@ class HingedReport:
     mean_arm: float
     arms: int  # number of fins that carry hinges
     arm_width: float  # how thick they are
-    # how far boards lie at the target from the sheet without a thickness, whose ties and own weight
-    # this report has: at most, and root mean square
+    # how far corners of boards, half way up, lie at the target from those of the panels that meet
+    # it, at most and root mean square; without a target from the sheet without a thickness
     offset_max: float
     offset_rms: float
     pieces: tuple[PieceReport, ...]  # one if the sheet is whole
     joints: JointReport | None  # None if the sheet is whole
+    play: PlayReport  # what errors of hinges ask of the others
 
 
 @record
@@ -128,14 +140,15 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         return None
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
-    offsets = board_offsets(hinges, mechanism.positions(mechanism.target_drive))
+    target = mechanism.positions(mechanism.target_drive)
+    offsets = board_offsets(hinges, target, design.meant)
     long = np.concatenate([each.ravel() for each in hinges.arms])
-    long = long[long > SHORT * hinges.thickness]
+    long = long[long - hinges.knuckle > SHORT * hinges.thickness]
     return HingedReport(
         board_share=covered / area_of(mechanism),
         longest_arm=hinges.longest_arm,
         mean_arm=float(long.mean()) if len(long) else 0.0,
-        arms=int(arms.sum()),
+        arms=int((built.boards.sides == ARM).sum()),
         arm_width=built.build.fin,
         offset_max=float(offsets.max()),
         offset_rms=float(np.sqrt((offsets**2).mean())),
@@ -144,6 +157,16 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
             for rows in hinges.pieces
         ),
         joints=_joints(mechanism, built.boards),
+        play=PlayReport(_play(hinges, target), _play(hinges, mechanism.positions(built.limit))),
+    )
+
+
+def _play(hinges: Hinges, positions: Array) -> Play:
+    """The play of all pieces together."""
+    return Play.of_all(
+        [find_play(positions[rows.start : rows.stop + 1]) for rows in hinges.pieces],
+        [rows.stop - rows.start for rows in hinges.pieces],
+        hinges.levels.shape[1],
     )
 
 

@@ -17,8 +17,10 @@ Folded up further they are drawn apart.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import field
 from itertools import pairwise
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -38,6 +40,24 @@ class Straightened(Protocol):
 
     def straightened(self) -> Mechanism:
         """The same with columns that are straight to the last digit, where they nearly are."""
+
+
+@runtime_checkable
+class FreeLengths(Protocol):
+    """A mechanism whose edges may have other lengths while all its angles stay, in all states.
+
+    Those of a row and of a column are free, and the others follow. Vertices at the target are
+    affine in them.
+    """
+
+    def free_lengths(self) -> Mapping[str, Array]:
+        """The lengths that are free, by name."""
+
+    def with_lengths(self, lengths: Mapping[str, Array]) -> Mechanism:
+        """The same with other lengths of the same names."""
+
+    def described_lengths(self) -> Mapping[str, Any]:
+        """What the report of a design says of them, beside what does not change with them."""
 
 
 @record
@@ -62,6 +82,11 @@ class Hinges:
     # how far each hinge stands off the faces of the two boards that it joins (length): off the
     # board above and the one below (2, rows-2, columns-1), left and right (2, rows-1, columns-2)
     arms: tuple[Array, Array]
+    # radius of knuckles, by which axes stand off what carries them: the boards' faces, or arms that
+    # end there (length)
+    knuckle: float = 0.0
+    # by how much all boards are moved together (3,), so that they meet the target (length)
+    place: Array = field(default_factory=lambda: np.zeros(3))
     joints: Joints | None = None  # where pieces are joined; None if the sheet is one piece
 
     @property
@@ -94,8 +119,14 @@ class Hinges:
         def part(values: CreaseValues) -> CreaseValues:
             return CreaseValues(values.row[inner], values.column[rows])
 
-        arms = self.arms[0][:, inner], self.arms[1][:, rows]
-        return Hinges(part(self.signs), part(self.heights), self.levels[rows], self.thickness, arms)
+        return Hinges(
+            part(self.signs),
+            part(self.heights),
+            self.levels[rows],
+            self.thickness,
+            (self.arms[0][:, inner], self.arms[1][:, rows]),
+            self.knuckle,
+        )
 
     @property
     def grid(self) -> Grid:
@@ -111,7 +142,7 @@ class Hinges:
     def shifts(self, normals: Array) -> Array:
         """Shifts (F, 3) of all panels in a state with these unit normals (F, 3).
 
-        They leave the panels' mean where it is.
+        But for ``place`` they leave the panels' mean where it is.
         """
         n = normals.reshape(*self.levels.shape, 3)
         down, across = self._steps(n)
@@ -120,7 +151,7 @@ class Hinges:
         shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
         if self.joints is not None:
             shifts += self._apart(n, self.joints)[:, None]
-        shifts -= shifts.mean(axis=(0, 1))
+        shifts += self.place - shifts.mean(axis=(0, 1))
         return shifts.reshape(-1, 3)
 
     def boards(self, positions: Positions) -> Array:
@@ -146,7 +177,7 @@ class Hinges:
         cosines = (above * below).sum(axis=-1).mean(axis=1)
         share = np.maximum(joints.cosines - cosines, 0.0) / np.maximum(1 + joints.cosines, OPEN)
         most = max(each.stop - each.start for each in self.pieces) * n.shape[1]
-        height = most * self.thickness + 2 * self.longest_arm
+        height = most * (self.thickness + 2 * self.knuckle) + 2 * self.longest_arm
         along = (self._sides()[rows][..., None] * above).mean(axis=1)
         apart = np.zeros((len(n), 3))
         apart[[row + 1 for row in rows]] = height * share[:, None] * along

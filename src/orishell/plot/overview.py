@@ -139,10 +139,9 @@ def plot_overview(
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
     _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
-    shape = locked if hinges is None else shown_panels
-    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(shape.reshape(-1, 3), axis=0))
-    shown = f"{last}, with f and g" if targets else last
-    set_title(shell, f"{shown}, {sizes} {unit}")
+    drawn = (locked if hinges is None else shown_panels).reshape(-1, 3)
+    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))
+    set_title(shell, f"{last}{', with f and g' if targets else ''}, {sizes} {unit}")
     each = WIDTH / count
     frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
     for axes, drive, corners in zip(frames, drives, states, strict=True):

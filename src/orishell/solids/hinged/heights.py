@@ -14,6 +14,8 @@ shortest longest arm, and how high boards lie. All of it grows with the thicknes
 
 Along joints between pieces nothing folds flat, so row "hinges" there may lie at any height: S goes
 on from piece to piece as it likes, and stays within what the widest piece needs.
+Axes of hinges with knuckles of radius r stand r off the faces or more if heights are those for
+boards of thickness t + 2r, and the boards lie in the middle of these.
 """
 
 from __future__ import annotations
@@ -51,7 +53,7 @@ def find_hinges(mechanism: Mechanism, build: PanelSpec) -> Hinges:
     vertices = Vertices.of(mechanism.positions(0.0), find_assignment(mechanism))
     rows = joint_rows(mechanism.grid.rows - 1, build.pieces)
     unit = closed_form(vertices, rows) or least_arms(vertices, rows)
-    hinges = _scaled(unit, build.thickness)
+    hinges = _scaled(unit, build.thickness, build.hinge.knuckle, rows)
     if hinges.longest_arm > build.longest_arm:
         raise _too_long(hinges, build)
     return replace(hinges, joints=find_joints(mechanism, hinges, rows)) if rows else hinges
@@ -128,10 +130,17 @@ def hinges_of(
     return Hinges(signs, heights, levels, 1.0, (of_rows, of_columns))
 
 
-def _scaled(unit: Hinges, thickness: float) -> Hinges:
-    heights = CreaseValues(thickness * unit.heights.row, thickness * unit.heights.column)
-    row, column = (thickness * each for each in unit.arms)
-    return Hinges(unit.signs, heights, thickness * unit.levels, thickness, (row, column))
+def _scaled(unit: Hinges, thickness: float, knuckle: float, joints: Rows) -> Hinges:
+    """Those of boards of a thickness, by those of thickness 1; all axes a knuckle off the faces."""
+    wide, signs = thickness + 2 * knuckle, unit.signs
+    heights = CreaseValues(wide * unit.heights.row, wide * unit.heights.column)
+    row, column = (
+        wide * each + np.where(sign == 0, 0.0, knuckle)
+        for each, sign in zip(unit.arms, (signs.row, signs.column), strict=True)
+    )
+    row[:, list(joints)] = 0.0
+    levels = wide * unit.levels + knuckle
+    return Hinges(signs, heights, levels, thickness, (row, column), knuckle)
 
 
 THINNER = (0.999, 0.5, 0.1)
@@ -140,9 +149,11 @@ THINNER = (0.999, 0.5, 0.1)
 
 def _too_long(hinges: Hinges, build: PanelSpec) -> DesignError:
     """The refusal of arms that are longer than they may be."""
-    needed, most = hinges.longest_arm, build.longest_arm
-    thinnest = most / needed * build.thickness
-    shares = THINNER if most > 0 else ()
+    needed, most, knuckle = hinges.longest_arm, build.longest_arm, build.hinge.knuckle
+    # Arms are as many times the thickness of boards and two knuckles, and a knuckle.
+    times = (needed - knuckle) / (build.thickness + 2 * knuckle)
+    thinnest = (most - knuckle) / times - 2 * knuckle if times else 0.0
+    shares = THINNER if thinnest > 0 else ()
     thinner = [Remedy({"panel.thickness": rounded_down(share * thinnest)}) for share in shares]
     rows = hinges.levels.shape[0]
     fewer = _shorter_pieces(rows, build) if most > 0 else ()
