@@ -10,6 +10,7 @@ from orishell.design import Construction, Design
 from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import area_of
+from orishell.motion.boards import ARM
 from orishell.motion.layout import Layout
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
@@ -121,7 +122,7 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         board_share=covered / area_of(mechanism),
         longest_arm=hinges.longest_arm,
         mean_arm=float(long.mean()) if len(long) else 0.0,
-        arms=int(arms.sum()),
+        arms=int((built.boards.sides == ARM).sum()),
         arm_width=built.build.fin,
         offset_max=float(offsets.max()),
         offset_rms=float(np.sqrt((offsets**2).mean())),
