@@ -64,7 +64,8 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
     }
     if (ties?.length) {
       const slack = ties.filter((tie) => tie.slack).length;
-      add(list, "Ties", String(ties.length), `${slack === ties.length ? "all" : slack} proved slack until the target`);
+      const late = ties.every((tie) => tie.slack === null);
+      add(list, "Ties", String(ties.length), late ? "fixed when pieces are joined" : `${slack === ties.length ? "all" : slack} proved slack until the target`);
     }
     for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(list, name, value, note);
   }

@@ -61,7 +61,13 @@ class PathResult:
 
     @classmethod
     def of_all(cls, results: Sequence[PathResult]) -> PathResult:
-        """What was found on the same path in several searches, of other panels each."""
+        """What was found on the same path in several searches, of other panels each.
+
+        Parameters
+        ----------
+        results
+            At least one.
+        """
         met = [each.contact for each in results if each.contact is not None]
         proofs = [each.proof for each in results]
         proof = replace(

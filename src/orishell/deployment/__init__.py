@@ -1,7 +1,7 @@
 """Travel and own weight: the pack, ties and what carries the shell."""
 
 from orishell.deployment.box import Box, smallest_box
-from orishell.deployment.pack import Pack, count_layers, find_pack, find_packs
+from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
 from orishell.deployment.site import Site, find_site
 from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
@@ -21,7 +21,6 @@ __all__ = [
     "count_layers",
     "feet_ties",
     "find_pack",
-    "find_packs",
     "find_site",
     "find_ties",
     "measure_weight",

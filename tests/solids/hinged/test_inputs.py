@@ -163,6 +163,4 @@ def test_what_does_not_go_together(case: str, tmp_path: Path) -> None:
 
 def test_remedies_are_tried(tmp_path: Path) -> None:
     text = SHELTER.replace("largest_arm = 0.03\npieces = 4 ", "largest_arm = 0.05\n")
-    line = refused(text, 1, "Nearest found that works: pieces = 6 in [panel]", tmp_path)
-    assert "largest_arm = 0.110" in line
-    assert "thickness = 0.0045" in line
+    refused(text, 1, "Nearest found that works: pieces = 6 in [panel]", tmp_path)
