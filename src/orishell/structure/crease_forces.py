@@ -62,7 +62,7 @@ def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Arra
     apart = replace(
         exposure,
         mesh=Facets(
-            np.concatenate([points, points[mesh.nodes.ravel()]]), len(points) + mesh.places
+            np.concatenate([points, points[mesh.seats.ravel()]]), len(points) + mesh.places
         ),
         hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
     )

@@ -124,7 +124,7 @@ class Equilibrium:
 
     model: Model  # what is loaded
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
-    displacements: Array  # of nodes (N, 3) (length)
+    displacements: Array  # of points of the mesh (N, 3) (length)
     support_forces: Array  # on supported vertices (S, 3), as ``Model.supported`` has them (N)
     reaction: Vector  # sum of all reactions
     # what is missing between loads and reactions, of forces and moments the larger, relative to the
@@ -169,7 +169,8 @@ class Equilibrium:
         """The largest."""
         sizes = np.linalg.norm(self.displacements, axis=1)
         node = int(sizes.argmax())
-        panel = int(np.argmax((self.model.mesh.nodes == node).any(axis=(1, 2))))
+        mesh = self.model.mesh
+        panel = int(np.argmax(((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))))
         return Displacement(
             size=float(sizes[node]),
             vector=vector(self.displacements[node]),

@@ -13,14 +13,16 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
-from orishell.motion import Mechanism
+from orishell.motion import Mechanism, area_of
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
-from orishell.structure.flaps import hung_area, kept_apart
+from orishell.structure.flaps import between_flaps, hung_area, kept_apart
 from orishell.structure.loads import Exposure
+from orishell.structure.masses import point_masses
+from orishell.structure.mesh.boards import LEAST_CELLS
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.sections import Section, panel_sections
@@ -30,6 +32,7 @@ from orishell.structure.solve.conditions import Conditions, between, joined, on_
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.supports import Supports, find_supports
+from orishell.structure.whole_boards import corners_at_vertices, mesh_whole_boards
 
 Stiffness = float | Literal["free", "rigid"]
 """Of creases: moment per length and angle (N), 0 and infinite said in words."""
@@ -70,9 +73,14 @@ class Model:
         return found
 
     @property
+    def least_cells(self) -> int:
+        """How many cells there are at least along a side of a panel."""
+        return LEAST_CELLS if self.design.has_whole_boards else 1
+
+    @property
     def nodes(self) -> int:
         """Nodes of the mesh."""
-        return len(self.mesh.facets.points)
+        return self.mesh.node_count
 
     @property
     def triangles(self) -> int:
@@ -87,7 +95,7 @@ class Model:
     @property
     def mass(self) -> float:
         """Of all panels (kg)."""
-        return float(self.node_masses().sum())
+        return float(point_masses(self.exposure).sum())
 
     @property
     def height(self) -> float:
@@ -157,8 +165,19 @@ class Model:
 
     @cached_property
     def mesh(self) -> SheetMesh:
-        """The meshed sheet."""
+        """The meshed sheet, or its whole boards."""
+        if self.design.has_whole_boards:
+            return mesh_whole_boards(self.design, self.sheet, self.positions, self.cells)
         return mesh_sheet(self.positions, self.grid, self.cells)
+
+    def vertices(self, drive: float) -> Array:
+        """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).
+
+        Of whole boards they are those corners that are lowest at the target.
+        """
+        if self.design.has_whole_boards:
+            return corners_at_vertices(self.design, self.sheet, self.mesh, drive)
+        return self.sheet.positions(drive).reshape(-1, 3)
 
     @cached_property
     def section(self) -> Section:
@@ -178,20 +197,15 @@ class Model:
         built = self.built
         if built is None:
             return None
-        # Boards of folded flaps are numbered with the sheet, or behind it.
-        grid = self.design.mechanism.grid
-        row, column = np.divmod(built.boards.panels, grid.columns - 1)
-        column = column - self.before
-        own = (row < grid.rows - 1) & (column >= 0) & (column < self.grid.columns - 1)
-        boards = built.boards.chosen(own)
-        number = row[own] * (self.grid.columns - 1) + column[own]
-        return Boards(number, boards.sides, boards.outlines)
+        return between_flaps(built.boards, self.design.mechanism.grid, self.grid, self.before)
 
     @cached_property
     def exposure(self) -> Exposure:
         """The mesh as loads see it."""
         facets, mass = self.mesh.facets, self.site.areal_mass
-        points = self.positions[list(self.site.rows or (0, -1))]
+        if self.design.has_whole_boards:  # with nothing in the gaps between them
+            mass *= area_of(self.sheet) / float(facets.areas().sum())
+        points = self.mesh.facets.points[self.grid.vertices()[list(self.site.rows or (0, -1))]]
         span = float(np.linalg.norm(np.diff(points.mean(axis=1), axis=0)))
         standing = self.site.rows is not None
         return Exposure(
@@ -280,21 +294,6 @@ class Model:
             elements.append(hinge_elements(mesh, self.grid, springs))
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
-
-    def node_masses(self) -> Array:
-        """Mass (N,) at every node (kg)."""
-        exposure = self.exposure
-        share = exposure.areal_mass * exposure.mesh.areas() / 3
-        lumped = exposure.hung.copy()
-        np.add.at(lumped, exposure.mesh.triangles, share[:, None])
-        return lumped
-
-    def inertia(self) -> Array:
-        """Force by acceleration (D,) of every dof, the latter in the design's unit."""
-        inertia = np.zeros(self.mesh.count)
-        translations = self.mesh.translations()
-        inertia[translations] = self.site.metres * self.node_masses()[:, None]
-        return inertia
 
 
 def _range(values: ArrayLike) -> tuple[float, float]:

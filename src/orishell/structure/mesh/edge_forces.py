@@ -75,18 +75,19 @@ def find_edge_forces(
     """
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
+    held[:, 3:] -= np.cross(mesh.arms_at_places(), held[:, :3])
     held[:, :3] -= panel_loads
-    spread, points = (
-        _sides(each.reshape(*mesh.nodes.shape, -1))
-        for each in (held, mesh.facets.points[mesh.nodes])
-    )
+    own = mesh.facets.points[mesh.seats]
+    spread, points = (_sides(each.reshape(*mesh.nodes.shape, -1)) for each in (held, own))
     along = points[:, :, -1] - points[:, :, 0]
     along /= np.linalg.norm(along, axis=-1, keepdims=True)
     about = np.zeros(spread.shape[:3])
     if turning is not None:
         about = _hinged(grid, turning, along)
     at_corners = spread[:, :, 0].copy()
-    begin, end = _at_vertices(grid, at_corners[..., :3])
+    begin = end = np.zeros((len(own), 4, 3))
+    if mesh.offsets is None:  # else no crease joins corners
+        begin, end = _at_vertices(grid, at_corners[..., :3])
     spread[:, :, 0, :3], spread[:, :, -1, :3] = begin, end
     spread[:, :, [0, -1], 3:] = (-about[..., None] * along[:, :, None])[:, :, [0, -1]]
     corners = at_corners - spread[:, :, 0] - np.roll(spread[:, :, -1], 1, axis=1)
@@ -103,7 +104,7 @@ def find_edge_forces(
     origin = points[:, :1, 0]
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
     loaded = loaded.reshape(len(mesh.nodes), -1, 6)
-    own = mesh.facets.points[mesh.nodes].reshape(*loaded.shape[:2], 3)
+    own = own.reshape(*loaded.shape[:2], 3)
     within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
     if supported is not None:
         within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)

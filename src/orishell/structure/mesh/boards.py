@@ -1,0 +1,115 @@
+"""Whole boards as triangles: plates up to their creases, on hinges beside these.
+
+Every board has nodes of its own, but along its hinges: there the nodes are on the axis, shared by
+both boards, and the edges of their plates hang on them. Hinges on the faces of boards run along the
+whole of a crease, those on arms along its middle, between the ends of the fins. Where boards meet
+at a vertex nothing joins their corners.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion.grid import Grid
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places, triangle_corners
+from orishell.structure.mesh.triangle import Facets
+
+END = 0.2
+"""Share of a crease that a hinge on arms leaves out at either end, where fins end."""
+LEAST_CELLS = 3
+"""Fewer cells have no two nodes along the middle of a crease: no hinge, but a ball joint."""
+AS_LOW = 1e-6
+"""Corners are as low as the lowest if they are higher by less than this share of the boards."""
+
+
+@record
+class HingedPlates:
+    """Plates and the axes of the hinges between them."""
+
+    corners: Array  # corners (F, 4, 3) of plates, half way up, in the order of a grid's panels
+    # axes of hinges from end to end (E, 2, 3), edge by edge; those of the border are not used
+    axes: Array
+    whole: Booleans  # which hinges (E,) run along the whole crease, and not only along its middle
+
+
+def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
+    """Mesh boards on hinges.
+
+    Of the points the first are corners of boards, one at each vertex of the grid: the lowest there,
+    on which a shell stands. Then come the other nodes of boards, those of hinges, and the points of
+    plates that hang on hinges.
+
+    cells: Cells along every side of a board, at least :data:`LEAST_CELLS`.
+    """
+    lines = places_of_lines(cells)
+    down, right = lines[:, None, None], lines[:, None]
+    a, b, c, d = (each[:, None, None] for each in plates.corners.swapaxes(0, 1))
+    at = (a * (1 - right) + d * right) * (1 - down) + (b * (1 - right) + c * right) * down
+    at = at.reshape(-1, 3)
+
+    edge, *sides = crease_places(grid, cells)
+    inside = (lines > 0) & (lines < 1)
+    middle = (lines > END - 1e-9) & (lines < 1 - END + 1e-9)
+    hinged = np.where(plates.whole[edge, None], inside, middle)
+    start, end = (each[:, None] for each in plates.axes[edge].swapaxes(0, 1))
+    on_axes = (start * (1 - lines[:, None]) + end * lines[:, None])[hinged]
+
+    lowest = _lowest_corners(plates, grid, cells)
+    nodes = np.full(len(at), -1)
+    nodes[lowest] = np.arange(grid.vertex_count)
+    numbers = np.arange(int(hinged.sum()))
+    both = np.stack([each[hinged] for each in sides])
+    nodes[both] = len(at)
+    others = np.flatnonzero(nodes < 0)
+    nodes[others] = grid.vertex_count + np.arange(len(others))
+    nodes[both] = grid.vertex_count + len(others) + numbers
+    arms = at[both] - on_axes
+    points = np.concatenate([at[lowest], at[others], on_axes, *at[both]])
+
+    count = grid.panel_count
+    pattern = triangle_corners(cells)
+    places = np.arange(len(at)).reshape(count, -1)[:, pattern].reshape(-1, 3)
+    offsets = Offsets(
+        nodes=nodes[both].ravel(),
+        places=both.ravel(),
+        arms=arms.reshape(-1, 3),
+        lengths=_lengths(plates, edge, lines, hinged),
+    )
+    mesh = SheetMesh(
+        Facets(points, places), nodes.reshape(count, cells + 1, cells + 1), places, offsets
+    )
+    facets = Facets(points, mesh.seats.ravel()[places])
+    return SheetMesh(facets, mesh.nodes, places, offsets)
+
+
+def places_of_lines(cells: int) -> Array:
+    """Lines (cells+1,) of nodes along a side, as shares of it, two of them where fins end."""
+    outer = max(1, cells // 4)
+    ends = np.linspace(0, END, outer + 1)
+    middle = np.linspace(END, 1 - END, cells - 2 * outer + 1)
+    return np.concatenate([ends, middle[1:], 1 - ends[-2::-1]])
+
+
+def _lowest_corners(plates: HingedPlates, grid: Grid, cells: int) -> Integers:
+    """Places (V,) of the lowest corner at every vertex; of equally low ones the first."""
+    corner = np.array([0, cells * (cells + 1), (cells + 1) ** 2 - 1, cells])
+    place = (cells + 1) ** 2 * np.arange(grid.panel_count)[:, None] + corner
+    size = float(np.linalg.norm(np.ptp(plates.corners, axis=1), axis=1).max())
+    height = np.rint(plates.corners[..., 2] / (AS_LOW * size)).ravel()
+    vertex = grid.faces_vertices().ravel()
+    order = np.lexsort([place.ravel(), height, vertex])
+    _, first = np.unique(vertex[order], return_index=True)
+    return np.asarray(place.ravel()[order[first]])
+
+
+def _lengths(plates: HingedPlates, edge: Integers, lines: Array, hinged: Booleans) -> Array:
+    """Length of hinge (C, cells+1) that every node stands for."""
+    step = np.diff(lines) * (hinged[:, 1:] & hinged[:, :-1])
+    share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
+    whole = plates.whole[edge]
+    share[whole, 1] += lines[1]
+    share[whole, -2] += 1 - lines[-2]
+    axis = np.linalg.norm(plates.axes[edge, 1] - plates.axes[edge, 0], axis=1)
+    return np.asarray(share * axis[:, None])
