@@ -22,9 +22,10 @@ from orishell.structure.changes import Changes, Stop
 from orishell.structure.flaps import between_flaps, hung_area, kept_apart
 from orishell.structure.loads import Exposure
 from orishell.structure.masses import point_masses
-from orishell.structure.mesh.boards import LEAST_CELLS
+from orishell.structure.mesh.arms import joint_elements
+from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
-from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.mesh.hinges import rigid_stiffness
 from orishell.structure.mesh.sections import Section, panel_sections
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.settings import Structure
@@ -32,7 +33,7 @@ from orishell.structure.solve.conditions import Conditions, between, joined, on_
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.supports import Supports, find_supports
-from orishell.structure.whole_boards import corners_at_vertices, mesh_whole_boards
+from orishell.structure.whole_boards import corners_at_vertices, plates_of
 
 Stiffness = float | Literal["free", "rigid"]
 """Of creases: moment per length and angle (N), 0 and infinite said in words."""
@@ -53,7 +54,7 @@ class Model:
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
-        "structure.membrane_strength",
+        "structure.membrane_strength", "structure.arm_modulus", "structure.arm_strength",
         "structure.supports",
     )  # fmt: skip
 
@@ -167,7 +168,7 @@ class Model:
     def mesh(self) -> SheetMesh:
         """The meshed sheet, or its whole boards."""
         if self.design.has_whole_boards:
-            return mesh_whole_boards(self.design, self.sheet, self.positions, self.cells)
+            return mesh_boards(self._plates(self.sheet.target_drive), self.grid, self.cells)
         return mesh_sheet(self.positions, self.grid, self.cells)
 
     def vertices(self, drive: float) -> Array:
@@ -176,20 +177,18 @@ class Model:
         Of whole boards they are those corners that are lowest at the target.
         """
         if self.design.has_whole_boards:
-            return corners_at_vertices(self.design, self.sheet, self.mesh, drive)
+            return corners_at_vertices(self._plates(drive), self.mesh, self.grid)
         return self.sheet.positions(drive).reshape(-1, 3)
+
+    def _plates(self, drive: float) -> HingedPlates:
+        return plates_of(self.design, self.structure, self.sheet, drive)
 
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
         flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
-        return panel_sections(
-            self.structure,
-            self.design.panel,
-            self.boards,
-            flat,
-            centres(self.positions, self.cells),
-        )
+        middles = centres(self.positions, self.cells)
+        return panel_sections(self.structure, self.design.panel, self.boards, flat, middles)
 
     @property
     def boards(self) -> Boards | None:
@@ -288,10 +287,8 @@ class Model:
     def factorised(self, stiffness: float) -> Factorised:
         """The structure with creases of a stiffness (force per radian), factorised."""
         mesh = self.mesh
-        elements = [self.elements]
-        if stiffness:
-            springs = min(stiffness, rigid_stiffness(mesh, self.section))
-            elements.append(hinge_elements(mesh, self.grid, springs))
+        springs = min(stiffness, rigid_stiffness(mesh, self.section))
+        elements = [self.elements, *joint_elements(mesh, self.grid, springs)]
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
 

@@ -8,14 +8,18 @@ from orishell.conventions.errors import InputError
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals
 from orishell.numerics.arrays import Array
 from orishell.solids.boards import inset_panels
-from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
+from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates
+from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import CORNERS, SheetMesh
 from orishell.structure.settings import Structure
 
+POISSON = 0.3
+"""Poisson's ratio of arms."""
 ON_FACE = 1e-6
 """A hinge nearer to the faces of its boards than this share of their thickness lies on them."""
 
@@ -42,35 +46,35 @@ def check_whole_boards(structure: Structure) -> None:
         )
 
 
-def mesh_whole_boards(design: Design, sheet: Mechanism, positions: Array, cells: int) -> SheetMesh:
-    """Mesh the boards of a design.
+def plates_of(design: Design, structure: Structure, sheet: Mechanism, drive: float) -> HingedPlates:
+    """The plates and hinges of a design at a drive (radians)."""
+    hinges, build = design.hinges, design.panel
+    assert hinges is not None
+    assert build is not None
+    fins = None
+    if structure.arm_modulus is not None:
+        fins = Section.solid(structure.arm_modulus, build.fin, POISSON)
+    flat, positions = sheet.positions(0.0), sheet.positions(drive)
+    return hinged_plates(hinges, build.gap, flat, positions, fins)
 
-    positions: Vertices (rows, columns, 3) of its sheet in the state.
-    """
-    return mesh_boards(_plates(design, sheet, positions), sheet.grid, cells)
 
-
-def corners_at_vertices(design: Design, sheet: Mechanism, mesh: SheetMesh, drive: float) -> Array:
-    """The corners (V, 3) that are nodes at vertices of a mesh, at any drive (radians)."""
-    corners = _plates(design, sheet, sheet.positions(drive)).corners
+def corners_at_vertices(plates: HingedPlates, mesh: SheetMesh, grid: Grid) -> Array:
+    """The corners (V, 3) of plates that are nodes at vertices of a mesh."""
     number = mesh.nodes[:, *CORNERS]
-    at = np.nonzero(number < sheet.grid.vertex_count)
-    found = np.empty((sheet.grid.vertex_count, 3))
-    found[number[at]] = corners[at]
+    at = np.nonzero(number < grid.vertex_count)
+    found = np.empty((grid.vertex_count, 3))
+    found[number[at]] = plates.corners[at]
     return found
 
 
-def _plates(design: Design, sheet: Mechanism, positions: Array) -> HingedPlates:
-    assert design.hinges is not None
-    assert design.panel is not None
-    return hinged_plates(design.hinges, design.panel.gap, sheet.positions(0.0), positions)
-
-
-def hinged_plates(hinges: Hinges, gap: float, flat: Array, positions: Array) -> HingedPlates:
+def hinged_plates(
+    hinges: Hinges, gap: float, flat: Array, positions: Array, fins: Section | None = None
+) -> HingedPlates:
     """The plates of whole boards, half way up, and the axes of their hinges in a folded state.
 
     gap: Between two boards, half of it off each (length).
     flat, positions: Vertices (rows, columns, 3) in the flat sheet and in the state.
+    fins: The section of arms that give; None if arms are rigid.
     """
     grid = hinges.grid
     faces, edges = grid.faces_vertices(), grid.faces_edges()
@@ -91,6 +95,8 @@ def hinged_plates(hinges: Hinges, gap: float, flat: Array, positions: Array) -> 
     height = hinges.heights.on_edges()
     off = hinges.shifts(normals)[first] + height[:, None] * normals[first]
     axes = folded[grid.edges_vertices()] + off[:, None]
-    row, column = (each.max(axis=0) for each in hinges.arms)
-    arms = type(hinges.heights)(row, column).on_edges()
-    return HingedPlates(corners, axes, arms <= ON_FACE * hinges.thickness)
+    arms = np.stack(
+        [CreaseValues(*both).on_edges() for both in zip(*hinges.arms, strict=True)], axis=1
+    )
+    arms[arms <= ON_FACE * hinges.thickness] = 0.0
+    return HingedPlates(corners, axes, arms, fins)

@@ -13,6 +13,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.structure.mesh.edge_forces import crease_sides
+from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places, triangle_corners
 from orishell.structure.mesh.triangle import Facets
 
@@ -31,7 +33,15 @@ class HingedPlates:
     corners: Array  # corners (F, 4, 3) of plates, half way up, in the order of a grid's panels
     # axes of hinges from end to end (E, 2, 3), edge by edge; those of the border are not used
     axes: Array
-    whole: Booleans  # which hinges (E,) run along the whole crease, and not only along its middle
+    # how high arms are (E, 2): on the first and the second board beside a hinge, those of a row
+    # above and below it, of a column left and right; hinges without any run along the whole crease
+    arms: Array
+    fins: Section | None = None  # the section of arms that give, None if arms are rigid
+
+    @property
+    def whole(self) -> Booleans:
+        """Which hinges (E,) run along the whole crease, and not only along its middle."""
+        return np.asarray((self.arms == 0).all(axis=1))
 
 
 def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
@@ -54,13 +64,16 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     middle = (lines > END - 1e-9) & (lines < 1 - END + 1e-9)
     hinged = np.where(plates.whole[edge, None], inside, middle)
     start, end = (each[:, None] for each in plates.axes[edge].swapaxes(0, 1))
-    on_axes = (start * (1 - lines[:, None]) + end * lines[:, None])[hinged]
+    axes = start * (1 - lines[:, None]) + end * lines[:, None]
+    on_fins = ~plates.whole[edge] & (plates.fins is not None)
+    joined = hinged & ~on_fins[:, None]
+    on_axes = axes[joined]
 
     lowest = _lowest_corners(plates, grid, cells)
     nodes = np.full(len(at), -1)
     nodes[lowest] = np.arange(grid.vertex_count)
-    numbers = np.arange(int(hinged.sum()))
-    both = np.stack([each[hinged] for each in sides])
+    numbers = np.arange(len(on_axes))
+    both = np.stack([each[joined] for each in sides])
     nodes[both] = len(at)
     others = np.flatnonzero(nodes < 0)
     nodes[others] = grid.vertex_count + np.arange(len(others))
@@ -76,6 +89,11 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
         places=both.ravel(),
         arms=arms.reshape(-1, 3),
         lengths=_lengths(plates, edge, lines, hinged),
+        axes=axes,
+        heights=plates.arms[edge],
+        feet=_feet(plates, grid, edge),
+        on_fins=on_fins,
+        fins=plates.fins,
     )
     mesh = SheetMesh(
         Facets(points, places), nodes.reshape(count, cells + 1, cells + 1), places, offsets
@@ -102,6 +120,19 @@ def _lowest_corners(plates: HingedPlates, grid: Grid, cells: int) -> Integers:
     order = np.lexsort([place.ravel(), height, vertex])
     _, first = np.unique(vertex[order], return_index=True)
     return np.asarray(place.ravel()[order[first]])
+
+
+def _feet(plates: HingedPlates, grid: Grid, edge: Integers) -> Array:
+    """From axes of hinges to the feet of arms (C, 2, 3), upright on both boards."""
+    corners = plates.corners
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    _, sides = crease_sides(grid)
+    beside = sides[..., 0]  # panels (C, 2)
+    away = corners.mean(axis=1)[beside] - plates.axes[edge].mean(axis=1)[:, None]
+    upright = normal[beside]
+    sign = np.sign((away * upright).sum(axis=-1))
+    return np.asarray((sign * plates.arms[edge])[..., None] * upright)
 
 
 def _lengths(plates: HingedPlates, edge: Integers, lines: Array, hinged: Booleans) -> Array:

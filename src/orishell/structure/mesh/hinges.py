@@ -53,7 +53,7 @@ def crease_springs(
         step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
         share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
     else:
-        share = mesh.offsets.lengths
+        share = np.where(mesh.offsets.on_fins[:, None], 0.0, mesh.offsets.lengths)
     along = points[:, -1] - points[:, 0]
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     k = np.broadcast_to(np.asarray(stiffness, np.float64), len(grid.edges_vertices()))[edge]

@@ -21,7 +21,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.rotations import cross_matrices
 from orishell.structure.mesh.sections import Section
@@ -41,14 +41,20 @@ those in the middle are wider by it, of panels that are as long as wide."""
 
 @record
 class Offsets:
-    """Points of plates beside the nodes that they hang on: the last points of a mesh."""
+    """Hinges beside creases, and points of plates that hang on them: the last points of a mesh."""
 
-    nodes: Integers  # the node (k,) that each hangs on
+    nodes: Integers  # the node (k,) that each of those points hangs on
     places: Integers  # the place (k,) whose rotation it turns with
     arms: Array  # from the node to it (k, 3) (length)
     # length of hinge (C, cells+1) that nodes along creases stand for, 0 where there is none, in
     # the order of :func:`crease_places` (length)
     lengths: Array
+    axes: Array  # points (C, cells+1, 3) on the axes of hinges beside these nodes
+    # how high arms are (C, 2), on the board of the first side and on that of the second (length)
+    heights: Array
+    feet: Array  # from axes to the feet of arms (C, 2, 3), upright on boards (length)
+    on_fins: Booleans  # hinges (C,) whose arms are fins that give
+    fins: Section | None  # the section of these; None if no arm gives
 
 
 @record
