@@ -268,6 +268,16 @@ BAD = {
         "[structure] membrane_strength: ",
         'construction = "sandwich"',
     ),
+    "no arms": (
+        f"{STRUCTURE}arm_modulus = 210e9",
+        "[structure] arm_modulus: ",
+        'construction = "hinged"',
+    ),
+    "no arms to be strong": (
+        f"{STRUCTURE}arm_strength = 235e6",
+        "[structure] arm_strength: ",
+        'construction = "hinged"',
+    ),
     "loads on nothing": (CASE, "[[load_case]]: ", "add the table [structure]"),
     "no load": (with_case(""), "[[load_case]][0]: ", "self_weight, pressure, snow"),
     "no name": (STRUCTURE + CASE.replace('name = "dead"', ""), "[[load_case]][0] name", "missing"),
