@@ -18,13 +18,14 @@ from orishell.cli.main import app
 from orishell.conventions.record import written_fields
 from orishell.deployment import Deployment, OwnWeight, Pack, Tie
 from orishell.deployment.report import DeploymentReport
-from orishell.design import PanelSpec, Setback
+from orishell.design import HingeSpec, PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.locking.report import HingedReport, MeetingReport, PanelReport
 from orishell.search.figures import NAMES
 from orishell.shell.designed import design_of
+from orishell.solids.hinged.play import Play
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.equilibrium import (
@@ -236,14 +237,16 @@ def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
 
 
 def test_the_guide_explains_every_key_and_field_of_panels() -> None:
-    keys = set(PanelSpec.model_fields) - {"largest_setback"}
+    keys = set(PanelSpec.model_fields) - {"largest_setback", "hinge"}
     keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
+    keys |= {f"hinge.{name}" for name in HingeSpec.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
     fields = set(written_fields(PanelReport))
     for name, part in (
         ("meeting", MeetingReport),
         ("path", ProofRecord),
         ("hinged", HingedReport),
+        ("hinged.play.target", Play),
     ):
         fields |= {f"{name}.{key}" for key in written_fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields

@@ -7,12 +7,22 @@ import pytest
 from PIL import Image
 
 from orishell.families.parallel_repeating import design_parallel_repeating
-from orishell.motion import FoldingMotion
+from orishell.motion import FoldingMotion, Mechanism, find_assignment
+from orishell.motion.grid import CreaseValues
+from orishell.motion.hinges import Hinges
 from orishell.plot import plot_overview
 from strategies import graph
 
 
-def picture(path: Path, rows: int, columns: int, g: str, flap: float = 0.3) -> np.ndarray:
+def picture(
+    path: Path,
+    rows: int,
+    columns: int,
+    g: str,
+    *,
+    flap: float = 0.3,
+    hinged: float | None = None,
+) -> np.ndarray:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=flap
     )
@@ -23,8 +33,21 @@ def picture(path: Path, rows: int, columns: int, g: str, flap: float = 0.3) -> n
         title="Title",
         last="Locked",
         unit="m",
+        hinges=None if hinged is None else at_height(design.mechanism, hinged),
     )
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
+
+
+def at_height(mechanism: Mechanism, height: float) -> Hinges:
+    """Hinges of all creases at one height, and boards half as thick below them."""
+    signs = find_assignment(mechanism)
+    row, column = signs.row.shape, signs.column.shape
+    heights = CreaseValues(np.full(row, height), np.full(column, height))
+    levels, arms = (
+        np.full((column[0], row[1]), -height),
+        (np.zeros((2, *row)), np.zeros((2, *column))),
+    )
+    return Hinges(signs, heights, levels, 2 * height, arms)
 
 
 def share_of(pixels: np.ndarray, colour: tuple[int, int, int]) -> float:
@@ -45,6 +68,15 @@ def test_colours_are_there(tmp_path: Path, rows: int, columns: int) -> None:
     }.items():
         assert share_of(pixels, colour) > 1e-4, name
     assert 0.3 < share_of(pixels, (255, 255, 255)) < 0.97
+
+
+def test_whole_boards_are_drawn_where_they_are(tmp_path: Path) -> None:
+    path = tmp_path / "overview.png"
+    plain, thin, thick = (
+        picture(path, 3, 3, "x**2/60", flap=0, hinged=height) for height in (None, 0.0, 0.1)
+    )
+    assert np.array_equal(plain, thin)
+    assert plain.shape != thick.shape or not np.array_equal(plain, thick)
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(1, 2), (3, 3), (201, 2)])

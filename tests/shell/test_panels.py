@@ -58,7 +58,12 @@ def with_panel(panel: str) -> str:
         (SANDWICH + 'stop_deg = "no"', "stop_deg", "'no'", "a number or 'auto'"),
         (SANDWICH + 'construction = "bevel"\ngap = 1', "membrane", "0.2", "panels are solid"),
         (BEVEL + "membrane_density = 5", "membrane_density", "5.0", "panels are solid"),
-        (SANDWICH + 'construction = "foam"', "construction", "'foam'", "'sandwich' or 'bevel'"),
+        (
+            SANDWICH + 'construction = "foam"',
+            "construction",
+            "'foam'",
+            "'sandwich', 'bevel' or 'hinged'",
+        ),
         (SANDWICH + "gap = -1", "gap", "-1", "at least 0"),
         (SANDWICH + "density = inf", "density", "inf", "a finite number"),
     ],

@@ -16,11 +16,12 @@ from orishell.conventions.errors import InputError
 from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
 from orishell.design import Design, PanelSpec
+from orishell.design.fittings import TRIMMED
 from orishell.design_file import read_design_file
 from orishell.motion import Mechanism, area_of
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.hinges import Hinges
-from orishell.numerics.arrays import Array
+from orishell.motion.hinges import Hinges, Straightened
+from orishell.numerics.arrays import Array, Integers
 from orishell.solids.hinged import find_hinges
 from orishell.structure.analyse import analyse
 from orishell.structure.buckling import by_arms
@@ -133,6 +134,7 @@ def shelter() -> Design:
     file = read_design_file(EXAMPLES / "shelter_hinged.toml")
     assert file.panel is not None
     design = file.pattern.design(file.f, file.g)
+    assert isinstance(design.mechanism, Straightened)
     mechanism = design.mechanism.straightened()
     hinges = find_hinges(mechanism, file.panel)
     return replace(design, mechanism=mechanism, panel=file.panel, hinges=hinges)
@@ -156,7 +158,7 @@ def test_the_shelter_of_whole_boards_has_one_motion(share: float) -> None:
             springs = rigid_stiffness(mesh, section)
             elements.append(hinge_elements(mesh, sheet.grid, springs))
         held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
-        return held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1]
+        return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
 
     assert motions(hinges, locked=False) == 7
     assert motions(hinges, locked=True) == 6
@@ -194,10 +196,11 @@ def strip(
     arms = np.zeros((len(axes), 2))
     if fins is not None:
         arms[inner] = height - 0.5 * THICK
-    return mesh_boards(HingedPlates(corners, axes, arms, fins), STRIP, 8), axis
+    trimmed = 0.0 if fins is None else TRIMMED
+    return mesh_boards(HingedPlates(corners, axes, arms, fins, trimmed), STRIP, 8), axis
 
 
-def clamped(mesh: SheetMesh, held: Array, stiffness: float, loads: Array) -> Array:
+def clamped(mesh: SheetMesh, held: Integers, stiffness: float, loads: Array) -> Array:
     """Displacements of points (N, 3) of boards without Poisson's effect, some dofs held."""
     section = Section.solid(MODULUS, THICK, 0.0)
     matrix = mesh.elements(section).assembled()
@@ -209,14 +212,14 @@ def clamped(mesh: SheetMesh, held: Array, stiffness: float, loads: Array) -> Arr
     return moved
 
 
-def along(mesh: SheetMesh, panel: int, column: int) -> tuple[Array, Array]:
+def along(mesh: SheetMesh, panel: int, column: int) -> tuple[Integers, Integers]:
     """Nodes across the strip, and all their dofs, rotations included."""
     nodes = mesh.nodes[panel, :, column]
     turns = mesh.rotations()[panel, :, column]
     return nodes, np.concatenate([mesh.translations()[nodes].ravel(), turns.ravel()])
 
 
-def shared(mesh: SheetMesh, nodes: Array) -> Array:
+def shared(mesh: SheetMesh, nodes: Integers) -> Array:
     """Shares of nodes across the strip in a load that is even across it."""
     y = mesh.facets.points[nodes, 1]
     order = np.argsort(y)
@@ -287,7 +290,7 @@ def test_fins_bend() -> None:
     for board in (np.array([FIRST, 0.0]), begin):
         foot = board + 0.5 * THICK / 0.08 * (axis - board)
         found = moments(foot, axis, tip)
-        on_fins += (0.08 - 0.5 * THICK) * np.mean(found**2)
+        on_fins += (0.08 - 0.5 * THICK) * float(np.mean(found**2))
         at_feet.append(np.abs(moments(foot, foot, tip)[0]))
     expected = bends / BENDS + on_fins / (steel * wide**3 / 12 * length)
     assert work == pytest.approx(expected, rel=0.02)
@@ -373,6 +376,11 @@ def test_hinges_in_the_middle_of_edges_are_creases(creases: float) -> None:
     def work(design: Design, thickness: float | None, cells: int) -> float:
         structure = asked.having(thickness=thickness)
         model = Model(design, structure, Site("m", feet, (), 12.0), cells)
+        if design.hinges is not None:  # hinges along the whole of creases
+            sheet = design.mechanism
+            flat, positions = sheet.positions(0.0), sheet.positions(sheet.target_drive)
+            plates = replace(hinged_plates(design.hinges, 0.0, flat, positions), trimmed=0.0)
+            vars(model)["mesh"] = mesh_boards(plates, sheet.grid, cells)
         held = model.factorised(creases)
         forces = sum_forces(model.exposure, case_loads(model.exposure, SNOW, (SNOW,)))
         loads = held.free_loads(forces)
@@ -389,14 +397,15 @@ def test_loads_on_an_arm_tip_it() -> None:
     The loads are where its arms end, straight above the hinge.
     """
     mesh, _ = strip(0.0, turn=0.0)
-    assert mesh.offsets is not None
+    offsets = mesh.offsets
+    assert offsets is not None
     arm, k = 0.1, 30.0
-    arms = np.zeros_like(mesh.offsets.arms)
-    second = np.isin(mesh.offsets.places, np.arange(mesh.nodes[0].size, mesh.nodes.size))
+    arms = np.zeros_like(offsets.arms)
+    second = np.isin(offsets.places, np.arange(mesh.nodes[0].size, mesh.nodes.size))
     arms[second, 2] = arm
-    mesh = replace(mesh, offsets=replace(mesh.offsets, arms=arms))
+    mesh = replace(mesh, offsets=replace(offsets, arms=arms))
     loads = np.zeros_like(mesh.facets.points)
-    share = mesh.offsets.lengths[0, 1:-1] / WIDTH
+    share = offsets.lengths[0, 1:-1] / WIDTH
     loads[mesh.node_count :][second, 2] = -share
     nothing = np.zeros((len(mesh.facets.triangles), 18))
     geometric = by_arms(mesh, nothing, loads)
@@ -414,6 +423,7 @@ def strip_of_shelter() -> tuple[Design, Site]:
     pattern = file.pattern.sized(7, 5)
     design = pattern.design(file.f, file.g)
     panel = PanelSpec(thickness=0.01, construction="hinged", gap=0.001)
+    assert isinstance(design.mechanism, Straightened)
     mechanism = design.mechanism.straightened()
     hinges = find_hinges(mechanism, panel)
     design = replace(design, mechanism=mechanism, panel=panel, hinges=hinges)

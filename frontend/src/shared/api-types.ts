@@ -629,6 +629,24 @@ export interface Header {
   cases?: NamedCase[];
 }
 
+/** Hinges of whole boards and their arms; lengths in the document's unit. */
+export interface HingeBill {
+  /** Number of hinges. */
+  count: number;
+  /** How many of them stand on an arm on either side. */
+  on_arms: number;
+  /** Of all hinges together. */
+  length: number;
+  /** Holes in boards, and in the fins of arms. */
+  screws: number;
+  /** Number of arms. */
+  arms: number;
+  /** How many different ones there are. */
+  arm_kinds: number;
+  /** Of the sheet that they are bent of. */
+  arm_area: number;
+}
+
 /** Whole boards, their hinges and arms. */
 export interface HingedReport {
   /** The share of the sheet that boards cover. */
@@ -645,6 +663,8 @@ export interface HingedReport {
   offset_max: number;
   /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
   offset_rms: number;
+  /** What errors of hinges ask of the others. */
+  play: PlayReport;
 }
 
 /** What the page loads first: what there is to choose from, limits, the design to open. */
@@ -903,7 +923,7 @@ export interface PanelBill {
   membrane_area: number;
   /** Area of the boards' faces on the membrane. */
   glue_area: number;
-  /** Length of the creases that fold. */
+  /** Length of the creases that fold, or of the hinges of whole boards. */
   hinge_length: number;
   /** Mass by part. */
   mass_kg: PanelMass;
@@ -911,6 +931,8 @@ export interface PanelBill {
   centre_of_mass: [number, number, number] | null;
   /** Number of sheets of stock for the boards; None if there is no stock, or that was not asked for. */
   stock_sheets: number | null;
+  /** Hinges of whole boards; None for others. */
+  hinges: HingeBill | null;
 }
 
 /** Mass of panels with a thickness (kg). */
@@ -919,8 +941,12 @@ export interface PanelMass {
   boards: number | null;
   /** Of the membrane; None if its density is not known, 0 if there is none. */
   membrane: number | null;
-  /** Of both; None if one is not known. */
+  /** Of boards, membrane, and arms and hinges where these are known; None if one of the first is not known. */
   total: number | null;
+  /** Of arms and their feet; None if their density is not known. */
+  arms: number | null;
+  /** Of hinges; None if it is not known. */
+  hinges: number | null;
 }
 
 /** Panels as they are built. */
@@ -986,6 +1012,24 @@ export interface Patch {
   size: [number, number];
   /** From the plan's x to its own. */
   turn_deg: number;
+}
+
+/** How far boards are from fitting in a state, in errors of their hinges (root mean square). */
+export interface Play {
+  /** How far the loop about a vertex is open, where that is most. */
+  loop: number;
+  /** The play that each hinge has where all share in it, on the mean of hinges. */
+  hinge: number;
+  /** How far boards then lie beside their places, on the mean of boards. */
+  board: number;
+}
+
+/** What hinges beside their places ask of the others, in lengths by length of their errors. */
+export interface PlayReport {
+  /** At the target. */
+  target: Play;
+  /** Where boards fold no further: at the target, or in the pack. */
+  end: Play;
 }
 
 /** How contact was excluded along the whole path. */

@@ -9,8 +9,10 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.settings import Deployment
 from orishell.deployment.ties import feet_ties
 from orishell.design import Design
+from orishell.design.fittings import fit_hinges
 from orishell.motion import area_of
 from orishell.motion.grid import VertexPair
+from orishell.motion.quads import grid_corners
 from orishell.solids import BuiltPanels
 
 
@@ -88,9 +90,17 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
 
 
 def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
-    """Mass of built panels per area of the sheet; 0 where the density of a part is not known."""
-    build, area = built.build, area_of(design.mechanism)
+    """Mass of built panels per area of the sheet; 0 where the density of a part is not known.
+
+    That of arms and hinges of whole boards is added where it is known.
+    """
+    build, area, metres = built.build, area_of(design.mechanism), conversion(unit, "m")
+    if not build.density or (build.membrane and not build.membrane_density):
+        return 0.0
     boards = build.density * float(built.boards.chosen(~built.boards.arms).volumes().sum())
-    membrane = build.membrane_density * build.membrane * area
-    known = build.density and (build.membrane_density or not build.membrane)
-    return conversion(unit, "m") * (boards + membrane) / area if known else 0.0
+    mass = metres * (boards + build.membrane_density * build.membrane * area)
+    if design.hinges is not None:
+        panels = grid_corners(design.mechanism.positions(0.0))[..., :2].reshape(-1, 4, 2)
+        fittings = fit_hinges(panels, design.hinges, build)
+        mass += metres * fittings.arm_mass(build) + fittings.hinge_mass(build) / metres
+    return mass / area

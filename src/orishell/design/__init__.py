@@ -9,6 +9,7 @@ from orishell.design.design import (
     warn_of_no_lock,
 )
 from orishell.design.formula_surface import FormulaSurface
+from orishell.design.hinge import HingeSpec
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, PanelSpec, Setback
 from orishell.design.path import Path
@@ -24,6 +25,7 @@ __all__ = [
     "Design",
     "FlapSide",
     "FormulaSurface",
+    "HingeSpec",
     "Lattice",
     "MeshSurface",
     "PanelSpec",

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Size, Table
+from orishell.design.hinge import HingeSpec
 
 Construction = Literal["sandwich", "bevel", "hinged"]
 """Boards on both faces of a membrane that is the hinge, cut square; solid panels about the hinge
@@ -19,6 +20,9 @@ plane, chamfered where they close; or whole boards on hinges beside them, of she
 ARM_WIDTH = 0.1
 """Thickness of the fins that carry hinges off the faces, in thicknesses of the boards, where none
 is given: sheet metal of 1 mm beside boards of 10 mm. Thicker fins meet other boards sooner."""
+
+HINGED_ONLY = ("largest_arm", "arm_width", "arm_density", "hinge")
+"""Keys that only whole boards on hinges have."""
 
 
 class Setback(Table):
@@ -39,7 +43,7 @@ class PanelSpec(Table):
     ``gap`` what is cut away between two panels where they open; ``stop_deg`` by how much flaps stop
     short of folding flat: half of what their row creases lack to 180 degrees, at the crease that
     folds most, or as little as set-backs allow. Densities are masses per volume, of boards or solid
-    panels and of the membrane; 0 if unknown (kg/m^3).
+    panels, of the membrane and of arms; 0 if unknown (kg/m^3).
     """
 
     thickness: Size = 0.0
@@ -50,6 +54,8 @@ class PanelSpec(Table):
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
     largest_arm: Size | Literal["any"] = "any"
     arm_width: Annotated[Number, Field(gt=0)] | Literal["auto"] = "auto"
+    arm_density: Size = 0.0
+    hinge: HingeSpec = HingeSpec()
     density: Size = 0.0
     membrane_density: Size = 0.0
 
@@ -89,12 +95,12 @@ class PanelSpec(Table):
                 {"most": self.thickness, "key": "membrane", "got": self.membrane},
             )
         if self.construction != "hinged":
-            for key in ("largest_arm", "arm_width"):
+            for key in HINGED_ONLY:
                 if getattr(self, key) != type(self).model_fields[key].default:
                     raise PydanticCustomError(
                         "no_arms",
-                        'construction = "hinged", because only its hinges stand on arms',
-                        {"key": key, "got": getattr(self, key)},
+                        'construction = "hinged", because only whole boards have hinges and arms',
+                        {"key": key, "got": _plain(getattr(self, key))},
                     )
         return self
 
@@ -113,8 +119,15 @@ class PanelSpec(Table):
                 raise PydanticCustomError(
                     "no_setbacks",
                     f'no {key}: "hinged" boards are whole and fold flat',
-                    {"key": key, "got": str(getattr(self, key))},
+                    {"key": key, "got": _plain(getattr(self, key))},
                 )
+        leaf, hole = self.hinge.leaf_on(self.thickness), self.hinge.hole_in(self.thickness)
+        if hole > 0.5 * leaf:
+            raise PydanticCustomError(
+                "hole",
+                "at most half the width of a leaf, {most}",
+                {"most": f"{0.5 * leaf:.4g}", "key": "hinge.hole", "got": hole},
+            )
 
     @property
     def is_solid(self) -> bool:
@@ -130,6 +143,12 @@ class PanelSpec(Table):
     def fin(self) -> float:
         """How thick the fins are that carry hinges off the faces (length)."""
         return ARM_WIDTH * self.thickness if self.arm_width == "auto" else self.arm_width
+
+    @property
+    def weighs_boards_alone(self) -> bool:
+        """Whether whole boards have a density, and not both arms and hinges have."""
+        hinged = self.construction == "hinged" and bool(self.density)
+        return hinged and not (self.arm_density and self.hinge.linear_density)
 
     @property
     def height(self) -> float:
@@ -151,3 +170,8 @@ class PanelSpec(Table):
     def stop(self) -> float | None:
         """By how much flaps stop short (radians); None for as little as set-backs allow."""
         return None if self.stop_deg == "auto" else float(np.deg2rad(self.stop_deg))
+
+
+def _plain(value: object) -> object:
+    """A value as an error shows it: a table as it stands."""
+    return str(value) if isinstance(value, Table) else value

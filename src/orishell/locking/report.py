@@ -7,12 +7,13 @@ import numpy as np
 from orishell.clash import ProofRecord
 from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
+from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import area_of
 from orishell.motion.layout import Layout
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
-from orishell.solids.hinged.arms import SHORT
+from orishell.solids.hinged.play import Play, find_play
 
 
 @record
@@ -25,6 +26,14 @@ class MeetingReport:
     total: float
     largest_play: float  # how far apart they are at most, where a gap sets them farther back
     largest_turn: Angle  # by how much a flap could fold further at most until they meet
+
+
+@record
+class PlayReport:
+    """What hinges beside their places ask of the others, in lengths by length of their errors."""
+
+    target: Play  # at the target
+    end: Play  # where boards fold no further: at the target, or in the pack
 
 
 @record
@@ -41,6 +50,7 @@ class HingedReport:
     # this report has: at most, and root mean square
     offset_max: float
     offset_rms: float
+    play: PlayReport  # what errors of hinges ask of the others
 
 
 @record
@@ -103,9 +113,10 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         return None
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
-    offsets = board_offsets(hinges, mechanism.positions(mechanism.target_drive))
+    target = mechanism.positions(mechanism.target_drive)
+    offsets = board_offsets(hinges, target)
     long = np.concatenate([each.ravel() for each in hinges.arms])
-    long = long[long > SHORT * hinges.thickness]
+    long = long[long - hinges.knuckle > SHORT * hinges.thickness]
     return HingedReport(
         board_share=covered / area_of(mechanism),
         longest_arm=hinges.longest_arm,
@@ -114,6 +125,7 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         arm_width=built.build.fin,
         offset_max=float(offsets.max()),
         offset_rms=float(np.sqrt((offsets**2).mean())),
+        play=PlayReport(find_play(target), find_play(mechanism.positions(built.limit))),
     )
 
 

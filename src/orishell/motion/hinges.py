@@ -43,6 +43,9 @@ class Hinges:
     # how far each hinge stands off the faces of the two boards that it joins (length): off the
     # board above and the one below (2, rows-2, columns-1), left and right (2, rows-1, columns-2)
     arms: tuple[Array, Array]
+    # radius of knuckles, by which axes stand off what carries them: the boards' faces, or arms that
+    # end there (length)
+    knuckle: float = 0.0
 
     @property
     def grid(self) -> Grid:

@@ -14,6 +14,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, edge_signs, points_of
 from orishell.motion.quads import grid_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -74,6 +75,7 @@ def plot_overview(
     contact: DrawnContact | None = None,
     hinge: HingeSection | None = None,
     beside: OffsetSection | None = None,
+    hinges: Hinges | None = None,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -95,23 +97,34 @@ def plot_overview(
         A section through a hinge to draw below them, where panels have a thickness.
     beside
         A section with the surfaces that crests and valleys should follow, to draw below all.
+    hinges
+        Those of whole boards, which are drawn where they are: beside the panels of the sheet.
     """
     target = motion.mechanism.target_drive
     mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
     locked = motion.target.positions
     camera = choose_camera(locked)
+
+    def panels(drive: float) -> Array:
+        """Corners (F, 4, 3) of all panels in a state."""
+        positions = mechanism.positions(drive)
+        if hinges is not None:
+            return hinges.boards(positions).reshape(-1, 4, 3)
+        return np.concatenate([_drawn_panels(positions), flaps.at(drive)])
+
     drives = [share * target for share in STATE_SHARES]
     if motion.pack is not None:
         drives = [target + share * (motion.pack - target) for share in OPENING] + drives[-1:]
     if contact is not None:
         drives.append(contact.drive)
-    states = [motion.mechanism.positions(drive) for drive in drives]
+    states = [panels(drive) for drive in drives]
+    shown_panels = panels(target)
 
     points = _landscape(points_of(mechanism, 0.0)[:, :2])
     sheet = points[: mechanism.grid.vertex_count].reshape(*locked.shape[:2], 2)
-    above = row_height(WIDTH / 2, [points, camera.project(points_of(mechanism, target))[0]])
+    above = row_height(WIDTH / 2, [points, camera.project(shown_panels.reshape(-1, 3))[0]])
     count = len(states)
-    spans = [np.ptp(camera.project(points_of(mechanism, each))[0], axis=0) for each in drives]
+    spans = [np.ptp(camera.project(each.reshape(-1, 3))[0], axis=0) for each in states]
     below = row_height(WIDTH / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
     base = 0.0 if hinge is None else section_height(hinge)
     low, base = base, base + (0.0 if beside is None else offset_height(beside))
@@ -124,19 +137,19 @@ def plot_overview(
     size = np.ptp(points, axis=0)
     set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
-    _draw_shell(shell, locked, camera, WIDTH / 2, flaps.at(target))
+    _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
-    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(locked.reshape(-1, 3), axis=0))
-    shown = f"{last}, with f and g" if targets else last
-    set_title(shell, f"{shown}, {sizes} {unit}")
+    drawn = (locked if hinges is None else shown_panels).reshape(-1, 3)
+    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))
+    set_title(shell, f"{last}{', with f and g' if targets else ''}, {sizes} {unit}")
     each = WIDTH / count
     frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
-    for axes, drive, positions in zip(frames, drives, states, strict=True):
-        _draw_shell(axes, positions, camera, each, flaps.at(drive))
+    for axes, drive, corners in zip(frames, drives, states, strict=True):
+        _draw_shell(axes, corners, camera, each)
         packed = "Pack, drive" if drive == motion.pack else "Drive"
         set_title(axes, f"{packed} {np.rad2deg(drive):.3g}°")
     if contact is not None:
-        _mark_panels(frames[-1], states[-1], contact, camera)
+        _mark_panels(frames[-1], mechanism.positions(contact.drive), contact, camera)
     _same_scale(frames)
     if hinge is not None:
         draw_hinge_section(figure, hinge, unit)
@@ -219,16 +232,20 @@ class _FlapsBeside:
         axes.autoscale_view()
 
 
-def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float, flaps: Array) -> None:
-    """Draw the panels, from the farthest to the nearest, and flaps (K, 4, 3) among them."""
+def _drawn_panels(positions: Array) -> Array:
+    """Corners (F, 4, 3) of the panels of a grid, of every few together if they are many."""
+    some = positions[np.ix_(*(_thinned(n, SHELL_DRAWN)[0] for n in positions.shape[:2]))]
+    return np.asarray(grid_corners(some).reshape(-1, 4, 3))
+
+
+def _draw_shell(axes: Axes, corners: Array, camera: Camera, inches: float) -> None:
+    """Draw panels (F, 4, 3), from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
 
-    positions = positions[np.ix_(*(_thinned(n, SHELL_DRAWN)[0] for n in positions.shape[:2]))]
-    corners = np.concatenate([grid_corners(positions).reshape(-1, 4, 3), flaps])
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
     colours = _shade(unit_normals(corners), camera)
-    width = line_width(camera.project(positions)[0], inches, 0.6, 0.15)
+    width = line_width(picture[:, :2], inches, 0.6, 0.15)  # row by row, their left edges
     axes.add_collection(
         PolyCollection(
             list(picture[order]),

@@ -269,6 +269,8 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
         f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "
         "beside it at the target"
     )
+    if design.panel is not None and design.panel.weighs_boards_alone:
+        yield "masses leave out arms or hinges: arm_density and hinge.linear_density in [panel]"
     flat = mechanism.positions(0.0)
     edges = np.concatenate([lengths(np.diff(flat, axis=axis)).ravel() for axis in (0, 1)])
     if design.hinges.longest_arm > LONG_ARM * np.median(edges):

@@ -10,6 +10,7 @@ from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design, PanelSpec
+from orishell.design.panel import HINGED_ONLY
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
@@ -161,7 +162,7 @@ def _on_membrane(panel: PanelSpec) -> Remedy:
         "panel.construction": "sandwich",
         "panel.membrane": rounded(MEMBRANE * panel.thickness),
     }
-    for key in ("largest_arm", "arm_width"):
+    for key in HINGED_ONLY:
         if key in panel.model_fields_set:
             changes[f"panel.{key}"] = None
     return Remedy(changes)

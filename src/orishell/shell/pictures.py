@@ -91,6 +91,7 @@ def draw_pictures(
         contact=_drawn(lock),
         hinge=hinge,
         beside=_offset_section(design),
+        hinges=None if document.boards is None else document.boards.hinges,
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)

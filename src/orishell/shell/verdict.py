@@ -40,6 +40,7 @@ def find_verdict(report: Report, stronger: str = "") -> tuple[Row, ...]:
         *_held(report),
         *_unchecked(report),
         *_boards(report),
+        *_hinges(report),
         *_stands(report),
         *_surface(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
@@ -148,6 +149,26 @@ def _boards(report: Report) -> Iterator[Row]:
         back = plain(panel.largest_setback, 3)
         text = f"{panel.boards}, of panels {thick} {unit} thick, set back by up to {back} {unit}"
     yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
+
+
+def _hinges(report: Report) -> Iterator[Row]:
+    """How many hinges whole boards have, and how exactly they must be in their places."""
+    built, panel = report.quantities.built, report.panel
+    if built is None or built.hinges is None or panel is None or panel.hinged is None:
+        return
+    bill, play = built.hinges, panel.hinged.play
+    arms = ""
+    if bill.arms:
+        kinds = "one kind" if bill.arm_kinds == 1 else f"{bill.arm_kinds} kinds"
+        arms = f", {bill.on_arms} of them on {bill.arms} arms of {kinds}"
+    end = "" if play.end.loop == play.target.loop else f", {plain(play.end.loop, 2)} mm in the pack"
+    yield Row(
+        "says",
+        "hinges",
+        f"{bill.count}, {plain(bill.length, 3)} {report.unit} in all{arms}, {bill.screws} screws; "
+        f"1 mm (rms) beside their places they leave the boards about a vertex open by up to "
+        f"{plain(play.target.loop, 2)} mm at the target{end}",
+    )
 
 
 def _stands(report: Report) -> Iterator[Row]:

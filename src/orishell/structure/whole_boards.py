@@ -6,6 +6,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.design import Design
+from orishell.design.fittings import SHORT
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
@@ -20,8 +21,6 @@ from orishell.structure.settings import Structure
 
 POISSON = 0.3
 """Poisson's ratio of arms."""
-ON_FACE = 1e-6
-"""A hinge nearer to the faces of its boards than this share of their thickness lies on them."""
 
 
 def check_whole_boards(structure: Structure) -> None:
@@ -98,5 +97,5 @@ def hinged_plates(
     arms = np.stack(
         [CreaseValues(*both).on_edges() for both in zip(*hinges.arms, strict=True)], axis=1
     )
-    arms[arms <= ON_FACE * hinges.thickness] = 0.0
+    arms[arms - hinges.knuckle <= SHORT * hinges.thickness] = 0.0
     return HingedPlates(corners, axes, arms, fins)

@@ -26,9 +26,10 @@ from orishell.workshop.boards import (
     solid_marks,
 )
 from orishell.workshop.draw import draw_page, drawn_box, require_drawable
+from orishell.workshop.hinge_parts import FACES, draw_arms, fittings_of, hinged_marks, plan_names
 from orishell.workshop.layout import KEPT, Known, usable_stock
 from orishell.workshop.nesting import nest_parts
-from orishell.workshop.palettes import Drawing, Line, Text
+from orishell.workshop.palettes import Circle, Drawing, Line, Text
 from orishell.workshop.placing import Content, Placement, draw_stock_sheets, gathered, shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.title_block import quoted_size
@@ -46,10 +47,11 @@ class BoardPart:
     # what is engraved
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
+    circles: tuple[Circle, ...] = ()  # holes of hinges
 
     def content(self) -> Content:
         """What is drawn, the cut last."""
-        return (*self.lines, Line("CUT", self.outline, closed=True)), (), self.texts
+        return (*self.lines, Line("CUT", self.outline, closed=True)), self.circles, self.texts
 
 
 def board_parts(document: Document) -> tuple[BoardPart, ...]:
@@ -58,6 +60,7 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
     Panels are numbered as in :func:`~orishell.workshop.assembly.with_clipped`.
     """
     document = with_clipped(document)
+    fittings = fittings_of(document)
     parts: list[BoardPart] = []
     for side in SIDES:
         seen = seen_from_outside(document, side)
@@ -65,12 +68,14 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
             continue
         if side:
             marks: list[Content] = [((), (), (text,)) for text in board_labels(document, side)]
+        elif fittings is not None:
+            marks = hinged_marks(document, fittings)
         else:
             marks = solid_marks(document)
         each = zip(seen.numbers.tolist(), seen.names, seen.panels.tolist(), strict=True)
         parts += [
-            BoardPart(number, name, panel, side, distinct_corners(outline), lines, texts)
-            for (number, name, panel), outline, (lines, _, texts) in zip(
+            BoardPart(number, name, panel, side, distinct_corners(outline), lines, texts, circles)
+            for (number, name, panel), outline, (lines, circles, texts) in zip(
                 each, seen.outlines, marks, strict=True
             )
         ]
@@ -117,9 +122,17 @@ def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, D
 
     Without stock there is one for each layer: "-top" and "-bottom", or "-panels" if they are solid.
     With stock the boards of both layers are nested together: "-boards-1", ..., or "-panels-1", ...
+    Arms of whole boards are drawn one of each kind: "-arms".
     """
     if document.boards is None:
         return
+    yield from _draw_boards(document, workshop)
+    arms = draw_arms(document, workshop)
+    if arms is not None:
+        yield "-arms", arms
+
+
+def _draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, Drawing]]:
     if workshop.stock is None:
         for layer in board_layers(document, workshop):
             page = draw_page(layer.content, layer.title, document.unit, layer.facts, workshop)
@@ -179,7 +192,8 @@ def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> 
     if build.construction == "hinged":
         return (
             f"{len(parts)} whole boards, {build.thickness:g} {unit} thick, {size}",
-            "Cut square, to the creases; hinges stand beside them (hinges.csv)",
+            f"Cut square. Circles are holes: {FACES[1]} from the top, {FACES[-1]} from below. "
+            "Names as in hinges.csv",
         )
     if build.construction == "bevel":
         return (
@@ -205,7 +219,7 @@ def draw_plan(document: Document, workshop: Workshop) -> Drawing:
     seen = seen_from_outside(document, 0)
     panels = (Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines)
     creases = short_creases(document, np.flatnonzero(document.mesh.crease))
-    content = (*panels, *creases), (), board_labels(document, 0)
+    content = (*panels, *creases), (), (*board_labels(document, 0), *plan_names(document))
     facts = (
         f"{len(seen.numbers)} panels, {quoted_size(drawn_box(content)[1], document.unit)}",
         "Plan of assembly, seen from above; nothing is cut",

@@ -8,10 +8,13 @@ import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
+from orishell.design.fittings import Fittings
 from orishell.document import Document
+from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import nest_boards
+from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import require_stock
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
@@ -33,7 +36,24 @@ class PanelMass:
 
     boards: float | None  # of boards, or of solid panels; None if their density is not known
     membrane: float | None  # of the membrane; None if its density is not known, 0 if there is none
-    total: float | None  # of both; None if one is not known
+    # of boards, membrane, and arms and hinges where these are known; None if one of the first is
+    # not known
+    total: float | None
+    arms: float | None = 0.0  # of arms and their feet; None if their density is not known
+    hinges: float | None = 0.0  # of hinges; None if it is not known
+
+
+@record
+class HingeBill:
+    """Hinges of whole boards and their arms; lengths in the document's unit."""
+
+    count: int  # number of hinges
+    on_arms: int  # how many of them stand on an arm on either side
+    length: float  # of all hinges together
+    screws: int  # holes in boards, and in the fins of arms
+    arms: int  # number of arms
+    arm_kinds: int  # how many different ones there are
+    arm_area: float  # of the sheet that they are bent of
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +64,13 @@ class PanelBill:
     board_area: float  # area of all boards, each at its largest
     membrane_area: float  # area of the membrane, without tabs and strips; 0 if there is none
     glue_area: float  # area of the boards' faces on the membrane
-    hinge_length: float  # length of the creases that fold
+    hinge_length: float  # length of the creases that fold, or of the hinges of whole boards
     mass_kg: PanelMass  # mass by part
     # of the shell at its target, in the world; None if its mass is not known
     centre_of_mass: tuple[float, float, float] | None
     # number of sheets of stock for the boards; None if there is no stock, or that was not asked for
     stock_sheets: int | None
+    hinges: HingeBill | None = None  # hinges of whole boards; None for others
 
 
 def measure_panels(
@@ -78,18 +99,41 @@ def measure_panels(
     membrane_mass = cubic * membrane * build.membrane * build.membrane_density or None
     if not membrane:
         membrane_mass = 0.0
+    fittings = fittings_of(everything)
+    arm_mass: float | None = 0.0
+    hinge_mass: float | None = 0.0
+    hinge_length = float(length[np.isin(everything.assignment, ("M", "V"))].sum())
+    if fittings is not None:
+        in_metres = conversion(document.unit, "m")
+        hinge_mass = in_metres * fittings.hinge_mass(build) or None
+        if fittings.arms:
+            arm_mass = cubic * fittings.arm_mass(build) or None
+        hinge_length = float(fittings.lengths.sum())
     total = None
     if board_mass is not None and membrane_mass is not None:
-        total = board_mass + membrane_mass
+        total = board_mass + membrane_mass + (arm_mass or 0.0) + (hinge_mass or 0.0)
     return PanelBill(
         boards=BoardCount(*(int((boards.sides == side).sum()) for side in (1, -1, 0))),
         board_area=float(areas.sum()),
         membrane_area=membrane,
         glue_area=float(areas[boards.sides != 0].sum()),
-        hinge_length=float(length[np.isin(everything.assignment, ("M", "V"))].sum()),
-        mass_kg=PanelMass(board_mass, membrane_mass, total),
+        hinge_length=hinge_length,
+        mass_kg=PanelMass(board_mass, membrane_mass, total, arm_mass, hinge_mass),
         centre_of_mass=None if total is None else _centre_of_mass(document),
         stock_sheets=sheets,
+        hinges=None if fittings is None else _count_hinges(fittings),
+    )
+
+
+def _count_hinges(fittings: Fittings) -> HingeBill:
+    return HingeBill(
+        count=len(fittings.edges),
+        on_arms=int(fittings.on_arms.sum()),
+        length=float(fittings.lengths.sum()),
+        screws=fittings.screws,
+        arms=sum(arm.count for arm in fittings.arms),
+        arm_kinds=len(fittings.arms),
+        arm_area=sum(arm.count * arm.area for arm in fittings.arms),
     )
 
 
@@ -98,7 +142,8 @@ def _centre_of_mass(document: Document) -> tuple[float, float, float]:
     middle = document.shell.positions.mean(axis=0)
     mass, moment = 0.0, np.zeros(3)
     for piece in (document, *document.clipped):
-        for weight, centres in (_weighed_boards(piece), _weighed_membrane(piece)):
+        weighed = _weighed_boards(piece), _weighed_membrane(piece), _weighed_hinges(piece)
+        for weight, centres in weighed:
             mass += float(weight.sum())
             moment += weight @ (centres - middle)
     x, y, z = document.in_world(middle + moment / mass).tolist()
@@ -133,6 +178,38 @@ def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
     centre = (area[..., None] * halves.mean(axis=2)).sum(axis=1) / area.sum(axis=1, keepdims=True)
     weight = area.sum(axis=1) * piece.panel.membrane * piece.panel.membrane_density
     return weight, centre
+
+
+def _weighed_hinges(piece: Document) -> tuple[Array, Array]:
+    """Weight (3 H,) and centre (3 H, 3) of hinges and of arms on either side.
+
+    In units of a metre for both; arms are taken half way up their fins.
+    """
+    fittings, build = fittings_of(piece), piece.panel
+    if fittings is None or build is None:
+        return np.zeros(0), np.zeros((0, 3))
+    assert piece.boards is not None
+    hinges = piece.boards.hinges
+    assert hinges is not None
+    corners = piece.panel_corners(piece.shell)
+    normals = unit_normals(corners)
+    heights = hinges.heights.on_edges()[fittings.edges]
+
+    def over_crease(side: int, height: Array) -> Array:
+        """Points (H, 3) so high over the middle of the crease, as the panel on a side has it."""
+        panel, edge = fittings.panels[:, side], fittings.at[:, side]
+        middle = 0.5 * (corners[panel, edge] + corners[panel, (edge + 1) % 4])
+        return np.asarray(middle + height[:, None] * normals[panel])
+
+    square = conversion(piece.unit, "m") ** 2
+    weights = [fittings.lengths * build.hinge.linear_density / square]
+    places = [over_crease(0, heights)]
+    for side in (0, 1):
+        fin = fittings.fins[:, side]
+        area = np.where(fin > 0, fittings.lengths * (fin + fittings.leaves), 0.0)
+        weights.append(area * build.fin * build.arm_density)
+        places.append(over_crease(side, heights - fittings.sides * (hinges.knuckle + 0.5 * fin)))
+    return np.concatenate(weights), np.concatenate(places)
 
 
 @record

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from command_line import orishell
+from orishell.conventions.errors import InputError
+from orishell.design_file.file import check_design
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SHELTER = (EXAMPLES / "shelter_hinged.toml").read_text()
@@ -31,6 +34,29 @@ IN_PANEL = {
     "fins wider than panels": ("arm_width = 0.5", 1, "thicker than its panel has room for"),
     "a gap wider than panels": ("gap = 0.7", 1, "nothing of a panel"),
 }
+IN_HINGE = {
+    "a leaf of nothing": ("leaf = 0", "leaf"),
+    "a leaf of less": ("leaf = -0.02", "leaf"),
+    "a leaf in words": ('leaf = "wide"', "leaf"),
+    "a leaf that is no number": ("leaf = nan", "leaf"),
+    "a negative knuckle": ("knuckle = -0.002", "knuckle"),
+    "an endless knuckle": ("knuckle = inf", "knuckle"),
+    "holes on top of each other": ("screw_spacing = 0", "screw_spacing"),
+    "holes backwards": ("screw_spacing = -0.05", "screw_spacing"),
+    "no holes": ("hole = 0", "hole"),
+    "holes as wide as leaves": ("hole = 0.02", "at most half the width of a leaf, 0.01"),
+    "a leaf narrower than two holes": ("leaf = 0.004", "at most half the width of a leaf"),
+    "hinges lighter than nothing": ("linear_density = -1", "linear_density"),
+    "a key that there is not": ("pin = 0.001", "pin"),
+}
+UNFIT = {
+    "a leaf wider than its panel has room for": ("leaf = 0.3", "wider than its panel has room"),
+    "holes farther apart than hinges are long": (
+        "screw_spacing = 0.5",
+        "holes of a hinge would be farther apart than it is long",
+    ),
+    "knuckles that need longer arms": ("knuckle = 0.005", "arms of 0.225 are needed"),
+}
 WHOLE = {
     "no such construction": (
         PANEL,
@@ -50,6 +76,20 @@ WHOLE = {
         2,
         'construction = "hinged"',
     ),
+    "hinges on a membrane": (
+        PANEL,
+        "[panel]\nthickness = 0.01\nmembrane = 0.001\nhinge = { leaf = 0.02 }\n",
+        2,
+        "only whole boards have hinges and arms",
+    ),
+    "the density of arms of bevelled panels": (
+        PANEL,
+        '[panel]\nconstruction = "bevel"\ngap = 0.001\nthickness = 0.01\narm_density = 7850\n',
+        2,
+        'construction = "hinged"',
+    ),
+    "no table of hinges": (PANEL, f"[panel]\n{HINGED}hinge = 0.02\n", 2, "hinge"),
+    "arms lighter than nothing": (PANEL, f"[panel]\n{HINGED}arm_density = -1\n", 2, "arm_density"),
     "no thickness": (PANEL, '[panel]\nconstruction = "hinged"\n', 2, "a thickness above 0"),
     "flaps": ("flap = 0  ", "flap = 0.25", 1, "cannot be made with flaps yet"),
     "a sheet that does not fold flat": (
@@ -78,6 +118,27 @@ def test_a_key_of_the_panel(case: str, tmp_path: Path) -> None:
     key, status, words = IN_PANEL[case]
     text = SHELTER.replace(PANEL, f"[panel]\n{HINGED}{key}\n")
     refused(text, status, words, tmp_path)
+
+
+def of_hinge(key: str) -> str:
+    table = f"[panel]\n{HINGED}largest_arm = 0.12\n\n[panel.hinge]\n{key}\n"
+    return SHELTER.replace(PANEL, table)
+
+
+@pytest.mark.parametrize("case", IN_HINGE)
+def test_a_key_of_the_hinge(case: str) -> None:
+    key, words = IN_HINGE[case]
+    with pytest.raises(InputError) as refusal:
+        check_design(tomllib.loads(of_hinge(key)), Path("shell.toml"))
+    assert "[panel] hinge" in str(refusal.value)
+    assert words in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("case", UNFIT)
+def test_hinges_that_do_not_fit(case: str, tmp_path: Path) -> None:
+    key, words = UNFIT[case]
+    assert "Nearest found that works" in refused(of_hinge(key), 1, words, tmp_path)
 
 
 @pytest.mark.parametrize("case", WHOLE)

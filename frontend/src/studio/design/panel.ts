@@ -11,7 +11,7 @@ import type { Value } from "../state/types.ts";
 const HINGE = 0.05;
 /** Keys that whole boards on hinges have not, and those that only they have. */
 const SET_BACK = ["membrane", "membrane_density", "largest_setback", "stop_deg"];
-const ARMS = ["largest_arm", "arm_width"];
+const ARMS = ["largest_arm", "arm_width", "arm_density", "hinge"];
 type Size = "thickness" | "membrane" | "gap" | "largest_arm";
 
 export class PanelControls {

@@ -11,14 +11,15 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.quantities import conversion
+from orishell.design.fittings import Fittings
 from orishell.document import Document
 from orishell.io.format import Format, Settings
 from orishell.motion.boards import SIDES
 from orishell.motion.grid import CreaseValues
-from orishell.motion.hinges import Hinges
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_parts, nest_boards
+from orishell.workshop.hinge_parts import fittings_of, hinge_names
 
 FORMULA = ("=", "+", "-", "@", "\t", "\n")
 """A spreadsheet takes a cell that begins with one of these for a formula, and computes it."""
@@ -58,7 +59,7 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
     other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, hinges
-    that stand beside their creases to ``hinges.csv``. The first
+    of whole boards to ``hinges.csv``, the kinds of their arms to ``arms.csv``. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.
     """
@@ -70,8 +71,10 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     write_csv(beside("creases"), *_creases(document))
     if document.boards is not None:
         write_csv(beside("boards"), *_boards(document, settings.workshop))
-        if document.boards.hinges is not None:
-            write_csv(beside("hinges"), *_hinges(document, document.boards.hinges))
+    fittings = fittings_of(document)
+    if fittings is not None:
+        write_csv(beside("hinges"), *_hinges(document, fittings))
+        write_csv(beside("arms"), *_arms(document, fittings))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -159,48 +162,64 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
     )
 
 
-def _hinges(document: Document, hinges: Hinges) -> tuple[list[str], Iterable[Sequence[object]]]:
-    """Hinges of whole boards: on which face, how high over the flat sheet, on what arms."""
-    unit, mesh, lengths = document.unit, document.mesh, document.edge_lengths()
+def _hinges(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[Sequence[object]]]:
+    """Hinges of whole boards: their boards, on which face or arms, and what screws them on."""
+    assert document.boards is not None
+    assert document.panel is not None
+    hinges, unit = document.boards.hinges, document.unit
+    assert hinges is not None
     (above, below), (left, right) = hinges.arms
+    numbers = fittings.edges
     first, second = (
-        CreaseValues(row, column).on_edges().tolist()
+        CreaseValues(row, column).on_edges()[numbers].tolist()
         for row, column in ((above, left), (below, right))
     )
-    heights, signs = hinges.heights.on_edges().tolist(), hinges.signs.on_edges().tolist()
+    density = document.panel.hinge.linear_density * conversion(unit, "m")
     heads = [
-        "crease",
-        "panel_1",
-        "panel_2",
-        "side",
-        f"length_{unit}",
-        f"height_{unit}",
-        f"arm_1_{unit}",
-        f"arm_2_{unit}",
+        *("hinge", "crease", "panel_1", "panel_2", "side", "stands_on"),
+        *(f"{name}_{unit}" for name in ("length", "height", "arm_1", "arm_2")),
+        *("kind_1", "kind_2", f"leaf_{unit}", "holes", "mass_kg"),
     ]
-    across = hinges.grid.columns - 1
-    row_edges = hinges.grid.rows * across
-    return heads, (
-        [
-            number,
-            *_beside(number, row_edges, across),
-            SIDES[int(signs[number])],
-            lengths[number],
-            heights[number],
-            first[number],
-            second[number],
-        ]
-        for number in np.flatnonzero(mesh.crease).tolist()
-        if signs[number]
+    kinds = ["", *(arm.name for arm in fittings.arms)]
+    kinds_1, kinds_2 = ([kinds[k + 1] for k in each.tolist()] for each in fittings.of_kind.T)
+    return heads, zip(
+        hinge_names(fittings),
+        numbers.tolist(),
+        *fittings.panels.T.tolist(),
+        (SIDES[side] for side in fittings.sides.tolist()),
+        ("arms" if on_arms else "face" for on_arms in fittings.on_arms.tolist()),
+        fittings.lengths.tolist(),
+        hinges.heights.on_edges()[numbers].tolist(),
+        first,
+        second,
+        kinds_1,
+        kinds_2,
+        fittings.leaves.tolist(),
+        fittings.counts.tolist(),
+        (length * density or "" for length in fittings.lengths.tolist()),
+        strict=True,
     )
 
 
-def _beside(edge: int, row_edges: int, across: int) -> tuple[int, int]:
-    """The panels above and below an edge of a row of the grid, or left and right of a column's."""
-    if edge < row_edges:
-        return edge - across, edge
-    row, column = divmod(edge - row_edges, across + 1)
-    return row * across + column - 1, row * across + column
+def _arms(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[Sequence[object]]]:
+    """Kinds of arms: how many there are, and what each is bent of."""
+    build, unit = document.panel, document.unit
+    assert build is not None
+    density = build.arm_density * build.fin * conversion(unit, "m") ** 3
+    heads = [
+        *("kind", "count"),
+        *(f"{name}_{unit}" for name in ("length", "fin", "foot", "thickness")),
+        *("holes_in_fin", "holes_in_foot", "mass_kg"),
+    ]
+    return heads, (
+        [
+            *(arm.name, arm.count, arm.length, arm.height, arm.foot, build.fin),
+            0 if arm.in_fin is None else len(arm.along),
+            0 if arm.in_foot is None else len(arm.along),
+            density * arm.area or "",
+        ]
+        for arm in fittings.arms
+    )
 
 
 FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)

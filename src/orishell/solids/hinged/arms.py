@@ -1,8 +1,8 @@
 """Whole boards and their arms: fins that stand on a board and carry a hinge off its faces.
 
 A fin stands upright over its crease, on its board's side of it, from the face of the board to the
-hinge. So board and fins lie within the quarter of space that is below a valley's hinge, or above a
-mountain's, on their side of the crease.
+hinge, or to its knuckle. So board and fins lie within the quarter of space that is below a valley's
+hinge, or above a mountain's, on their side of the crease.
 """
 
 from __future__ import annotations
@@ -12,14 +12,10 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded_down
 from orishell.design import PanelSpec
+from orishell.design.fittings import SHORT, TRIMMED, fit_hinges
 from orishell.motion.boards import ARM, EDGES, Boards
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
-
-TRIMMED = 0.2
-"""Share of a crease that a fin leaves out at either end: room for other boards at the vertices."""
-SHORT = 1e-6
-"""A hinge that is nearer to a face than this share of the thickness needs no fin."""
 
 
 def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: PanelSpec) -> Boards:
@@ -35,8 +31,9 @@ def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: Panel
     Raises
     ------
     DesignError
-        If a fin is thicker than a panel has room for.
+        If a fin is thicker than a panel has room for, or the parts of a hinge do not fit.
     """
+    fit_hinges(panels, hinges, build)  # refuses what does not fit
     low = hinges.levels.ravel()
     boards = _upright(inset, low, low + hinges.thickness)
     carrier, edge, arms = _arms(panels, hinges, build)
@@ -69,14 +66,15 @@ def _arms(panels: Array, hinges: Hinges, build: PanelSpec) -> tuple[Integers, In
         (2, number[:, :-1], column[0], heights.column, hinges.signs.column),
         (0, number[:, 1:], column[1], heights.column, hinges.signs.column),
     ):
-        there = arm > SHORT * t
-        own, h, up = carrier[there], height[there], sign[there] > 0
+        there = arm - hinges.knuckle > SHORT * t
+        own, up = carrier[there], sign[there] > 0
+        end = (height - sign * hinges.knuckle)[there]
         outline = _fins(panels[own], edge, 0.5 * build.gap, build.fin)
         room = _room(panels[own], outline)
         if room.min(initial=0.0) < -SHORT * t:
             panel = list(divmod(int(own[room.argmin()]), hinges.levels.shape[1]))
             raise _too_thick(f"at the {EDGES[edge]} edge of panel {panel}", build)
-        ends = np.where(up, low[own] + t, h), np.where(up, h, low[own])
+        ends = np.where(up, low[own] + t, end), np.where(up, end, low[own])
         found.append((own, np.full(len(own), edge), _upright(outline, *ends)))
     carriers, edges, prisms = (np.concatenate(each) for each in zip(*found, strict=True))
     return carriers, edges, prisms

@@ -11,6 +11,9 @@ h_j = t/2 + t max S for columns that begin as valleys, -t/2 + t min S for the ot
 on the faces, column hinges stand off them by up to t (max S - min S): R t where rows alternate,
 which is the least. Columns that do not fold need no hinge. Elsewhere a linear program finds the
 shortest longest arm, and how high boards lie. All of it grows with the thickness alone.
+
+Axes of hinges with knuckles of radius r stand r off the faces or more if heights are those for
+boards of thickness t + 2r, and the boards lie in the middle of these.
 """
 
 from __future__ import annotations
@@ -41,7 +44,7 @@ def find_hinges(mechanism: Mechanism, build: PanelSpec) -> Hinges:
     """
     vertices = Vertices.of(mechanism.positions(0.0), find_assignment(mechanism))
     unit = closed_form(vertices) or least_arms(vertices)
-    hinges = _scaled(unit, build.thickness)
+    hinges = _scaled(unit, build.thickness, build.hinge.knuckle)
     if hinges.longest_arm > build.longest_arm:
         raise _too_long(hinges, build)
     return hinges
@@ -93,10 +96,16 @@ def hinges_of(signs: CreaseValues, heights: CreaseValues, levels: Array) -> Hing
     )
 
 
-def _scaled(unit: Hinges, thickness: float) -> Hinges:
-    heights = CreaseValues(thickness * unit.heights.row, thickness * unit.heights.column)
-    row, column = (thickness * each for each in unit.arms)
-    return Hinges(unit.signs, heights, thickness * unit.levels, thickness, (row, column))
+def _scaled(unit: Hinges, thickness: float, knuckle: float) -> Hinges:
+    """Those of boards of a thickness, by those of thickness 1; all axes a knuckle off the faces."""
+    wide, signs = thickness + 2 * knuckle, unit.signs
+    heights = CreaseValues(wide * unit.heights.row, wide * unit.heights.column)
+    row, column = (
+        wide * each + np.where(sign == 0, 0.0, knuckle)
+        for each, sign in zip(unit.arms, (signs.row, signs.column), strict=True)
+    )
+    levels = wide * unit.levels + knuckle
+    return Hinges(signs, heights, levels, thickness, (row, column), knuckle)
 
 
 THINNER = (0.999, 0.5, 0.1)
@@ -105,9 +114,11 @@ THINNER = (0.999, 0.5, 0.1)
 
 def _too_long(hinges: Hinges, build: PanelSpec) -> DesignError:
     """The refusal of arms that are longer than they may be."""
-    needed, most = hinges.longest_arm, build.longest_arm
-    thinnest = most / needed * build.thickness
-    shares = THINNER if most > 0 else ()
+    needed, most, knuckle = hinges.longest_arm, build.longest_arm, build.hinge.knuckle
+    # Arms are as many times the thickness of boards and two knuckles, and a knuckle.
+    times = (needed - knuckle) / (build.thickness + 2 * knuckle)
+    thinnest = (most - knuckle) / times - 2 * knuckle if times else 0.0
+    shares = THINNER if thinnest > 0 else ()
     thinner = [Remedy({"panel.thickness": rounded_down(share * thinnest)}) for share in shares]
     return DesignError(
         "hinges would stand farther off their boards than arms may be long",

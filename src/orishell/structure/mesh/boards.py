@@ -1,9 +1,8 @@
 """Whole boards as triangles: plates up to their creases, on hinges beside these.
 
 Every board has nodes of its own, but along its hinges: there the nodes are on the axis, shared by
-both boards, and the edges of their plates hang on them. Hinges on the faces of boards run along the
-whole of a crease, those on arms along its middle, between the ends of the fins. Where boards meet
-at a vertex nothing joins their corners.
+both boards, and the edges of their plates hang on them. Hinges take the middle of creases. So
+nothing joins the corners of boards at a vertex.
 """
 
 from __future__ import annotations
@@ -11,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.design.fittings import TRIMMED
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.edge_forces import crease_sides
@@ -18,8 +18,8 @@ from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places, triangle_corners
 from orishell.structure.mesh.triangle import Facets
 
-END = 0.2
-"""Share of a crease that a hinge on arms leaves out at either end, where fins end."""
+ON_LINE = 1e-9
+"""Lines are where hinges end to this share of a crease."""
 LEAST_CELLS = 3
 """Fewer cells have no two nodes along the middle of a crease: no hinge, but a ball joint."""
 AS_LOW = 1e-6
@@ -34,14 +34,10 @@ class HingedPlates:
     # axes of hinges from end to end (E, 2, 3), edge by edge; those of the border are not used
     axes: Array
     # how high arms are (E, 2): on the first and the second board beside a hinge, those of a row
-    # above and below it, of a column left and right; hinges without any run along the whole crease
+    # above and below it, of a column left and right; 0 where it lies on the face (length)
     arms: Array
     fins: Section | None = None  # the section of arms that give, None if arms are rigid
-
-    @property
-    def whole(self) -> Booleans:
-        """Which hinges (E,) run along the whole crease, and not only along its middle."""
-        return np.asarray((self.arms == 0).all(axis=1))
+    trimmed: float = TRIMMED  # share of a crease that hinges leave out at either end
 
 
 def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
@@ -60,12 +56,10 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     at = at.reshape(-1, 3)
 
     edge, *sides = crease_places(grid, cells)
-    inside = (lines > 0) & (lines < 1)
-    middle = (lines > END - 1e-9) & (lines < 1 - END + 1e-9)
-    hinged = np.where(plates.whole[edge, None], inside, middle)
+    hinged = np.minimum(lines, 1 - lines) >= max(plates.trimmed, lines[1]) - ON_LINE
     start, end = (each[:, None] for each in plates.axes[edge].swapaxes(0, 1))
     axes = start * (1 - lines[:, None]) + end * lines[:, None]
-    on_fins = ~plates.whole[edge] & (plates.fins is not None)
+    on_fins = plates.arms[edge].any(axis=1) & (plates.fins is not None)
     joined = hinged & ~on_fins[:, None]
     on_axes = axes[joined]
 
@@ -103,10 +97,10 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
 
 
 def places_of_lines(cells: int) -> Array:
-    """Lines (cells+1,) of nodes along a side, as shares of it, two of them where fins end."""
+    """Lines (cells+1,) of nodes along a side, as shares of it, two of them where hinges end."""
     outer = max(1, cells // 4)
-    ends = np.linspace(0, END, outer + 1)
-    middle = np.linspace(END, 1 - END, cells - 2 * outer + 1)
+    ends = np.linspace(0, TRIMMED, outer + 1)
+    middle = np.linspace(TRIMMED, 1 - TRIMMED, cells - 2 * outer + 1)
     return np.concatenate([ends, middle[1:], 1 - ends[-2::-1]])
 
 
@@ -137,10 +131,9 @@ def _feet(plates: HingedPlates, grid: Grid, edge: Integers) -> Array:
 
 def _lengths(plates: HingedPlates, edge: Integers, lines: Array, hinged: Booleans) -> Array:
     """Length of hinge (C, cells+1) that every node stands for."""
-    step = np.diff(lines) * (hinged[:, 1:] & hinged[:, :-1])
-    share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
-    whole = plates.whole[edge]
-    share[whole, 1] += lines[1]
-    share[whole, -2] += 1 - lines[-2]
+    step = np.diff(lines) * (hinged[1:] & hinged[:-1])
+    share = 0.5 * (np.append(0.0, step) + np.append(step, 0.0))
+    first = int(hinged.argmax())
+    share[[first, len(lines) - 1 - first]] += lines[first] - plates.trimmed
     axis = np.linalg.norm(plates.axes[edge, 1] - plates.axes[edge, 0], axis=1)
-    return np.asarray(share * axis[:, None])
+    return np.asarray(axis[:, None] * share)
