@@ -44,6 +44,7 @@ from orishell.deployment import ColumnDistances
 from orishell.design import Rail
 from orishell.families.registry import FOLDERS
 from orishell.motion import Mechanism
+from orishell.motion.hinges import FreeLengths
 from public_names import public_callables, public_objects
 
 ARRAY = re.compile(r"\b(Array|ArrayLike|Integers|Booleans|Complex|Singles|NDArray)\b")
@@ -87,7 +88,7 @@ FROM_THE_PAPER = tuple(
     )  # what else is there is of the program, not the paper
 )
 
-PROTOCOLS = (Mechanism, Rail, ColumnDistances)
+PROTOCOLS = (Mechanism, Rail, ColumnDistances, FreeLengths)
 IMPOSSIBLE = {
     "orishell.motion.mesh.QuadMesh.loops_edges": "a mesh that build_mesh made lists every side",
 }

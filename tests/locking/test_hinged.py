@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,9 +13,10 @@ from orishell.clash import find_first_contact
 from orishell.clash.bodies import Bodies
 from orishell.clash.hinged_pairs import near_bodies
 from orishell.clash.hinged_path import find_first_hinged_contact
-from orishell.design import Design, PanelSpec
+from orishell.design import Design, HingeSpec, PanelSpec
 from orishell.locking import find_lock
-from orishell.motion import Mechanism, diagonal
+from orishell.motion import Mechanism, diagonal, find_assignment
+from orishell.motion.boards import ARM, KNUCKLE, Boards
 from orishell.solids import build_panels
 from overlaps import NOTHING, overlap
 from samples import thorough
@@ -22,8 +25,9 @@ STATES = 40
 TOLERANCE = 1e-9
 
 
-def design_of(mechanism: Mechanism, thickness: float, gap: float) -> Design:
-    build = PanelSpec(thickness=thickness, construction="hinged", gap=gap)
+def design_of(mechanism: Mechanism, thickness: float, gap: float, knuckle: float = 0.0) -> Design:
+    hinge = HingeSpec(knuckle=knuckle)
+    build = PanelSpec(thickness=thickness, construction="hinged", gap=gap, hinge=hinge)
     return Design(
         mechanism=mechanism,
         parameters={},
@@ -66,6 +70,59 @@ def test_what_is_proved_is_what_solids_do(seed: int) -> None:
         beyond = contact.drive + np.geomspace(1e-4, 0.05, 8) * sheet.end_drive
         beyond = beyond[beyond < sheet.end_drive]
         assert max(overlap(sheet, boards, drive) for drive in beyond) > NOTHING
+
+
+def rounded(boards: Boards) -> Boards:
+    """The boards with cylinders, of eight chords to half a turn, in place of boxes of knuckles."""
+    low, high = (boards.outlines[:, end] for end in (0, -1))
+    share = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 9))[:, None, None]
+    outlines = (1 - share) * low[:, None] + share * high[:, None]
+    knuckles = boards.sides == KNUCKLE
+    across = outlines[knuckles]
+    middle = 0.5 * (across[:, :, :4] + across[:, :, [3, 2, 1, 0]])
+    narrow = 2 * np.sqrt(share * (1 - share))
+    shape = [0, 1, 2, 3, *[3] * (outlines.shape[2] - 4)]
+    outlines[knuckles] = (middle + narrow * (across[:, :, :4] - middle))[:, :, shape]
+    return replace(boards, outlines=outlines)
+
+
+@pytest.mark.parametrize(
+    "seed", [*range(6), *(pytest.param(seed, marks=thorough) for seed in range(6, 24))]
+)
+def test_knuckles_turn_between_their_boards_and_meet_nothing(seed: int) -> None:
+    """Cylinders about the axes: their own boards and arms are at their radius all the way."""
+    sheet = small_sheet(seed)
+    thickness = (0.004, 0.01, 0.02)[seed % 3] * shortest(sheet)
+    knuckle = (0.2, 0.5)[seed % 2] * thickness
+    lock = find_lock(design_of(sheet, thickness, 0.1 * thickness, knuckle))
+    assert lock.built is not None
+    boards = lock.built.boards
+    folding = find_assignment(sheet)
+    hinges = int((folding.row != 0).sum() + (folding.column != 0).sum())
+    assert int((boards.sides == KNUCKLE).sum()) == hinges
+    for drive in np.linspace(0.0, lock.closes_to, 24):
+        assert overlap(sheet, rounded(boards), drive) < NOTHING, drive
+
+
+def test_a_knuckle_is_settled_with_what_turns_about_it_alone() -> None:
+    """Its other board and the arm there, not other arms of that board."""
+    sheet = flat_foldable(miura_net(3, 3))
+    built = build_panels(design_of(sheet, 0.01, 0.001, 0.004), sheet.end_drive)
+    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
+    assert bodies.hinges is not None
+    sides, edges, panels = built.boards.sides, built.boards.edges, built.boards.panels
+    assert edges is not None
+    pairs = near_bodies(bodies, bodies.hinges).bodies
+    near = set(zip(*(each.tolist() for each in pairs), strict=True))
+    below = sheet.grid.columns - 1
+    looked = 0
+    for knuckle in np.flatnonzero((sides == KNUCKLE) & (edges == 1)).tolist():
+        own = int(panels[knuckle])
+        for other in np.flatnonzero(panels == own + below).tolist():
+            turns = edges[other] < 0 or (sides[other] == ARM and edges[other] == 3)
+            assert ((knuckle, other) in near) == (not turns)
+            looked += not turns
+    assert looked
 
 
 def test_an_arm_that_meets_a_board_is_named_and_overlaps_just_beyond() -> None:

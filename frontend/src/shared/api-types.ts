@@ -508,7 +508,7 @@ export interface Feet {
   uneven: number;
   /** Whether all are at one height. */
   level: boolean;
-  /** Where it stands on single vertices of its border: those, all at one height; the columns that have one in both rows are its feet. */
+  /** Where it stands on single vertices of its border: those, all at one height, or nearly for whole boards; the columns that have one in both rows are its feet. */
   points: [number, number][];
 }
 
@@ -659,9 +659,9 @@ export interface HingedReport {
   arms: number;
   /** How thick they are. */
   arm_width: number;
-  /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
+  /** How far corners of boards, half way up, lie at the target from those of the panels that meet it, at most and root mean square; without a target from the sheet without a thickness. */
   offset_max: number;
-  /** How far boards lie at the target from the sheet without a thickness, whose ties and own weight this report has: at most, and root mean square. */
+  /** How far corners of boards, half way up, lie at the target from those of the panels that meet it, at most and root mean square; without a target from the sheet without a thickness. */
   offset_rms: number;
   /** What errors of hinges ask of the others. */
   play: PlayReport;

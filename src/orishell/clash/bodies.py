@@ -47,6 +47,7 @@ class Bodies:
         if self.hinges is not None:
             outlines = outlines[:, [0, -1]]  # they are upright
         self.low, self.high = outlines[:, 0, 0, 2], outlines[:, -1, 0, 2]
+        self.sides, self.edges_of = boards.sides, boards.edges
         self.corners = outlines.reshape(len(boards), -1, 3)
         self.normals, self.edges = _directions(outlines)
         order = np.arange(len(boards)) - np.searchsorted(boards.panels, boards.panels)

@@ -2,7 +2,8 @@
 
 Bodies in the quarters of space beside one hinge, below a valley's on either side of its crease, or
 above a mountain's, turn about it by half a turn at most, and the quarters never overlap: such pairs
-are settled (docs/theory/thickness.md).
+are settled (docs/theory/thickness.md). So are the knuckle of a hinge and its two boards with the
+arms that carry it: they end at its radius from the axis, and turn about it.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ import numpy as np
 from orishell.clash.bodies import Bodies
 from orishell.clash.body_path import NearPairs
 from orishell.clash.broad_phase import Pairs, joined, selected
+from orishell.motion.boards import ARM, KNUCKLE
 from orishell.motion.hinges import Hinges
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 TOUCHING = 1e-9
 """Bodies may reach beyond their hinge by so much of the thickness: rounding."""
@@ -35,7 +37,8 @@ def _beside_hinges(bodies: Bodies, hinges: Hinges) -> NearPairs:
     """Pairs of bodies beside a hinge one of which reaches beyond it."""
     number = np.arange(hinges.levels.size).reshape(hinges.levels.shape)
     vertex = hinges.grid.vertices()
-    height, sign, first, second, shared = (
+    row, column = np.full(hinges.heights.row.shape, 1), np.full(hinges.heights.column.shape, 2)
+    height, sign, first, second, shared, of_first, of_second = (
         np.concatenate([each.ravel() for each in both])
         for both in (
             (hinges.heights.row, hinges.heights.column),
@@ -43,10 +46,14 @@ def _beside_hinges(bodies: Bodies, hinges: Hinges) -> NearPairs:
             (number[:-1], number[:, :-1]),
             (number[1:], number[:, 1:]),
             (vertex[1:-1, :-1], vertex[:-1, 1:-1]),
+            # Numbers of the hinge's edge in EDGES, of the first and the second panel.
+            (row, column),
+            (row + 2, column - 2),
         )
     )
     pairs, which = bodies.pairs_of((first, second))
     left = ~_settled(bodies, pairs, height[which], sign[which], hinges.thickness)
+    left &= ~_about_knuckle(bodies, pairs, of_first[which], of_second[which])
     pairs, which = selected(pairs, left), which[left]
     base = height[which]
     return NearPairs(
@@ -91,6 +98,19 @@ def _about_vertices(bodies: Bodies, hinges: Hinges) -> NearPairs:
         np.concatenate([each[3] for each in found]),
         np.concatenate([each[4] for each in found]),
     )
+
+
+def _about_knuckle(bodies: Bodies, pairs: Pairs, first: Integers, second: Integers) -> Booleans:
+    """Which pairs (P,) are a knuckle and what turns about it: a board, or an arm of its hinge.
+
+    The hinge is at edges ``first`` (P,) and ``second`` (P,) of their panels.
+    """
+    edges = bodies.edges_of
+    if edges is None:
+        return np.zeros(len(first), np.bool_)
+    knuckle = (bodies.sides[pairs[0]] == KNUCKLE) & (edges[pairs[0]] == first)
+    arm = (bodies.sides[pairs[1]] == ARM) & (edges[pairs[1]] == second)
+    return np.asarray(knuckle & ((edges[pairs[1]] < 0) | arm))
 
 
 def _settled(

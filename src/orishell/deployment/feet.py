@@ -12,7 +12,6 @@ from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
 from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals
-from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Integers
 
 RISE = 0.1
@@ -37,8 +36,8 @@ class Feet:
     z: float  # height of the lowest of their vertices
     uneven: float  # by how much the highest lies above it, 0 where they are level
     height: float  # of the shell
-    # where it stands on single vertices of its border: those, all at one height; the columns that
-    # have one in both rows are its feet
+    # where it stands on single vertices of its border: those, all at one height, or nearly for
+    # whole boards; the columns that have one in both rows are its feet
     points: tuple[Vertex, ...] = ()
 
     @property
@@ -60,11 +59,15 @@ def find_feet(design: Design) -> Feet | None:
     Where there is no f, the line through the middles of its rows shows whether it is an arch.
     """
     mechanism = design.mechanism
-    shell = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
+    placed = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
+    # Whole boards stand where the panels that they meet would.
+    shell = placed if design.meant is None else design.meant[:, mechanism.inner_columns]
     height = shell[..., 2]
+    hinges = design.hinges
+    lowest = height if hinges is None else _lowest_corners(hinges, placed)
     f, column = design.targets.get("f"), shell[:, 0]
     if f is None and design.may_stand:
-        found = _on_points(design, height)
+        found = _on_points(design, height, lowest)
         if found is not None:
             return found
         # Half way between rows, so that the corrugation does not count.
@@ -86,11 +89,20 @@ def find_feet(design: Design) -> Feet | None:
     feet = height[list(rows)]
     if feet.min() > low.min() + TIE * size:  # the corrugation reaches lower in the middle
         return None
-    if design.hinges is not None:
-        feet = _lowest_corners(design.hinges, shell, rows)
-    uneven = float(np.ptp(feet))
-    z = float(feet.min() + design.origin[2])
-    return Feet(rows, z, uneven if uneven > LEVEL * size else 0.0, size)
+    return _feet(design, rows, lowest[list(rows)], size)
+
+
+def _feet(
+    design: Design,
+    rows: tuple[int, int],
+    lowest: Array,
+    size: float,
+    points: tuple[Vertex, ...] = (),
+) -> Feet:
+    """Feet by the lowest corners of panels or boards at them (...), of a shell so high."""
+    uneven = float(np.ptp(lowest))
+    z = float(lowest.min() + design.origin[2])
+    return Feet(rows, z, uneven if uneven > LEVEL * size else 0.0, size, points)
 
 
 def stand(design: Design, feet: Feet | None) -> tuple[Design, Feet | None]:
@@ -101,10 +113,10 @@ def stand(design: Design, feet: Feet | None) -> tuple[Design, Feet | None]:
     return replace(design, origin=origin), replace(feet, z=0.0)
 
 
-def _on_points(design: Design, height: Array) -> Feet | None:
+def _on_points(design: Design, height: Array, lowest: Array) -> Feet | None:
     """Feet that are vertices of the border at one height (R, C), in two columns or more."""
-    size, lowest = float(np.ptp(height)), float(height.min())
-    on = height <= lowest + LEVEL * size
+    size = float(np.ptp(height))
+    on = height <= height.min() + LEVEL * size
     if on[1:-1, 1:-1].any() or any(row.all() for row in on):
         return None
     common = np.triu(on.astype(np.int64) @ on.T, 1)
@@ -116,26 +128,23 @@ def _on_points(design: Design, height: Array) -> Feet | None:
         return None
     before = design.mechanism.inner_columns.start
     points = tuple((row, column + before) for row, column in np.argwhere(on).tolist())
-    return Feet(rows, lowest + float(design.origin[2]), 0.0, size, points)
+    return _feet(design, rows, lowest[on], size, points)
 
 
-def _lowest_corners(hinges: Hinges, shell: Array, rows: tuple[int, int]) -> Array:
-    """Heights (2, K) of the lowest corners of whole boards at two rows of vertices, by columns.
+def _lowest_corners(hinges: Hinges, placed: Array) -> Array:
+    """Heights (R, C) of the lowest corners of whole boards at the vertices of their sheet.
 
-    Boards do not meet at the vertices of their sheet.
+    Boards do not meet there.
     """
-    normals = panel_normals(shell)
-    shifts = hinges.shifts(normals.reshape(-1, 3)).reshape(normals.shape)
-    corners = grid_corners(shell) + shifts[..., None, :]
-    faces = hinges.levels + np.array([0.0, hinges.thickness])[:, None, None]
-    over = faces * normals[..., 2]
-    height = (corners[..., 2] + over[..., None]).min(axis=0)
+    normals = panel_normals(placed)
+    over = 0.5 * hinges.thickness * np.abs(normals[..., 2:])
+    height = hinges.boards(placed)[..., 2] - over
     # Corners of a panel: left above, left below, right below, right above.
-    above, below = height[..., [0, 3]].min(axis=-1), height[..., [1, 2]].min(axis=-1)
-    lowest = np.full((len(height) + 1, height.shape[1]), np.inf)
-    lowest[:-1] = above
-    lowest[1:] = np.minimum(lowest[1:], below)
-    return np.asarray(lowest[list(rows)])
+    lowest = np.full(placed.shape[:2], np.inf)
+    for corner, (row, column) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+        part = lowest[row : row + len(height), column : column + height.shape[1]]
+        np.minimum(part, height[..., corner], out=part)
+    return lowest
 
 
 def _outermost(low: Array, size: float) -> int:

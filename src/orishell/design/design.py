@@ -67,6 +67,9 @@ class Design:
     panel: PanelSpec | None = None
     # the hinges of whole boards, where panels are made of them
     hinges: Hinges | None = None
+    # vertices (rows, columns, 3) of the sheet without a thickness that meets the target, where
+    # whole boards were fitted to it instead; None for others
+    meant: Array | None = None
     # whether boards are set back for the way to the pack, and not to the target alone
     opens_from_pack: bool = False
     may_stand: bool = False  # whether its first and last rows may be feet although it has no f

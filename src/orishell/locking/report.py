@@ -10,6 +10,7 @@ from orishell.design import Construction, Design
 from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import area_of
+from orishell.motion.boards import ARM
 from orishell.motion.layout import Layout
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
@@ -46,8 +47,8 @@ class HingedReport:
     mean_arm: float
     arms: int  # number of fins that carry hinges
     arm_width: float  # how thick they are
-    # how far boards lie at the target from the sheet without a thickness, whose ties and own weight
-    # this report has: at most, and root mean square
+    # how far corners of boards, half way up, lie at the target from those of the panels that meet
+    # it, at most and root mean square; without a target from the sheet without a thickness
     offset_max: float
     offset_rms: float
     play: PlayReport  # what errors of hinges ask of the others
@@ -114,14 +115,14 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
     target = mechanism.positions(mechanism.target_drive)
-    offsets = board_offsets(hinges, target)
+    offsets = board_offsets(hinges, target, design.meant)
     long = np.concatenate([each.ravel() for each in hinges.arms])
     long = long[long - hinges.knuckle > SHORT * hinges.thickness]
     return HingedReport(
         board_share=covered / area_of(mechanism),
         longest_arm=hinges.longest_arm,
         mean_arm=float(long.mean()) if len(long) else 0.0,
-        arms=int(arms.sum()),
+        arms=int((built.boards.sides == ARM).sum()),
         arm_width=built.build.fin,
         offset_max=float(offsets.max()),
         offset_rms=float(np.sqrt((offsets**2).mean())),

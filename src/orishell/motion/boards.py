@@ -12,9 +12,9 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""
 
-ARM = 2
-"""The side of what is no board, but stands on one and carries a hinge."""
-SIDES = {1: "top", -1: "bottom", 0: "panel", ARM: "arm"}
+ARM, KNUCKLE = 2, 3
+"""Sides of what is no board: arms, which stand on one and carry a hinge, and knuckles of hinges."""
+SIDES = {1: "top", -1: "bottom", 0: "panel", ARM: "arm", KNUCKLE: "knuckle"}
 """What a board is called after its side."""
 EDGES = ("left", "bottom", "right", "top")
 """Edges of a panel, as :meth:`~orishell.motion.grid.Grid.faces_edges` has them."""
@@ -26,7 +26,8 @@ class Boards:
 
     panels: Integers  # number (B,) of the panel that carries each, ascending
     # the face (B,) of the flat sheet that it lies on: 1 on top, -1 at the bottom, 0 for a panel
-    # that is one solid on both sides of the hinge plane; ARM for arms, which carry hinges
+    # that is one solid on both sides of the hinge plane; ARM for arms, which carry hinges, KNUCKLE
+    # for what holds the knuckle of a hinge, on one of its boards
     sides: Integers
     # Corners (B, H, K, 3) of every board's outlines at H heights, lowest first, counter-clockwise
     # seen from +z: x and y in the flat sheet, z the height over it (length). Corners with the same
@@ -35,7 +36,7 @@ class Boards:
     outlines: Array
     # where the hinges are, if they are not in the creases: boards are shifted in folded states
     hinges: Hinges | None = None
-    # numbers (B,) in EDGES of the edges whose hinges arms carry, -1 for boards; None without arms
+    # numbers (B,) in EDGES of the edges that arms and knuckles are at, -1 for boards; None without
     edges: Integers | None = None
 
     def __len__(self) -> int:
@@ -65,14 +66,14 @@ class Boards:
 
     @property
     def arms(self) -> Booleans:
-        """Which (B,) are arms."""
-        return np.asarray(self.sides == ARM)
+        """Which (B,) are no boards: arms, and knuckles."""
+        return np.asarray(self.sides >= ARM)
 
     def called(self, board: int) -> str:
         """What a board is called beside its panel: "top", "bottom", "arm left", or nothing."""
         side = int(self.sides[board])
-        if self.edges is not None and side == ARM:
-            return f"arm {EDGES[int(self.edges[board])]}"
+        if self.edges is not None and side >= ARM:
+            return f"{SIDES[side]} {EDGES[int(self.edges[board])]}"
         return SIDES[side] if side else ""
 
     def areas(self) -> Array:

@@ -13,7 +13,9 @@ Around a vertex these steps sum up to nothing in all states if the heights fulfi
 
 from __future__ import annotations
 
-from typing import Protocol, runtime_checkable
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -32,6 +34,24 @@ class Straightened(Protocol):
         """The same with columns that are straight to the last digit, where they nearly are."""
 
 
+@runtime_checkable
+class FreeLengths(Protocol):
+    """A mechanism whose edges may have other lengths while all its angles stay, in all states.
+
+    Those of a row and of a column are free, and the others follow. Vertices at the target are
+    affine in them.
+    """
+
+    def free_lengths(self) -> Mapping[str, Array]:
+        """The lengths that are free, by name."""
+
+    def with_lengths(self, lengths: Mapping[str, Array]) -> Mechanism:
+        """The same with other lengths of the same names."""
+
+    def described_lengths(self) -> Mapping[str, Any]:
+        """What the report of a design says of them, beside what does not change with them."""
+
+
 @record
 class Hinges:
     """Where the hinges of whole boards are, and where the boards lie in the flat sheet."""
@@ -46,6 +66,8 @@ class Hinges:
     # radius of knuckles, by which axes stand off what carries them: the boards' faces, or arms that
     # end there (length)
     knuckle: float = 0.0
+    # by how much all boards are moved together (3,), so that they meet the target (length)
+    place: Array = field(default_factory=lambda: np.zeros(3))
 
     @property
     def grid(self) -> Grid:
@@ -61,14 +83,14 @@ class Hinges:
     def shifts(self, normals: Array) -> Array:
         """Shifts (F, 3) of all panels in a state with these unit normals (F, 3).
 
-        They leave the panels' mean where it is.
+        But for ``place`` they leave the panels' mean where it is.
         """
         n = normals.reshape(*self.levels.shape, 3)
         down, across = self._steps(n)
         shifts = np.zeros_like(n)
         np.cumsum(down[:, 0], axis=0, out=shifts[1:, 0])
         shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
-        shifts -= shifts.mean(axis=(0, 1))
+        shifts += self.place - shifts.mean(axis=(0, 1))
         return shifts.reshape(-1, 3)
 
     def boards(self, positions: Positions) -> Array:

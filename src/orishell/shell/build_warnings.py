@@ -263,7 +263,8 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
     if design.hinges is None:
         return
     mechanism = design.mechanism
-    offsets = board_offsets(design.hinges, mechanism.positions(mechanism.target_drive))
+    shell = mechanism.positions(mechanism.target_drive)
+    offsets = board_offsets(design.hinges, shell, design.meant)
     yield (
         "ties, own weight and distances from f and g are those of the sheet without a "
         f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "

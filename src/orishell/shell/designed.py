@@ -15,7 +15,7 @@ from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
-from orishell.motion.hinges import Straightened
+from orishell.motion.hinges import FreeLengths, Hinges, Straightened
 from orishell.motion.layout import has_flaps
 from orishell.solids import (
     drive_for_height,
@@ -25,7 +25,7 @@ from orishell.solids import (
     thinner,
     wide_gap,
 )
-from orishell.solids.hinged import find_hinges
+from orishell.solids.hinged import find_hinges, meet_target
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
@@ -131,6 +131,8 @@ def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> De
 def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
     """The design with whole boards on hinges, its columns as straight as these need them.
 
+    Where there is a target, its boards meet it instead of the sheet.
+
     closing: What makes a sheet of its family fold flat.
     """
     mechanism = design.mechanism
@@ -149,7 +151,22 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
             other = _on_membrane(panel)
             error.candidates = [other] if closing is None else [closing, other]
         raise
-    return replace(design, mechanism=mechanism, panel=panel, hinges=hinges)
+    design = replace(design, mechanism=mechanism, panel=panel, hinges=hinges, grounded=None)
+    return design if design.swept is None else _with_boards_at_target(design, hinges)
+
+
+def _with_boards_at_target(design: Design, hinges: Hinges) -> Design:
+    """The design whose boards are where its panels are at the target, as nearly as they can be."""
+    sheet = design.mechanism
+    mechanism, hinges = meet_target(sheet, hinges)
+    described = mechanism.described_lengths() if isinstance(mechanism, FreeLengths) else {}
+    return replace(
+        design,
+        mechanism=mechanism,
+        hinges=hinges,
+        meant=sheet.positions(sheet.target_drive),
+        parameters={**design.parameters, **described},
+    )
 
 
 MEMBRANE = 0.1

@@ -14,7 +14,7 @@ import numpy as np
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
-from orishell.motion.boards import ARM
+from orishell.motion.boards import ARM, KNUCKLE
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import short_creases, with_clipped
 from orishell.workshop.boards import (
@@ -102,9 +102,9 @@ def _nest(
     return nest_parts(boards.content, width, height, spacing)
 
 
-LAYERS = {1: "top", -1: "bottom", 0: "panels", ARM: "arms"}
+LAYERS = {1: "top", -1: "bottom", 0: "panels", ARM: "arms", KNUCKLE: "hinges"}
 """How the files of the layers end."""
-_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels", ARM: "arms"}
+_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels", ARM: "arms", KNUCKLE: "hinges"}
 
 
 @record

@@ -170,6 +170,7 @@ sheet = "miura"
 [panel]
 construction = "hinged"
 thickness = 0.02
+hinge = { knuckle = 0.003 }
 [motion]
 frames = 3
 """

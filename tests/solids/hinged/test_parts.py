@@ -22,6 +22,7 @@ from orishell.io.format import Settings
 from orishell.io.formats.step import write_step
 from orishell.io.formats.tables import write_tables
 from orishell.motion import Mechanism, diagonal, drive_at_fold
+from orishell.motion.boards import ARM, KNUCKLE
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.motion.quads import grid_corners, unit_normals
@@ -49,7 +50,7 @@ TABLES: dict[str, Any] = {
     "motion": {"frames": 3},
     "deployment": {"from": "pack"},
 }
-THICK, KNUCKLE = 0.02, 0.004
+THICK, RADIUS = 0.02, 0.004
 
 
 @cache
@@ -128,12 +129,12 @@ def test_leaves_and_holes_lie_on_their_boards(seed: int) -> None:
 def test_arms_are_counted_by_kinds() -> None:
     found, document = fittings(), shell().document
     assert document.boards is not None
-    fins = document.boards.chosen(document.boards.arms)
+    fins = document.boards.chosen(document.boards.sides == ARM)
     assert sum(arm.count for arm in found.arms) == len(fins) == int((found.fins > 0).sum())
     # Fins end at the knuckle; the longest are on arms of three rows of boards and knuckles.
     tall = np.ptp(fins.outlines[:, :, 0, 2], axis=1)
     assert sorted(tall.tolist()) == pytest.approx(sorted(found.fins[found.fins > 0].tolist()))
-    assert max(arm.height for arm in found.arms) == pytest.approx(3 * (THICK + 2 * KNUCKLE))
+    assert max(arm.height for arm in found.arms) == pytest.approx(3 * (THICK + 2 * RADIUS))
     kinds = {(round(arm.height, 9), round(arm.length, 9)) for arm in found.arms}
     assert len(kinds) == len(found.arms)
     for number, arm in enumerate(found.arms):
@@ -197,12 +198,12 @@ def test_the_centre_of_mass_is_that_of_boards_arms_and_hinges() -> None:
     assert boards.edges is not None
     assert bill is not None
     assert bill.centre_of_mass is not None
-    mass = 500 * boards.volumes()
+    mass = np.where(boards.arms, 0.0, 500 * boards.volumes())
     places = document.boards_in(document.shell).reshape(len(boards), -1, 3).mean(axis=1)
     for kinds, panels, at in zip(found.of_kind.T, found.panels.T, found.at.T, strict=True):
         for kind, panel, edge in zip(kinds, panels, at, strict=True):
             if kind >= 0:
-                mine = boards.arms & (boards.panels == panel) & (boards.edges == edge)
+                mine = (boards.sides == ARM) & (boards.panels == panel) & (boards.edges == edge)
                 mass[mine] = 7800 * 0.1 * THICK * found.arms[kind].area
     corners = document.panel_corners(document.shell)
     panel, edge = found.panels[:, 1], found.at[:, 1]
@@ -287,11 +288,13 @@ def ask(document: Document, place: Path, state: str) -> tuple[int, float]:
     return ask_freecad(place / f"shell-{state}.step")
 
 
-def test_freecad_finds_boards_and_arms_valid(tmp_path: Path) -> None:
+def test_freecad_finds_boards_arms_and_knuckles_valid(tmp_path: Path) -> None:
     document = shell().document
     assert document.boards is not None
     solids, volume = ask(document, tmp_path, "pack")
-    assert solids == len(document.boards) == 20 + int(document.boards.arms.sum())
+    hinges, arms = (int((document.boards.sides == side).sum()) for side in (KNUCKLE, ARM))
+    assert hinges == len(fittings().edges)
+    assert solids == len(document.boards) == 20 + arms + hinges
     assert volume == pytest.approx(1e9 * document.boards.volumes().sum(), rel=1e-6)
 
 

@@ -23,7 +23,10 @@ SKIP: tuple[Step, ...] = (
 
 
 def test_the_shelter_of_whole_boards() -> None:
-    """Figures of the prototypes: arms of 11 thicknesses, 73 mm beside the sheet, 3.7 m3."""
+    """Figures of the prototypes: arms of 11 thicknesses, 3.6 m3.
+
+    Boards lay 73 mm beside the sheet before they, and not the sheet, were made to meet the target.
+    """
     shell = make_shell(read_design_file(SHELTER), skip=SKIP)
     panel, packed = shell.report.panel, shell.report.deployment.packed
     assert panel is not None
@@ -34,11 +37,12 @@ def test_the_shelter_of_whole_boards() -> None:
     assert shell.lock.closes_to == pytest.approx(np.pi)
     assert panel.hinged.longest_arm == pytest.approx(0.11, abs=1e-12)
     assert panel.hinged.board_share > 0.99
-    assert panel.hinged.offset_rms == pytest.approx(0.073, abs=5e-4)
-    assert packed.box.volume == pytest.approx(3.70, abs=0.01)
+    assert panel.hinged.offset_rms == pytest.approx(0.0126, abs=5e-5)
+    assert panel.hinged.offset_max == pytest.approx(0.0204, abs=5e-5)
+    assert packed.box.volume == pytest.approx(3.62, abs=0.01)
     stands = shell.report.stands
     assert stands is not None
-    assert stands.level
+    assert stands.uneven < 3e-5
     mechanism, hinges = shell.design.mechanism, shell.design.hinges
     assert hinges is not None
     gap = max(hinges.gap(mechanism.positions(drive)) for drive in np.linspace(0, np.pi, 9)[:-1])

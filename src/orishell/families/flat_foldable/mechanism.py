@@ -5,14 +5,17 @@ Not in the paper: docs/theory/flat-foldable.md.
 
 from __future__ import annotations
 
-from dataclasses import field
+from collections.abc import Mapping
+from dataclasses import field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
+from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.net import Sheet
 from orishell.families.flat_foldable.rates import Chains, Rates
 from orishell.motion.grid import CreaseValues, Grid
@@ -21,6 +24,9 @@ from orishell.numerics.arrays import Array
 
 SMALL = 1e-7
 """Squares of angles below this are so small that two terms of a series are exact (radians)."""
+
+LENGTHS = "row_lengths", "column_lengths", "top", "bottom", "left", "right"
+"""Lengths of a net that are free."""
 
 
 @record
@@ -65,6 +71,19 @@ class FlatFoldable:
     def with_stop(self, stop: float) -> FlatFoldable:
         """The sheet itself."""
         return self
+
+    def free_lengths(self) -> Mapping[str, Array]:
+        """Lengths (K,) of the middle row and column and of what ends at the border, by name."""
+        return {name: getattr(self.sheet.net, name)[:, 0] for name in LENGTHS}
+
+    def with_lengths(self, lengths: Mapping[str, Array]) -> FlatFoldable:
+        """The same with other lengths (K,) by name, and all angles as they are."""
+        columns = {name: each[:, None] for name, each in lengths.items()}
+        return replace(self, sheet=replace(self.sheet.net, **columns).march())
+
+    def described_lengths(self) -> Mapping[str, Any]:
+        """The lists of the sheet."""
+        return describe(self.sheet)
 
     @property
     def still(self) -> FlatFoldable:

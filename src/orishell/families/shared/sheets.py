@@ -13,6 +13,7 @@ Derived in docs/theory/vertex.md.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, ClassVar, Self
 
@@ -112,6 +113,21 @@ class FlapSheet:
         if stop >= limit:
             raise refuse_stop(stop, limit, "half of the sharpest angle of the columns beside them")
         return self._stopped(stop)
+
+    def free_lengths(self) -> Mapping[str, Array]:
+        """Lengths of column 1 (m+1,) and of the middle row (n-1,), free while angles stay."""
+        return {"column": self.lengths, "row": np.abs(np.diff(self.points))}
+
+    def with_lengths(self, lengths: Mapping[str, Array]) -> Self:
+        """The same with other lengths of column 1 (m+1,) and of the middle row (n-1,)."""
+        edges = np.diff(self.points)
+        steps = lengths["row"] * edges / np.abs(edges)
+        points = self.points[0] + np.append(0.0, np.cumsum(steps))
+        return replace(self, lengths=lengths["column"], points=points)
+
+    def described_lengths(self) -> Mapping[str, Any]:
+        """Nothing: reports say angles of these sheets."""
+        return {}
 
     @property
     def still(self) -> Self:

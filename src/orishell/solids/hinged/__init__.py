@@ -4,6 +4,7 @@ Derived in docs/theory/thickness.md.
 """
 
 from orishell.solids.hinged.heights import find_hinges
+from orishell.solids.hinged.meet import meet_target
 from orishell.solids.hinged.offset import board_offsets
 
-__all__ = ["board_offsets", "find_hinges"]
+__all__ = ["board_offsets", "find_hinges", "meet_target"]

@@ -3,6 +3,9 @@
 A fin stands upright over its crease, on its board's side of it, from the face of the board to the
 hinge, or to its knuckle. So board and fins lie within the quarter of space that is below a valley's
 hinge, or above a mountain's, on their side of the crease.
+
+The knuckle of a hinge is a cylinder about its axis. A box about it, as wide and high as it is
+thick, is a body of the board above or to the left.
 """
 
 from __future__ import annotations
@@ -12,14 +15,14 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded_down
 from orishell.design import PanelSpec
-from orishell.design.fittings import SHORT, TRIMMED, fit_hinges
-from orishell.motion.boards import ARM, EDGES, Boards
+from orishell.design.fittings import SHORT, TRIMMED, Fittings, fit_hinges
+from orishell.motion.boards import ARM, EDGES, KNUCKLE, Boards
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
 
 
 def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: PanelSpec) -> Boards:
-    """Boards with arms, each board followed by its own.
+    """Boards with arms and knuckles, each board followed by its own.
 
     Parameters
     ----------
@@ -33,17 +36,30 @@ def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: Panel
     DesignError
         If a fin is thicker than a panel has room for, or the parts of a hinge do not fit.
     """
-    fit_hinges(panels, hinges, build)  # refuses what does not fit
-    low = hinges.levels.ravel()
+    fittings = fit_hinges(panels, hinges, build)
+    low, number = hinges.levels.ravel(), np.arange(len(panels))
     boards = _upright(inset, low, low + hinges.thickness)
-    carrier, edge, arms = _arms(panels, hinges, build)
+    parts = [_arms(panels, hinges, build)]
+    kinds = [(0 * number, number, 0 * number - 1), (0 * parts[0][0] + ARM, *parts[0][:2])]
+    if hinges.knuckle:
+        parts.append(_knuckles(fittings, hinges))
+        kinds.append((0 * parts[1][0] + KNUCKLE, *parts[1][:2]))
+    sides, carriers, edges = (np.concatenate(each) for each in zip(*kinds, strict=True))
     spare = ((0, 0), (0, 0), (0, boards.shape[2] - 4), (0, 0))
-    number = np.arange(len(panels))
-    carriers, edges = np.concatenate([number, carrier]), np.concatenate([0 * number - 1, edge])
-    outlines = np.concatenate([boards, np.pad(arms, spare, mode="edge")])
-    order = np.lexsort([edges, carriers])
-    sides = np.where(edges < 0, 0, ARM)
+    outlines = np.concatenate([boards, *(np.pad(each, spare, mode="edge") for *_, each in parts)])
+    order = np.lexsort([sides, edges, carriers])
     return Boards(carriers[order], sides[order], outlines[order], hinges, edges[order])
+
+
+def _knuckles(fittings: Fittings, hinges: Hinges) -> tuple[Integers, Integers, Array]:
+    """Carriers (H,), edges (H,) and boxes (H, 3, 4, 3) about all knuckles."""
+    start, end = fittings.ends[:, 0], fittings.ends[:, 1]
+    along = (end - start) / fittings.lengths[:, None]
+    aside = hinges.knuckle * np.stack([-along[:, 1], along[:, 0]], axis=-1)
+    outline = np.stack([start - aside, end - aside, end + aside, start + aside], axis=1)
+    height = hinges.heights.on_edges()[fittings.edges]
+    boxes = _upright(outline, height - hinges.knuckle, height + hinges.knuckle)
+    return fittings.panels[:, 0], fittings.at[:, 0], boxes
 
 
 def _upright(outline: Array, low: Array, high: Array) -> Array:
