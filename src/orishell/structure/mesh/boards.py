@@ -59,7 +59,8 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     hinged = np.minimum(lines, 1 - lines) >= max(plates.trimmed, lines[1]) - ON_LINE
     start, end = (each[:, None] for each in plates.axes[edge].swapaxes(0, 1))
     axes = start * (1 - lines[:, None]) + end * lines[:, None]
-    on_fins = plates.arms[edge].any(axis=1) & (plates.fins is not None)
+    gives = plates.fins is not None
+    on_fins: Booleans = np.asarray(plates.arms[edge].any(axis=1)) & gives
     joined = hinged & ~on_fins[:, None]
     on_axes = axes[joined]
 

@@ -51,7 +51,7 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         stiffness += f", and {_stiffness(high)}: all is found for both"
     yield "Creases", stiffness
     yield "Strength of creases", _known(asked.crease_strength, said.moment)
-    if model.design.has_whole_boards:
+    if model.design.panel is not None and model.design.panel.construction == "hinged":
         yield "Young\u2019s modulus of arms", _known(asked.arm_modulus, said.stress, "rigid")
         yield "Strength of arms", _known(asked.arm_strength, said.stress)
     stretch = model.tie_stiffness
