@@ -160,13 +160,14 @@ def _hinges(report: Report) -> Iterator[Row]:
     arms = ""
     if bill.arms:
         kinds = "one kind" if bill.arm_kinds == 1 else f"{bill.arm_kinds} kinds"
-        arms = f", {bill.on_arms} of them on {bill.arms} arms of {kinds}"
+        arms = f"; {bill.on_arms} of them stand on {bill.arms} arms of {kinds}"
+    length = f"{plain(bill.length, 3)} {report.unit}"
+    yield Row("says", "hinges", f"{bill.count}, {length} in all, with {bill.screws} screws{arms}")
     end = "" if play.end.loop == play.target.loop else f", {plain(play.end.loop, 2)} mm in the pack"
     yield Row(
         "says",
-        "hinges",
-        f"{bill.count}, {plain(bill.length, 3)} {report.unit} in all{arms}, {bill.screws} screws; "
-        f"1 mm (rms) beside their places they leave the boards about a vertex open by up to "
+        "play",
+        "hinges 1 mm (rms) out of place leave the boards about a vertex open by up to "
         f"{plain(play.target.loop, 2)} mm at the target{end}",
     )
 

@@ -17,7 +17,7 @@ from orishell.numerics.arrays import Booleans
 from orishell.workshop.boards import LARGEST, LARGEST_ANGLE, seen_from_outside
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.draw import draw_page
-from orishell.workshop.fitted_words import Labels, label_edges, label_middles, ways_across
+from orishell.workshop.fitted_words import Labels, evened, label_edges, label_middles, ways_across
 from orishell.workshop.palettes import Circle, Drawing, Layer, Line, Text
 from orishell.workshop.placing import Content, gathered, shifted
 from orishell.workshop.settings import Workshop
@@ -60,7 +60,7 @@ def hinge_labels(document: Document, fittings: Fittings) -> Labels:
     labels = label_edges(names, outline[panels], ends, tall=1.5, most=size, share=place, usual=100)
     room = 2 * FREE * abs(place) * np.tile(fittings.lengths, 2)
     letters = np.array([len(name) for name in names])
-    return replace(labels, heights=np.minimum(labels.heights, room / letters))
+    return replace(labels, heights=evened(np.minimum(labels.heights, room / letters), size))
 
 
 def hinged_marks(document: Document, fittings: Fittings) -> list[Content]:
@@ -124,7 +124,7 @@ def draw_arms(document: Document, workshop: Workshop) -> Drawing | None:
 
 
 def _in_rows(arms: Sequence[ArmKind], hole: float, apart: float) -> Iterator[Content]:
-    """Arms in rows from the top, one beside the other, each with its number below."""
+    """Arms in rows from the top, one beside the other, each over its number and a line."""
     letter = LETTERS * min(arm.foot for arm in arms)
     sizes = [(arm.length + apart, arm.height + arm.foot + 2 * letter + apart) for arm in arms]
     width = max(np.sqrt(WIDE * sum(x * y for x, y in sizes)), *(x for x, _ in sizes))
@@ -156,4 +156,5 @@ def _drawn(arm: ArmKind, hole: float, letter: float) -> Content:
     step = float(np.diff(arm.along[:2])[0]) - hole if len(arm.along) else arm.length
     name = Text("ENGRAVE", between, 0.5 * bend, min(letter, step / len(arm.name)), arm.name)
     count = Text("LABEL", 0.0, -letter, letter, f"{arm.name} x {arm.count}")
-    return (line, Line("CUT", rim, closed=True)), tuple(holes), (name, count)
+    below = Line("LABEL", np.array([[-half, -2 * letter], [half, -2 * letter]]))
+    return (below, line, Line("CUT", rim, closed=True)), tuple(holes), (name, count)

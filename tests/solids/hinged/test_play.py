@@ -99,3 +99,20 @@ def test_nothing_is_open_in_the_flat_sheet_and_four_errors_in_the_pack() -> None
     assert (flat.loop, flat.hinge, flat.board) == (0.0, 0.0, 0.0)
     # Twice the error at each of four hinges that fold by 180 degrees.
     assert pack.loop == pytest.approx(4.0, abs=1e-6)
+
+
+def test_pieces_are_sheets_of_their_own() -> None:
+    sheet = random_sheet(1)
+    positions = sheet.positions(sheet.target_drive)
+    rows = len(positions) - 1
+    middle = rows // 2
+    both = find_play(positions, [slice(0, middle), slice(middle, rows)])
+    upper, lower = find_play(positions[: middle + 1]), find_play(positions[middle:])
+    assert both.loop == max(upper.loop, lower.loop)
+    share = middle / rows
+    mean = share * upper.board**2 + (1 - share) * lower.board**2
+    assert both.board == pytest.approx(np.sqrt(mean), rel=1e-12)
+    # A row of boards has no loop, and needs no play.
+    single = find_play(positions[:2])
+    assert (single.loop, single.hinge) == (0.0, 0.0)
+    assert single.board > 0

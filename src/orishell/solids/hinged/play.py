@@ -24,6 +24,8 @@ are sums of (n_p - n_q)^2 by weights of every hinge that are products along rows
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from orishell.conventions.record import record
@@ -41,21 +43,37 @@ class Play:
     board: float  # how far boards then lie beside their places, on the mean of boards
 
 
-def find_play(positions: Positions) -> Play:
-    """The play that errors of hinges of whole boards ask for in a state."""
+def find_play(positions: Positions, pieces: Sequence[slice] | None = None) -> Play:
+    """The play that errors of hinges of whole boards ask for in a state.
+
+    Parameters
+    ----------
+    pieces
+        Rows of panels of pieces that no hinge joins to others; None if the sheet is one.
+    """
     normals = panel_normals(positions)
-    row, column = (
-        (np.diff(normals, axis=axis) ** 2).sum(axis=-1) for axis in (0, 1)
-    )  # (R, C + 1) and (R + 1, C)
-    loops = row[:, :-1] + row[:, 1:] + column[:-1] + column[1:]
-    (of_row, of_column), (far_row, far_column) = _loop_weights(*loops.shape), _weights(*loops.shape)
-    shared = float((row * of_row).sum() + (column * of_column).sum())
-    beside = float((row * far_row).sum() + (column * far_column).sum())
+    found = [_of_piece(normals[rows]) for rows in pieces or [slice(None)]]
+    loop, hinge, board, hinges = (np.array(each) for each in zip(*found, strict=True))
+    panels = normals[..., 0].size
     return Play(
-        loop=float(np.sqrt(loops.max(initial=0.0))),
-        hinge=float(np.sqrt(shared / (row.size + column.size))),
-        board=float(np.sqrt(beside / normals[..., 0].size)),
+        loop=float(np.sqrt(loop.max())),
+        hinge=float(np.sqrt(hinge.sum() / max(int(hinges.sum()), 1))),
+        board=float(np.sqrt(board.sum() / panels)),
     )
+
+
+def _of_piece(normals: Array) -> tuple[float, float, float, int]:
+    """The largest mean square of a loop, the sums of those of hinges and boards, hinges' number.
+
+    normals: Of panels (rows, columns, 3).
+    """
+    row, column = ((np.diff(normals, axis=axis) ** 2).sum(axis=-1) for axis in (0, 1))
+    loops = row[:, :-1] + row[:, 1:] + column[:-1] + column[1:]
+    shared, beside = (
+        float((row * of_row).sum() + (column * of_column).sum())
+        for of_row, of_column in (_loop_weights(*loops.shape), _weights(*loops.shape))
+    )
+    return float(loops.max(initial=0.0)), shared, beside, row.size + column.size
 
 
 def _loop_weights(rows: int, columns: int) -> tuple[Array, Array]:
