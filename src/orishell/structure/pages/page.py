@@ -231,10 +231,8 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
     )
     alone, film = found.lone_board, found.membrane
     if alone is not None:
-        yield (
-            "Where one board is left",
-            f"{said.stress(alone.size)} by von Mises, {_between(alone)}",
-        )
+        words = f"{said.stress(alone.size)} by von Mises, {_between(alone)}"
+        yield "Where one board is left", words
     if film is not None:
         yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
     if found.arms is not None:
@@ -260,8 +258,8 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
             linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
         buckles = f"nonlinear: it {path.in_words()}. {linear}"
     yield "Buckling", buckles
-    if found.frequencies:
-        yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
+    if hertz := ", ".join(map(figure, found.frequencies)):
+        yield "Natural frequencies", f"{hertz} Hz"
     words = [f"{name} {_share(share)}" for name, share in used.shares.items() if share is not None]
     there = {"membrane": film, "arms": found.arms, "buckling": None}
     bare = {name for name, part in there.items() if part is None}
