@@ -231,8 +231,10 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
     )
     alone, film = found.lone_board, found.membrane
     if alone is not None:
-        words = f"{said.stress(alone.size)} by von Mises, {_between(alone)}"
-        yield "Where one board is left", words
+        yield (
+            "Where one board is left",
+            f"{said.stress(alone.size)} by von Mises, {_between(alone)}",
+        )
     if film is not None:
         yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
     if found.arms is not None:
