@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.deployment import ColumnDistances, feet_ties, find_ties
+from orishell.deployment.fixings import Fixings
 from orishell.deployment.slack import find_slack
 from orishell.design_file import read_design_file
 from orishell.families.flat_foldable import design_flat_foldable
@@ -39,7 +40,7 @@ def seen(mechanism: Mechanism, rows: np.ndarray, columns: np.ndarray, limit: flo
 def require_truth(mechanism: Mechanism, limit: float) -> float:
     """Check all pairs; the share of those that are slack for which it is proved."""
     rows, columns = pairs_of(mechanism)
-    found = find_slack(mechanism, rows, columns, limit)
+    found = find_slack(Fixings(mechanism, rows, columns), limit)
     distances = seen(mechanism, rows, columns, limit)
     taut = distances[0] * (1 - 1e-9)
     assert (distances[:, found.proved] <= distances[0, found.proved]).all()
@@ -80,7 +81,7 @@ def test_where_flaps_stop_the_sheet_opening_it_stretches_ties() -> None:
     assert all(tie.slack for tie in ties)
     # The ends of an edge stay as far apart as they are: a tie there would hold nothing.
     rows = np.array([[0, 1]])
-    found = find_slack(locked, rows, np.array([2]), np.pi)
+    found = find_slack(Fixings(locked, rows, np.array([2])), np.pi)
     assert not found.proved[0]
     assert found.fails_at[0] == locked.target_drive
 
@@ -88,7 +89,7 @@ def test_where_flaps_stop_the_sheet_opening_it_stretches_ties() -> None:
 def test_vertices_that_part_while_the_sheet_closes_are_not_said_to_be_slack() -> None:
     """Two vertices of one panel stay where they are to each other: never slack, never beyond."""
     mechanism = arch(90, 90, 5)
-    found = find_slack(mechanism, np.array([[0, 1]]), np.array([2]), np.deg2rad(170))
+    found = find_slack(Fixings(mechanism, np.array([[0, 1]]), np.array([2])), np.deg2rad(170))
     assert not found.proved[0]
     assert found.fails_at[0] == pytest.approx(mechanism.target_drive, abs=1e-6)
 
@@ -103,7 +104,7 @@ def test_both_proofs_agree_where_a_family_encloses_distances(name: str) -> None:
     assert limit < mechanism.end_drive
     rows, columns = pairs_of(mechanism)
     rows, columns = rows[::7], columns[::7]
-    found = find_slack(mechanism, rows, columns, limit)
+    found = find_slack(Fixings(mechanism, rows, columns), limit)
     pairs = [((a, c), (b, c)) for (a, b), c in zip(rows.tolist(), columns.tolist(), strict=True)]
     ties = find_ties(mechanism, pairs, limit)
     assert found.proved.any()

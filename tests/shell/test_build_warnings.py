@@ -19,12 +19,12 @@ from orishell.families.longitudinal_linear_repeating import (
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.locking import lock_without_clash
+from orishell.shell.board_warnings import SAW
 from orishell.shell.build_warnings import (
     ABOVE,
     BELOW,
     BESIDE,
     DEEP,
-    SAW,
     UNEVEN,
     WASTEFUL,
     warn_of_building,

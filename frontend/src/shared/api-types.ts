@@ -279,9 +279,9 @@ export interface Deviation {
 
 /** How close the shell is to what was asked for. */
 export interface DeviationReport {
-  /** Distances of the polylines that the shell locks on from the target curves; None without them. */
+  /** Distances of the polylines that the shell locks on from the target curves, or of the edges of whole boards that take their place; None without them. */
   f: Closeness | null;
-  /** Distances of the polylines that the shell locks on from the target curves; None without them. */
+  /** Distances of the polylines that the shell locks on from the target curves, or of the edges of whole boards that take their place; None without them. */
   g: Closeness | null;
   /** Of the shell from the surface; None if it was not measured. */
   surface: Deviation | null;
@@ -289,9 +289,9 @@ export interface DeviationReport {
   tilted: string;
   /** What the family approaches instead, if it does. */
   approached: ApproachReport | null;
-  /** Distances of vertices from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
+  /** Distances of vertices, or of corners of whole boards, from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
   crests: Closeness | null;
-  /** Distances of vertices from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
+  /** Distances of vertices, or of corners of whole boards, from the surfaces beside the one asked for, on which crests and valleys should lie; None where f is swept along g. */
   valleys: Closeness | null;
 }
 
@@ -1331,7 +1331,7 @@ export interface Tie {
   flat: number;
   /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   packed: number;
-  /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
+  /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say, or they are on whole boards. */
   grows: boolean | null;
   /** Whether it is proved to be slack from the end of the motion to the target. */
   slack: boolean | null;

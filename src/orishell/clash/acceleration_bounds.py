@@ -84,9 +84,9 @@ class NormalBounds:
         self.known = layout.faces < layout.grid.vertex_count
 
     def within(self, along: Array, down: Array) -> Array:
-        """Bounds (F,) where edges along rows (C-1,) and down columns (R-1,) accelerate so much."""
+        """Bounds (..., F) for those of edges along rows (..., C-1) and down columns (..., R-1)."""
         row, column = self.layout.first.T[..., None]
-        root = np.sqrt(along)[column] * self.along + np.sqrt(down)[row] * self.down
+        root = np.sqrt(along)[..., column] * self.along + np.sqrt(down)[..., row] * self.down
         return np.asarray((root**2).min(axis=-1, initial=np.inf, where=self.known))
 
 

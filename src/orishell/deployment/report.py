@@ -52,7 +52,7 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
     """
     mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
     clipped, folded = design.clipped is not None, has_flaps(mechanism)
-    ties = find_ties(mechanism, site.ties, lock.closes_to)
+    ties = find_ties(mechanism, site.ties, lock.closes_to, design.hinges)
     caught = lock.cause if lock.closes_to <= lock.target_drive else None
     return DeploymentReport(
         start=start,
@@ -115,4 +115,5 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
         metres=site.metres,
         pack=pack,
         columns=site.feet.columns(design.mechanism),
+        hinges=design.hinges,
     )

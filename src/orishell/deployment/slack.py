@@ -1,8 +1,9 @@
 """Ties that stay slack, by the bounds of accelerations that the proof of contact rests on.
 
-For mechanisms that do not enclose distances themselves. Let e be the vector between two vertices,
-L its length at the target, and A a bound of its acceleration over a range of the drive of width h.
-With D the mean rate there and l the straight line between its values e_a and e_b at both ends,
+For mechanisms that do not enclose distances themselves, and for ties of whole boards. Let e be the
+vector between two ends, L its length at the target, and A a bound of its acceleration over a range
+of the drive of width h. With D the mean rate there and l the straight line between its values e_a
+and e_b at both ends,
 
     abs(e - l) <= A h^2/8,     abs(e' - D) <= A h/2,
 
@@ -23,9 +24,9 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.motion import Mechanism
+from orishell.deployment.fixings import Fixings
 from orishell.motion.quads import dots, lengths
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.arrays import Array, Booleans
 
 BEYOND = 1e-2
 """Where flaps end the motion at the target, the sheet without them is looked at so far beyond
@@ -52,35 +53,27 @@ class Slack:
 
 @record
 class _Pairs:
-    """Vertices of one column, two by two."""
+    """Ties by their two ends."""
 
-    mechanism: Mechanism
-    rows: Integers  # (P, 2)
-    columns: Integers  # (P,)
-    taut: Array  # (P,), how far they are apart at the target
+    fixings: Fixings
+    taut: Array  # (P,), how far their ends are apart at the target
 
     @classmethod
-    def of(cls, mechanism: Mechanism, rows: Integers, columns: Integers) -> _Pairs:
-        found = cls(mechanism, rows, columns, np.zeros(len(columns)))
-        return replace(found, taut=lengths(found.apart(np.array([mechanism.target_drive])))[0])
+    def of(cls, fixings: Fixings) -> _Pairs:
+        found = cls(fixings, np.zeros(len(fixings.columns)))
+        target = np.array([fixings.mechanism.target_drive])
+        return replace(found, taut=lengths(found.apart(target))[0])
 
     def apart(self, drives: Array) -> Array:
-        """Vectors (S, P, 3) from the first vertex of every pair to the second at drives (S,)."""
-        places = self.mechanism.positions(drives)
-        first, second = (places[:, each, self.columns] for each in self.rows.T)
-        return np.asarray(second - first)
-
-    def acceleration(self, start: Array, stop: Array) -> Array:
-        """Bounds (S, P) of that of these vectors in ranges (S,): the sum of those of the edges."""
-        _, down = self.mechanism.edge_accelerations(start, stop)
-        sums = np.pad(np.cumsum(down, axis=1), ((0, 0), (1, 0)))
-        found = sums[:, self.rows.max(axis=1)] - sums[:, self.rows.min(axis=1)]
-        return np.asarray((1 + ROUNDING) * found)
+        """Vectors (S, P, 3) from the first end of every tie to the second at drives (S,)."""
+        places = self.fixings.at(drives)
+        return np.asarray(places[..., 1, :] - places[..., 0, :])
 
     def examine(self, start: Array, stop: Array) -> tuple[Booleans, Booleans]:
         """Whether they are nearer than at the target in ranges (S,); or are not at the end."""
         first, last = np.split(self.apart(np.concatenate([start, stop])), 2)
-        width, bound = (stop - start)[:, None], self.acceleration(start, stop)
+        width = (stop - start)[:, None]
+        bound = (1 + ROUNDING) * self.fixings.accelerations(start, stop)
         off, swing = width**2 / 8 * bound, width / 2 * bound
         before, after, taut = lengths(first), lengths(last), self.taut
         longest = np.maximum(before, after)
@@ -93,25 +86,29 @@ class _Pairs:
             # Rounding of the two vectors, by which the mean rate may be wrong.
             + ROUNDING * longest * taut / width
         )
-        begun = (start == self.mechanism.target_drive)[:, None] | (before < (1 - ROUNDING) * taut)
+        begun = (start == self.fixings.mechanism.target_drive)[:, None] | (
+            before < (1 - ROUNDING) * taut
+        )
         return near | ((shrinking < 0) & begun), after > (1 + ROUNDING) * taut
 
 
-def find_slack(mechanism: Mechanism, rows: Integers, columns: Integers, limit: float) -> Slack:
-    """Whether vertices of rows (P, 2) and columns (P,) are nearer than at the target up to a drive.
+def find_slack(fixings: Fixings, limit: float) -> Slack:
+    """Whether ties (P,) with these ends are shorter than at the target up to a drive.
 
     Where flaps end the motion at the target there is nothing between target and pack: then it is
     whether opening the shell stretches them there, by the sheet without flaps.
 
     limit: The drive of the pack, at least that of the target (radians).
     """
+    mechanism, columns = fixings.mechanism, fixings.columns
     target, count = mechanism.target_drive, len(columns)
     bare = mechanism.without_flaps()
     if limit <= target and bare is not mechanism:
         beyond = min(bare.end_drive, bare.target_drive + BEYOND)
-        found = find_slack(bare, rows, columns - mechanism.inner_columns.start, beyond)
+        inner = columns - mechanism.inner_columns.start
+        found = find_slack(replace(fixings, mechanism=bare, columns=inner), beyond)
         return replace(found, fails_at=np.where(found.proved, np.inf, target))
-    pairs = _Pairs.of(mechanism, rows, columns)
+    pairs = _Pairs.of(fixings)
     cuts = np.linspace(target, limit, FIRST + 1)
     start, stop = cuts[:-1], cuts[1:]
     left = np.full((FIRST, count), limit > target)

@@ -11,7 +11,8 @@ its derivatives by the drive, over ranges that are halved until in each of them
 
 Where it does not grow all the way, a tie may still be slack: the same is then asked beyond the
 target only, where a square that is proved to be less than at the target will do as well. Families
-that do not enclose distances are asked that alone (:mod:`~orishell.deployment.slack`).
+that do not enclose distances, and ties of whole boards, are asked that alone
+(:mod:`~orishell.deployment.slack`).
 
 At both of these drives the first derivative vanishes, for the motion goes back as it came.
 """
@@ -26,9 +27,11 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import Angle, record
+from orishell.deployment.fixings import Fixings
 from orishell.deployment.slack import find_slack
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex, VertexPair
+from orishell.motion.hinges import Hinges
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -72,7 +75,7 @@ class Tie:
     flat: float
     packed: float
     # whether it is proved that its vertices move apart all the way from the end of the motion to
-    # the flat sheet; None if the family does not say
+    # the flat sheet; None if the family does not say, or they are on whole boards
     grows: bool | None = None
     # whether it is proved to be slack from the end of the motion to the target
     slack: bool | None = None
@@ -101,7 +104,12 @@ def feet_ties(
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 
-def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -> tuple[Tie, ...]:
+def find_ties(
+    mechanism: Mechanism,
+    pairs: Iterable[VertexPair],
+    limit: float,
+    hinges: Hinges | None = None,
+) -> tuple[Tie, ...]:
     """Ties between pairs of vertices, and whether each is proved to be taut at the target only.
 
     Parameters
@@ -110,6 +118,8 @@ def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -
         Row and column of both vertices of every tie, in the whole grid.
     limit
         The drive of the pack, at least that of the target (radians).
+    hinges
+        Those of whole boards, on which ties then end beside the vertices; None without such boards.
 
     Raises
     ------
@@ -121,12 +131,12 @@ def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -
         return ()
     ends = np.array(chosen)
     rows, columns = ends[..., 0], ends[:, 0, 1]
-    states = mechanism.positions(np.array([mechanism.target_drive, 0.0, limit]))
-    first, second = (states[:, row, columns] for row in rows.T)
-    distances = np.linalg.norm(second - first, axis=-1).T.tolist()
+    fixings = Fixings(mechanism, rows, columns, hinges)
+    states = fixings.at(np.array([mechanism.target_drive, 0.0, limit]))
+    distances = np.linalg.norm(states[..., 1, :] - states[..., 0, :], axis=-1).T.tolist()
     ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
-    if not isinstance(mechanism, ColumnDistances):
-        found = find_slack(mechanism, rows, columns, limit)
+    if hinges is not None or not isinstance(mechanism, ColumnDistances):
+        found = find_slack(fixings, limit)
         return tuple(
             replace(tie, slack=bool(proved), fails_at=None if proved else float(drive))
             for tie, proved, drive in zip(ties, found.proved, found.fails_at, strict=True)

@@ -28,8 +28,11 @@ from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import Angle, record
+from orishell.deployment.fixings import Fixings
 from orishell.motion import Mechanism
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
+from orishell.motion.mechanism import panel_normals
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -94,6 +97,7 @@ def measure_weight(
     metres: float = 1.0,
     pack: float | None = None,
     columns: Integers | None = None,
+    hinges: Hinges | None = None,
     states: int = 91,
 ) -> OwnWeight:
     """Return what a shell's own weight does along its motion.
@@ -114,10 +118,13 @@ def measure_weight(
         Drive angle of the pack (radians); None for the end of the motion.
     columns
         Columns (K,) in which both rows have a foot; all inner ones if None.
+    hinges
+        Those of whole boards, which carry the weight, and stand on their corners half way up; None
+        without such boards.
     states
         Number of states from flat to the pack, the target not counted.
     """
-    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns)
+    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns, hinges)
     total = body.weight * float(body.shares.sum())
     unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
@@ -144,16 +151,16 @@ def measure_weight(
 
 @record
 class _Body:
-    """A mechanism, its feet, the area (V,) that its vertices carry.
+    """A mechanism, its feet, the area (V,) that its vertices carry, and that of its panels (F,).
 
     And the sine and the cosine of the slope of the ground.
     """
 
     mechanism: Mechanism
-    feet_rows: tuple[int, int]
-    columns: Integers
+    feet: Fixings
     weight: float
     shares: Array
+    areas: Array
     slope: Array
 
     @classmethod
@@ -163,42 +170,52 @@ class _Body:
         feet_rows: tuple[int, int],
         weight: float,
         columns: Integers | None = None,
+        hinges: Hinges | None = None,
     ) -> _Body:
         if columns is None:
             columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
         flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
         corners, shares = flat[faces], np.zeros(len(flat))
+        areas = np.zeros(len(faces))
         for triangle in ([0, 1, 2], [0, 2, 3]):
             p, q, r = (corners[:, k] for k in triangle)
             area = 0.5 * np.cross(q - p, r - p)[:, 2]
+            areas += area
             np.add.at(shares, faces[:, triangle], area[:, None] / 3)
-        feet = mechanism.positions(mechanism.target_drive)[np.array(feet_rows)[:, None], columns]
-        line = (feet[1] - feet[0]).mean(axis=0)
+        rows = np.broadcast_to(feet_rows, (len(columns), 2))
+        feet = Fixings(mechanism, rows, columns, hinges)
+        first, last = np.moveaxis(feet.at(mechanism.target_drive), -2, 0)
+        line = (last - first).mean(axis=0)
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(mechanism, feet_rows, columns, weight, shares, slope)
+        return cls(mechanism, feet, weight, shares, areas, slope)
 
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
-        positions = self.mechanism.positions(drives)
-        points = points_of(self.mechanism, drives)
-        centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
-        first, last = self.feet_rows
-        feet = positions[..., self.columns, :]
-        apart = feet[..., last, :, :] - feet[..., first, :, :]
+        drives = np.asarray(drives, dtype=np.float64)
+        feet = self.feet.at(drives)
+        apart = feet[..., 1, :] - feet[..., 0, :]
         along = apart.mean(axis=-2)
         met = lengths(along) < MET * np.sqrt(self.shares.sum())
         if met.any():
-            before = self.mechanism.positions(np.asarray(drives)[met] * (1 - BEFORE))
-            feet_before = before[..., self.columns, :]
-            along[met] = (feet_before[..., last, :, :] - feet_before[..., first, :, :]).mean(
-                axis=-2
-            )
+            before = self.feet.at(drives[met] * (1 - BEFORE))
+            along[met] = (before[..., 1, :] - before[..., 0, :]).mean(axis=-2)
         along /= lengths(along)[..., None]
         square = np.array([0.0, 0.0, 1.0]) - along[..., 2:] * along
         square /= lengths(square)[..., None]
         up = self.slope[0] * along + self.slope[1] * square
-        height = dots(centre - feet[..., [first, last], :, :].mean(axis=(-3, -2)), up)
+        height = dots(self._centre(drives) - feet.mean(axis=(-3, -2)), up)
         return self.weight * self.shares.sum() * height, lengths(apart).mean(axis=-1)
+
+    def _centre(self, drives: Array) -> Array:
+        """The centre of mass (..., 3) at drives (...)."""
+        points = points_of(self.mechanism, drives)
+        centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
+        hinges = self.feet.hinges
+        if hinges is None:
+            return np.asarray(centre)
+        middles = hinges.middles(panel_normals(self.mechanism.positions(drives)))
+        areas = self.areas.reshape(hinges.levels.shape) / self.areas.sum()
+        return np.asarray(centre + np.einsum("rc,...rcx->...x", areas, middles))
 
     def thrust(self, drive: float) -> float:
         """The thrust -dV/dL at a drive; not a number where L is stationary on the way."""

@@ -41,7 +41,7 @@ class ArmKind:
     count: int
     length: float  # along the crease (length)
     height: float  # of the fin (length)
-    foot: float  # how wide the foot is (length)
+    foot: float  # how wide the foot is; 0 for a block (length)
     # distances of holes from the middle (n,), in the fin from its upper edge and in the foot from
     # the bend; None where there is no room for holes
     along: Array
@@ -67,6 +67,7 @@ class Fittings:
     leaves: Array  # widths (H,) of leaves (length)
     away: float  # of leaves from the crease (length)
     fins: Array  # heights (H, 2) of fins, 0 where the leaf lies on the face (length)
+    feet: Array  # widths (H,) of the feet of arms, 0 for blocks (length)
     counts: Integers  # holes (H,) in a leaf, 0 where there is no room
     steps: Array  # from hole to hole (H,) (length)
     hole: float  # diameter (length)
@@ -144,9 +145,10 @@ def fit_hinges(panels: Array, hinges: Hinges, build: PanelSpec) -> Fittings:
     counts, steps = _holes_along(length, leaves, build)
     fins = np.where(arms - hinges.knuckle > SHORT * thickness, arms - hinges.knuckle, 0.0)
     hole = build.hinge.hole_in(thickness)
-    of_kind, kinds = _kinds(length, fins, leaves, (counts, steps), build)
+    feet = np.where(build.fin < leaves, leaves, 0.0)
+    of_kind, kinds = _kinds(length, fins, (leaves, feet), (counts, steps), build)
     return Fittings(
-        edges, pair, at, sides, ends, leaves, away, fins, counts, steps, hole, of_kind, kinds
+        edges, pair, at, sides, ends, leaves, away, fins, feet, counts, steps, hole, of_kind, kinds
     )
 
 
@@ -234,12 +236,16 @@ def _holes_along(length: Array, leaves: Array, build: PanelSpec) -> tuple[Intege
 def _kinds(
     length: Array,
     fins: Array,
-    leaves: Array,
+    widths: tuple[Array, Array],
     holes: tuple[Integers, Array],
     build: PanelSpec,
 ) -> tuple[Integers, tuple[ArmKind, ...]]:
-    """The kind (H, 2) of every arm, and the kinds, lowest fins first."""
-    counts, steps = holes
+    """The kind (H, 2) of every arm, and the kinds, lowest fins first.
+
+    widths: Of leaves and of feet (H,).
+    holes: Their numbers (H,) in leaves, and how far they are apart (H,).
+    """
+    (leaves, feet), (counts, steps) = widths, holes
     near, hole = ALIKE * build.thickness, build.hinge.hole_in(build.thickness)
     hinge, side = np.nonzero(fins > 0)
     of_kind = np.full(fins.shape, -1)
@@ -253,8 +259,8 @@ def _kinds(
     made = []
     for number, (place, count) in enumerate(zip(first.tolist(), many.tolist(), strict=True), 1):
         one, height = int(hinge[place]), float(fins[hinge[place], side[place]])
-        screwed, foot = int(counts[one]), float(leaves[one])
-        in_fin = 0.5 * min(foot, height)
+        screwed, foot = int(counts[one]), float(feet[one])
+        in_fin = 0.5 * min(float(leaves[one]), height)
         made.append(
             ArmKind(
                 name=f"A{number}",
@@ -264,7 +270,7 @@ def _kinds(
                 foot=foot,
                 along=(np.arange(screwed) - 0.5 * (screwed - 1)) * steps[one],
                 in_fin=in_fin if screwed and 2 * in_fin >= NARROW * hole else None,
-                in_foot=0.5 * foot if screwed else None,
+                in_foot=0.5 * foot if screwed and foot else None,
             )
         )
     return of_kind, tuple(made)

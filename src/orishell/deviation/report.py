@@ -5,6 +5,7 @@ from __future__ import annotations
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.deviation.measure import Deviation, measure_approach, measure_deviation
+from orishell.deviation.of_boards import boards_closeness
 from orishell.polylines import Closeness
 
 
@@ -22,15 +23,16 @@ class ApproachReport:
 class DeviationReport:
     """How close the shell is to what was asked for."""
 
-    # distances of the polylines that the shell locks on from the target curves; None without them
+    # distances of the polylines that the shell locks on from the target curves, or of the edges of
+    # whole boards that take their place; None without them
     f: Closeness | None
     g: Closeness | None
     surface: Deviation | None  # of the shell from the surface; None if it was not measured
     # how f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn
     tilted: str
     approached: ApproachReport | None  # what the family approaches instead, if it does
-    # distances of vertices from the surfaces beside the one asked for, on which crests and valleys
-    # should lie; None where f is swept along g
+    # distances of vertices, or of corners of whole boards, from the surfaces beside the one asked
+    # for, on which crests and valleys should lie; None where f is swept along g
     crests: Closeness | None = None
     valleys: Closeness | None = None
 
@@ -42,17 +44,18 @@ def describe_deviation(design: Design, *, measured: bool = True) -> DeviationRep
     """
     if design.swept is None:
         return None
+    closeness = design.closeness if design.meant is None else boards_closeness(design)
     approach = measure_approach(design) if measured else None
     approached = None
     if design.approached is not None:
         largest, rms = (None, None) if approach is None else (approach.max, approach.rms)
         approached = ApproachReport(design.approached.what, largest, rms)
     return DeviationReport(
-        f=design.closeness.get("f"),
-        g=design.closeness.get("g"),
+        f=closeness.get("f"),
+        g=closeness.get("g"),
         surface=measure_deviation(design) if measured else None,
         tilted=design.tilted,
         approached=approached,
-        crests=design.closeness.get("crests"),
-        valleys=design.closeness.get("valleys"),
+        crests=closeness.get("crests"),
+        valleys=closeness.get("valleys"),
     )

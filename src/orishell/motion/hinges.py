@@ -81,29 +81,37 @@ class Hinges:
         return float(max(each.max(initial=0.0) for each in self.arms))
 
     def shifts(self, normals: Array) -> Array:
-        """Shifts (F, 3) of all panels in a state with these unit normals (F, 3).
+        """Shifts (..., F, 3) of all panels in states with these unit normals (..., F, 3).
 
         But for ``place`` they leave the panels' mean where it is.
         """
-        n = normals.reshape(*self.levels.shape, 3)
+        n = normals.reshape(*normals.shape[:-2], *self.levels.shape, 3)
         down, across = self._steps(n)
         shifts = np.zeros_like(n)
-        np.cumsum(down[:, 0], axis=0, out=shifts[1:, 0])
-        shifts[:, 1:] = shifts[:, :1] + np.cumsum(across, axis=1)
-        shifts += self.place - shifts.mean(axis=(0, 1))
-        return shifts.reshape(-1, 3)
+        np.cumsum(down[..., 0, :], axis=-2, out=shifts[..., 1:, 0, :])
+        shifts[..., 1:, :] = shifts[..., :1, :] + np.cumsum(across, axis=-2)
+        shifts += self.place - shifts.mean(axis=(-3, -2), keepdims=True)
+        return shifts.reshape(normals.shape)
+
+    def middles(self, normals: Array) -> Array:
+        """How far (..., rows-1, columns-1, 3) boards are, half way up, from their panels.
+
+        In states with these unit normals (..., rows-1, columns-1, 3).
+        """
+        listed = normals.reshape(*normals.shape[:-3], -1, 3)
+        over = (self.levels + 0.5 * self.thickness)[..., None] * normals
+        return np.asarray(self.shifts(listed).reshape(normals.shape) + over)
 
     def boards(self, positions: Positions) -> Array:
-        """Corners (rows-1, columns-1, 4, 3) of all boards, half way up, in a state."""
-        normals = panel_normals(positions)
-        middle = (self.levels + 0.5 * self.thickness)[..., None] * normals
-        shifts = self.shifts(normals.reshape(-1, 3)).reshape(normals.shape) + middle
-        return np.asarray(grid_corners(positions) + shifts[..., None, :])
+        """Corners (..., rows-1, columns-1, 4, 3) of all boards, half way up, in states (...)."""
+        middles = self.middles(panel_normals(positions))
+        return np.asarray(grid_corners(positions) + middles[..., None, :])
 
     def _steps(self, n: Array) -> tuple[Array, Array]:
         """Steps of the shift from panels to those below and to their right, by normals."""
-        down = self.heights.row[..., None] * (n[:-1] - n[1:])
-        return down, self.heights.column[..., None] * (n[:, :-1] - n[:, 1:])
+        down = self.heights.row[..., None] * (n[..., :-1, :, :] - n[..., 1:, :, :])
+        across = self.heights.column[..., None] * (n[..., :-1, :] - n[..., 1:, :])
+        return down, across
 
     def gap(self, positions: Positions) -> float:
         """How far the loop around any inner vertex is from closing in a state (length)."""

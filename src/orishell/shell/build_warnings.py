@@ -18,12 +18,10 @@ from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, area_of, extents, find_assignment
 from orishell.motion.layout import has_flaps, points_of
-from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
-from orishell.solids.hinged import board_offsets
+from orishell.shell.board_warnings import warn_of_boards
 from orishell.workshop import Workshop
-from orishell.workshop.boards import chamfer_angles
 
 BELOW = 0.01
 """Flaps lower than the feet by this share of the height carry the shell: mortar evens out less."""
@@ -47,12 +45,6 @@ LARGEST_BOARD = (3.05, 1.525)
 """The largest plywood that is commonly sold, 10 by 5 feet (metres)."""
 DEEP = 0.3
 """A corrugation this share of the height deep hides the curve: one sees the folds."""
-LONG_ARM = 0.5
-"""Arms this share of an edge long catch on whatever stands beside the shell, and bend."""
-SAW, TRACK_SAW = 45, 48
-"""Table saws tilt their blades from 0 to 45 degrees (manuals of Ryobi RTS08, DeWalt DWE7470 and
-others), the farthest of three track saws to 48 (Popular Woodworking 175, April 2009, page 43); a
-V-bit with an edge of 90 degrees leans by 45 (degrees)."""
 
 
 def warn_of_building(
@@ -71,8 +63,7 @@ def warn_of_building(
         *_of_unfolded_columns(design),
         *_of_boards(design, flat, unit, workshop),
         *_of_depth(design, lock, height, unit),
-        *_of_chamfers(lock),
-        *_of_whole_boards(design, unit),
+        *warn_of_boards(design, lock, unit),
     ]
 
 
@@ -255,45 +246,4 @@ def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[
         yield (
             f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
             f"high: one sees them rather than the {seen}; more rows make them shallower"
-        )
-
-
-def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
-    """What is measured on the sheet, beside which whole boards lie."""
-    if design.hinges is None:
-        return
-    mechanism = design.mechanism
-    shell = mechanism.positions(mechanism.target_drive)
-    offsets = board_offsets(design.hinges, shell, design.meant)
-    yield (
-        "ties, own weight and distances from f and g are those of the sheet without a "
-        f"thickness: boards on their hinges lie up to {plain(float(offsets.max()), 3)} {unit} "
-        "beside it at the target"
-    )
-    if design.panel is not None and design.panel.weighs_boards_alone:
-        yield "masses leave out arms or hinges: arm_density and hinge.linear_density in [panel]"
-    flat = mechanism.positions(0.0)
-    edges = np.concatenate([lengths(np.diff(flat, axis=axis)).ravel() for axis in (0, 1)])
-    if design.hinges.longest_arm > LONG_ARM * np.median(edges):
-        yield (
-            f"hinges stand up to {plain(design.hinges.longest_arm, 3)} {unit} off their boards, "
-            f"and edges of panels are {plain(float(np.median(edges)), 3)} {unit} long: fewer rows "
-            "or straight columns need shorter arms, and largest_arm in [panel] refuses longer ones"
-        )
-
-
-def _of_chamfers(lock: Lock) -> Iterator[str]:
-    """Chamfers of solid panels that ordinary machines do not make."""
-    built = lock.built
-    if built is None:
-        return
-    each = (boards for boards in (built.boards, built.flaps) if boards is not None)
-    angles = np.concatenate([chamfer_angles(boards) for boards in each])
-    steep = int((angles > SAW).sum())
-    if steep:
-        yield (
-            f"{steep} of {len(angles)} chamfers lean by more than {SAW} degrees from a square "
-            f"cut, up to {angles.max():.3g}: table saws tilt no further (track saws to "
-            f"{TRACK_SAW}), nor does a V-bit of {2 * SAW} degrees; mill them on five axes or print "
-            'the panels, or make boards that are cut square (construction = "sandwich")'
         )

@@ -174,7 +174,7 @@ class Model:
     def vertices(self, drive: float) -> Array:
         """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).
 
-        Of whole boards they are those corners that are lowest at the target.
+        Of whole boards they are those corners that stand, and that ties are fixed to.
         """
         if self.design.has_whole_boards:
             return corners_at_vertices(self._plates(drive), self.mesh, self.grid)

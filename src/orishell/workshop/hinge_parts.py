@@ -103,7 +103,7 @@ def plan_names(document: Document) -> tuple[Text, ...]:
 
 
 LETTERS = 0.4
-"""Height of the name of an arm, as a share of its foot at most."""
+"""Height of the name of an arm, as a share of its foot, or of a block, at most."""
 WIDE = 1.5
 """How many times wider than high the drawing of arms is, about."""
 
@@ -115,17 +115,18 @@ def draw_arms(document: Document, workshop: Workshop) -> Drawing | None:
         return None
     content = gathered(_in_rows(fittings.arms, fittings.hole, workshop.spacing or build.thickness))
     count, kinds = sum(arm.count for arm in fittings.arms), len(fittings.arms)
+    bent = "Bent square along the line: the foot is below it, the fin above; no allowance for bends"
     facts = (
-        f"{count} arms of {kinds} {'kind' if kinds == 1 else 'kinds'}, of sheet {build.fin:.4g} "
+        f"{count} arms of {kinds} {'kind' if kinds == 1 else 'kinds'}, {build.fin:.4g} "
         f"{document.unit} thick",
-        "Bent square along the line: the foot is below it, the fin above; no allowance for bends",
+        bent if any(arm.foot for arm in fittings.arms) else "Blocks, cut square",
     )
     return draw_page(content, f"{document.title}, arms", document.unit, facts, workshop)
 
 
 def _in_rows(arms: Sequence[ArmKind], hole: float, apart: float) -> Iterator[Content]:
     """Arms in rows from the top, one beside the other, each over its number and a line."""
-    letter = LETTERS * min(arm.foot for arm in arms)
+    letter = LETTERS * min(arm.foot or arm.height for arm in arms)
     sizes = [(arm.length + apart, arm.height + arm.foot + 2 * letter + apart) for arm in arms]
     width = max(np.sqrt(WIDE * sum(x * y for x, y in sizes)), *(x for x, _ in sizes))
     left = top = deep = 0.0
@@ -141,7 +142,7 @@ def _drawn(arm: ArmKind, hole: float, letter: float) -> Content:
     """An arm about the middle of its foot's lower edge."""
     half, bend, top = 0.5 * arm.length, arm.foot, arm.foot + arm.height
     rim = np.array([[-half, 0.0], [half, 0.0], [half, top], [-half, top]])
-    line = Line("ENGRAVE", np.array([[-half, bend], [half, bend]]))
+    line = (Line("ENGRAVE", np.array([[-half, bend], [half, bend]])),) if arm.foot else ()
     rows = [
         at
         for at in (
@@ -154,7 +155,9 @@ def _drawn(arm: ArmKind, hole: float, letter: float) -> Content:
     # The name stands between two holes.
     between = float(arm.along[:2].mean()) if len(arm.along) else 0.0
     step = float(np.diff(arm.along[:2])[0]) - hole if len(arm.along) else arm.length
-    name = Text("ENGRAVE", between, 0.5 * bend, min(letter, step / len(arm.name)), arm.name)
+    name = Text(
+        "ENGRAVE", between, 0.5 * (bend or top), min(letter, step / len(arm.name)), arm.name
+    )
     count = Text("LABEL", 0.0, -letter, letter, f"{arm.name} x {arm.count}")
     below = Line("LABEL", np.array([[-half, -2 * letter], [half, -2 * letter]]))
-    return (below, line, Line("CUT", rim, closed=True)), tuple(holes), (name, count)
+    return (below, *line, Line("CUT", rim, closed=True)), tuple(holes), (name, count)

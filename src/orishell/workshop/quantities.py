@@ -206,7 +206,7 @@ def _weighed_hinges(piece: Document) -> tuple[Array, Array]:
     places = [over_crease(0, heights)]
     for side in (0, 1):
         fin = fittings.fins[:, side]
-        area = np.where(fin > 0, fittings.lengths * (fin + fittings.leaves), 0.0)
+        area = np.where(fin > 0, fittings.lengths * (fin + fittings.feet), 0.0)
         weights.append(area * build.fin * build.arm_density)
         places.append(over_crease(side, heights - fittings.sides * (hinges.knuckle + 0.5 * fin)))
     return np.concatenate(weights), np.concatenate(places)

@@ -101,7 +101,7 @@ def test_the_report_says_what_is_of_boards() -> None:
     assert 0.98 < panel.hinged.board_share < 1
     assert panel.hinged.board_share == pytest.approx(bill.board_area / report.sheet.area)
     assert bill.mass_kg.total == pytest.approx(500 * 0.02 * bill.board_area)
-    assert any("sheet without a thickness" in warning for warning in report.warnings)
+    assert not any("sheet without a thickness" in warning for warning in report.warnings)
     packed = report.deployment.packed
     assert packed is not None
     # All boards lie on each other at 180 degrees, and arms reach no farther than the stack.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -262,6 +263,23 @@ def test_arms_are_drawn_apart_with_their_holes_inside() -> None:
     holes = [shapely.Point(circle.x, circle.y).buffer(circle.radius) for circle in drawing.circles]
     assert len(tree.query(holes, predicate="covered_by").T) == len(holes)
     assert shapely.union_all(holes).area == pytest.approx(sum(hole.area for hole in holes))
+
+
+def test_fins_as_thick_as_leaves_are_wide_are_blocks_without_feet() -> None:
+    sheet, hinges, build, _ = hinged(0)
+    thick = build.having(arm_width=build.hinge.leaf_on(build.thickness))
+    found, thin = (fit_hinges(panels_of(sheet), hinges, each) for each in (thick, build))
+    assert found.arms
+    assert not any(arm.foot or arm.in_foot for arm in found.arms)
+    assert all(arm.foot and arm.in_foot for arm in thin.arms)
+    assert [arm.height for arm in found.arms] == [arm.height for arm in thin.arms]
+    # Holes of boards lead into the blocks.
+    assert np.array_equal(found.holes()[0], thin.holes()[0])
+    document = shell().document
+    assert document.panel is not None
+    drawing = draw_arms(replace(document, panel=document.panel.having(arm_width=0.04)), Workshop())
+    assert drawing is not None
+    assert not any(line.layer == "ENGRAVE" for line in drawing.lines)
 
 
 def test_leaves_may_take_half_of_the_way_across() -> None:

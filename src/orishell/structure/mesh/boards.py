@@ -22,8 +22,6 @@ ON_LINE = 1e-9
 """Lines are where hinges end to this share of a crease."""
 LEAST_CELLS = 3
 """Fewer cells have no two nodes along the middle of a crease: no hinge, but a ball joint."""
-AS_LOW = 1e-6
-"""Corners are as low as the lowest if they are higher by less than this share of the boards."""
 
 
 @record
@@ -43,9 +41,9 @@ class HingedPlates:
 def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     """Mesh boards on hinges.
 
-    Of the points the first are corners of boards, one at each vertex of the grid: the lowest there,
-    on which a shell stands. Then come the other nodes of boards, those of hinges, and the points of
-    plates that hang on hinges.
+    Of the points the first are corners of boards, one at each vertex of the grid: that on which a
+    shell stands there, and where ties are fixed (:class:`~orishell.deployment.fixings.Fixings`).
+    Then come the other nodes of boards, those of hinges, and the points of plates on hinges.
 
     cells: Cells along every side of a board, at least :data:`LEAST_CELLS`.
     """
@@ -64,9 +62,9 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     joined = hinged & ~on_fins[:, None]
     on_axes = axes[joined]
 
-    lowest = _lowest_corners(plates, grid, cells)
+    fixed = _fixed_corners(grid, cells)
     nodes = np.full(len(at), -1)
-    nodes[lowest] = np.arange(grid.vertex_count)
+    nodes[fixed] = np.arange(grid.vertex_count)
     numbers = np.arange(len(on_axes))
     both = np.stack([each[joined] for each in sides])
     nodes[both] = len(at)
@@ -74,7 +72,7 @@ def mesh_boards(plates: HingedPlates, grid: Grid, cells: int) -> SheetMesh:
     nodes[others] = grid.vertex_count + np.arange(len(others))
     nodes[both] = grid.vertex_count + len(others) + numbers
     arms = at[both] - on_axes
-    points = np.concatenate([at[lowest], at[others], on_axes, *at[both]])
+    points = np.concatenate([at[fixed], at[others], on_axes, *at[both]])
 
     count = grid.panel_count
     pattern = triangle_corners(cells)
@@ -105,16 +103,16 @@ def places_of_lines(cells: int) -> Array:
     return np.concatenate([ends, middle[1:], 1 - ends[-2::-1]])
 
 
-def _lowest_corners(plates: HingedPlates, grid: Grid, cells: int) -> Integers:
-    """Places (V,) of the lowest corner at every vertex; of equally low ones the first."""
-    corner = np.array([0, cells * (cells + 1), (cells + 1) ** 2 - 1, cells])
-    place = (cells + 1) ** 2 * np.arange(grid.panel_count)[:, None] + corner
-    size = float(np.linalg.norm(np.ptp(plates.corners, axis=1), axis=1).max())
-    height = np.rint(plates.corners[..., 2] / (AS_LOW * size)).ravel()
-    vertex = grid.faces_vertices().ravel()
-    order = np.lexsort([place.ravel(), height, vertex])
-    _, first = np.unique(vertex[order], return_index=True)
-    return np.asarray(place.ravel()[order[first]])
+def _fixed_corners(grid: Grid, cells: int) -> Integers:
+    """Places (V,) of the corners at vertices where boards stand, and ties are fixed.
+
+    They are those of the board below a vertex in the upper half, above one in the lower half; to
+    the right of its column, to the left of the last one.
+    """
+    row, column = np.divmod(np.arange(grid.vertex_count), grid.columns)
+    below, left = 2 * row >= grid.rows, column == grid.columns - 1
+    panel = (row - below) * (grid.columns - 1) + column - left
+    return (panel * (cells + 1) + below * cells) * (cells + 1) + left * cells
 
 
 def _feet(plates: HingedPlates, grid: Grid, edge: Integers) -> Array:
