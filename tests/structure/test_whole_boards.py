@@ -15,6 +15,7 @@ from flat_foldables import random_sheet
 from orishell.conventions.errors import InputError
 from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
+from orishell.deployment.fixings import Fixings
 from orishell.design import Design, PanelSpec
 from orishell.design.fittings import TRIMMED
 from orishell.design_file import read_design_file
@@ -466,6 +467,18 @@ def test_whole_boards_balance_their_loads(support: Support, arms: float | None) 
             -case.forces.sum(axis=0),
             atol=1e-12 * np.abs(case.forces).sum(),
         )
+
+
+def test_they_stand_where_ties_are_fixed() -> None:
+    """To half of the gap of 1 mm, by which edges are off their creases."""
+    design, site = strip_of_shelter()
+    model = Model(design, STRUCTURE, site, 3)
+    vertices = model.mesh.facets.points[model.grid.vertices()]
+    rows = np.tile([0, model.grid.rows - 1], (model.grid.columns, 1))
+    columns = np.arange(model.grid.columns)
+    sheet = design.mechanism
+    fixed = Fixings(sheet, rows, columns, design.hinges).at(sheet.target_drive)
+    assert np.abs(vertices[rows, columns[:, None]] - fixed).max() < 0.000501
 
 
 def test_weight_is_that_of_the_boards() -> None:

@@ -112,7 +112,7 @@ def _fixed_corners(grid: Grid, cells: int) -> Integers:
     row, column = np.divmod(np.arange(grid.vertex_count), grid.columns)
     below, left = 2 * row >= grid.rows, column == grid.columns - 1
     panel = (row - below) * (grid.columns - 1) + column - left
-    return (panel * (cells + 1) + below * cells) * (cells + 1) + left * cells
+    return np.asarray((panel * (cells + 1) + below * cells) * (cells + 1) + left * cells)
 
 
 def _feet(plates: HingedPlates, grid: Grid, edge: Integers) -> Array:
