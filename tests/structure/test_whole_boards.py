@@ -12,6 +12,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.linalg import spsolve
 
 from flat_foldables import random_sheet
+from mechanisms import flat_foldable, miura_net, random_net
 from orishell.conventions.errors import InputError
 from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
@@ -19,6 +20,7 @@ from orishell.deployment.fixings import Fixings
 from orishell.design import Design, PanelSpec
 from orishell.design.fittings import TRIMMED
 from orishell.design_file import read_design_file
+from orishell.families.flat_foldable.net import Net
 from orishell.motion import Mechanism, area_of
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges, Straightened
@@ -131,14 +133,15 @@ def test_a_hinge_at_a_wrong_height_closes_the_motion(seed: int) -> None:
 
 
 @cache
-def shelter() -> Design:
+def shelter(pieces: int | str = "whole") -> Design:
     file = read_design_file(EXAMPLES / "shelter_hinged.toml")
     assert file.panel is not None
+    panel = file.panel.having(pieces=pieces, largest_arm="any")
     design = file.pattern.design(file.f, file.g)
     assert isinstance(design.mechanism, Straightened)
     mechanism = design.mechanism.straightened()
-    hinges = find_hinges(mechanism, file.panel)
-    return replace(design, mechanism=mechanism, panel=file.panel, hinges=hinges)
+    hinges = find_hinges(mechanism, panel)
+    return replace(design, mechanism=mechanism, panel=panel, hinges=hinges)
 
 
 @pytest.mark.parametrize("share", [0.4, 0.8, 1.0])
@@ -150,20 +153,51 @@ def test_the_shelter_of_whole_boards_has_one_motion(share: float) -> None:
     column = hinges.heights.column.copy()
     column[5, 5] += 1e-3
     wrong = replace(hinges, heights=CreaseValues(hinges.heights.row, column))
+    drive = share * sheet.target_drive
+    assert motions(sheet, hinges, drive, locked=False) == 7
+    assert motions(sheet, hinges, drive, locked=True) == 6
+    assert motions(sheet, wrong, drive, locked=False) == 6
+
+
+def motions(sheet: Mechanism, hinges: Hinges, drive: float, *, locked: bool) -> int:
+    """Motions of boards without energy, those of the whole among them."""
     section = Section.solid(6.7e9, hinges.thickness, 0.3)
+    mesh = meshed(sheet, hinges, drive)
+    elements = [mesh.elements(section)]
+    if locked:
+        springs = rigid_stiffness(mesh, section)
+        elements.append(hinge_elements(mesh, sheet.grid, springs))
+    held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
+    return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
 
-    def motions(heights: Hinges, *, locked: bool) -> int:
-        mesh = meshed(sheet, heights, share * sheet.target_drive)
-        elements = [mesh.elements(section)]
-        if locked:
-            springs = rigid_stiffness(mesh, section)
-            elements.append(hinge_elements(mesh, sheet.grid, springs))
-        held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
-        return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
 
-    assert motions(hinges, locked=False) == 7
-    assert motions(hinges, locked=True) == 6
-    assert motions(wrong, locked=False) == 6
+def test_pieces_of_the_shelter_lock_each_other() -> None:
+    """Joined by free hinges along the edges in which their boards meet, they have no motion left;
+    joined where they would move as one they have it.
+    """
+    design = shelter(4)
+    sheet, hinges = design.mechanism, design.hinges
+    assert hinges is not None
+    assert motions(sheet, hinges, sheet.target_drive, locked=False) == 6
+    assert motions(sheet, replace(hinges, joints=None), sheet.target_drive, locked=False) == 7
+
+
+@pytest.mark.parametrize("net", [miura_net(3, 3), random_net(3, 3, 1)], ids=["miura", "bent"])
+def test_joined_pieces_take_energy_to_move(net: Net) -> None:
+    """The softest motion takes at least a hundredth of what the next one of a sheet on hinges at
+    the heights of its joints does, whose one motion takes none.
+    """
+    sheet = flat_foldable(net)
+    thickness = 0.01 * float(np.ptp(sheet.positions(0.0), axis=(0, 1)).max())
+    build = PanelSpec(thickness=thickness, construction="hinged", pieces=2)
+    hinges = find_hinges(sheet, build)
+    found, moving = (
+        energies(meshed(sheet, each, sheet.target_drive), sheet.grid, thickness, locked=False)[0]
+        for each in (hinges, replace(hinges, joints=None))
+    )
+    assert np.abs(moving[:7]).max() < 1e-14
+    assert np.abs(found[:6]).max() < 1e-14
+    assert found[6] > 0.01 * moving[7]
 
 
 WIDTH, FIRST, SECOND = 0.5, 1.0, 0.7

@@ -1,4 +1,7 @@
-"""Whole boards as a structure: their plates and hinges in a state, and what is not analysed."""
+"""Whole boards as a structure: their plates and hinges in a state, and what is not analysed.
+
+Where pieces are joined, hinges are along the edges in which their boards meet.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,7 @@ from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals
 from orishell.numerics.arrays import Array
 from orishell.solids.boards import inset_panels
+from orishell.solids.hinged.joints import joint_axes
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import CORNERS, SheetMesh
@@ -80,7 +84,7 @@ def hinged_plates(
     inner = np.bincount(edges.ravel()) > 1
     lying, folded = flat.reshape(-1, 3), positions.reshape(-1, 3)
     back = np.where(inner[edges], 0.5 * gap, 0.0)
-    outline = inset_panels(lying[faces, :2], back, grid)
+    outline = inset_panels(lying[faces, :2], back + hinges.cut_back, grid)
     middle = (hinges.levels + 0.5 * hinges.thickness).ravel()
     at = np.concatenate([outline, np.broadcast_to(middle[:, None, None], (*faces.shape, 1))], -1)
     number = np.arange(len(faces))
@@ -94,6 +98,10 @@ def hinged_plates(
     height = hinges.heights.on_edges()
     off = hinges.shifts(normals)[first] + height[:, None] * normals[first]
     axes = folded[grid.edges_vertices()] + off[:, None]
+    if hinges.joints is not None:  # boards are joined where they meet
+        across = grid.columns - 1
+        rows = axes[: grid.rows * across].reshape(grid.rows, across, 2, 3)
+        rows[np.array(hinges.joints.rows) + 1] = joint_axes(hinges, positions)
     arms = np.stack(
         [CreaseValues(*both).on_edges() for both in zip(*hinges.arms, strict=True)], axis=1
     )
