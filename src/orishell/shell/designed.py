@@ -138,9 +138,9 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
     mechanism = design.mechanism
     if has_flaps(mechanism):
         raise DesignError(
-            "whole boards on hinges cannot be made with flaps yet",
+            "whole boards on hinges cannot have flaps: a flap folds flat before the sheet does",
             keys=("pattern.flap", "panel.construction"),
-            candidates=[Remedy({"pattern.flap": 0.0})],
+            candidates=[Remedy({"pattern.flap": 0.0}), _on_membrane(panel)],
         )
     if isinstance(mechanism, Straightened):
         mechanism = mechanism.straightened()
