@@ -152,6 +152,8 @@ def good(number: int, rng: Generator) -> Tables:
         tables[str(name)] = every[str(name)]
     if "structure" in tables or "load_case" in tables:
         tables["structure"] = every["structure"] | {"cells": 1}
+        for key in ("arm_modulus", "arm_strength"):
+            tables["structure"].pop(key, None)
         if "panel" not in tables:
             tables["structure"].pop("membrane_strength", None)
         # Those of the starter file are all loads at once, and factors of what is not there.

@@ -183,8 +183,8 @@ def test_the_starter_explains_every_key(tmp_path: Path) -> None:
     asked = tomllib.loads(structure)["structure"]
     assert set(asked) == set(StructureTable.model_fields)
     assert set(tomllib.loads(case)["load_case"][0]) == set(LoadCase.model_fields)
-    # There is no membrane without [panel].
-    structure = re.sub("membrane_strength.*", "", structure)
+    # There is no membrane without [panel], and no arm.
+    structure = re.sub("(membrane_strength|arm_).*", "", structure)
     found = read(tmp_path, f"{structure}\n{loads}")
     assert found.crease_stiffness == (0, math.inf)
     for key in ("poisson", "cells", "refine", "membrane_modulus"):
@@ -267,6 +267,16 @@ BAD = {
         f"{STRUCTURE}membrane_strength = 5e7",
         "[structure] membrane_strength: ",
         'construction = "sandwich"',
+    ),
+    "no arms": (
+        f"{STRUCTURE}arm_modulus = 210e9",
+        "[structure] arm_modulus: ",
+        'construction = "hinged"',
+    ),
+    "no arms to be strong": (
+        f"{STRUCTURE}arm_strength = 235e6",
+        "[structure] arm_strength: ",
+        'construction = "hinged"',
     ),
     "loads on nothing": (CASE, "[[load_case]]: ", "add the table [structure]"),
     "no load": (with_case(""), "[[load_case]][0]: ", "self_weight, pressure, snow"),

@@ -406,6 +406,8 @@ export interface Equilibrium {
   lone_board: AtCrease | null;
   /** The largest stress of the membrane in a crease; None if there is none between boards. */
   membrane: AtCrease | null;
+  /** The largest stress of the arms of hinges beside creases; None if there are none. */
+  arms: AtCrease | null;
   /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
   panel_residual: number;
   /** Of panels, membrane, creases and ties. */
@@ -593,7 +595,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "membrane" | "creases" | "ties" | "buckling";
+  part: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -814,6 +816,10 @@ export interface Model {
   tie_strength: number | null;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
   membrane_strength: number | null;
+  /** Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force per area). */
+  arm_modulus: number | null;
+  /** Stress that these arms bear; None if that is not known (force per area). */
+  arm_strength: number | null;
   /** What holds it. */
   supports: Support[];
 }
@@ -1391,12 +1397,14 @@ export interface Utilisation {
   membrane: number | null;
   /**  */
   creases: number | null;
+  /** None, too, where hinges have none. */
+  arms: number | null;
   /**  */
   ties: number | null;
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "membrane" | "creases" | "ties" | "buckling" | null;
+  governs: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling" | null;
 }
 
 /** A shell that has been verified: its report, contact and distances. */

@@ -133,6 +133,11 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
             f"  membrane  {plain(found.membrane.size)} N/{unit}2 at most, "
             f"{_between(found.membrane)}{_used(used.membrane)}"
         )
+    if found.arms is not None:
+        yield (
+            f"  arms      {Quantities(unit).stress(found.arms.size)} at most, "
+            f"{_between(found.arms)}{_used(used.arms)}"
+        )
     if found.lone_board is not None:
         yield (
             f"  one board {plain(found.lone_board.size)} N/{unit}2 at most, where it is alone, "

@@ -197,6 +197,16 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
                     expected='a table [panel] with a thickness and construction = "sandwich"',
                     remedy="remove it",
                 )
+    if panel is None or panel.construction != "hinged":
+        for key in ("arm_modulus", "arm_strength"):
+            if value := getattr(table, key):
+                raise InputError(
+                    "there are no arms that hinges stand on",
+                    keys=(f"structure.{key}",),
+                    got=f"{value:g}",
+                    expected='a table [panel] with a thickness and construction = "hinged"',
+                    remedy="remove it",
+                )
 
 
 Ground = Literal["z0", "as-drawn"]

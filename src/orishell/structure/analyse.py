@@ -25,6 +25,7 @@ from orishell.structure.feet import find_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
+from orishell.structure.masses import inertia, point_masses
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.nonlinear import follow
@@ -38,6 +39,7 @@ from orishell.structure.solve.stability import (
     find_buckling,
     find_frequencies,
 )
+from orishell.structure.whole_boards import check_whole_boards
 
 FREQUENCIES = 3
 """How many frequencies are found."""
@@ -66,13 +68,7 @@ def analyse(
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
     if design.has_whole_boards:
-        raise InputError(
-            "whole boards on hinges are not analysed as a structure yet",
-            keys=("panel.construction",),
-            got='"hinged"',
-            expected='"sandwich" or "bevel"',
-            remedy="leave [structure] out, or take another construction",
-        )
+        check_whole_boards(structure)
     if site.areal_mass == 0 and any(case.self_weight for case in structure.cases):
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
@@ -179,7 +175,7 @@ def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
     support_forces, reaction, residual = _reactions(model, solved)
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
-    borne = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    borne = facet_stresses(mesh.facets, model.section, mesh.corners_moved(moved))
     stresses = panel_stresses(mesh, model.section, borne)
     total = float(np.linalg.norm(solved.forces, axis=1).sum())
     on_panels = panel_loads(model, solved.case, solved.known)
@@ -188,10 +184,12 @@ def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
     frequencies, swinging = factors, shapes
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
-        geometric = turned_by_load(model, structure, response.forces, borne.forces)
+        hung = model.elements.forces(moved), solved.forces
+        geometric = turned_by_load(model, structure, response.forces, borne.forces, hung)
         factors, shapes = find_buckling(inverse, geometric, BUCKLING if modes else 1)
         if modes and model.site.areal_mass:
-            mass = model.inertia()[structure.free]
+            masses, free = point_masses(model.exposure), structure.free
+            mass = inertia(mesh, masses, model.site.metres)[free][:, free]
             frequencies, swinging = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
@@ -232,11 +230,12 @@ def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
     mesh, structure, points = model.mesh, solved.structure, model.mesh.facets.points
     forces, response = solved.forces, solved.response
     missing = response.taken + structure.pulls(response.forces)
-    missing[: forces.size] -= forces.ravel()
+    missing -= mesh.loads(forces)
     supported = model.supports.dofs(mesh)
     bearing = np.zeros(mesh.count)
     bearing[supported] = missing[supported]
-    at_nodes = bearing[mesh.translations()] + structure.ground_forces(response.forces)
+    at_nodes = structure.ground_forces(response.forces)
+    at_nodes[: mesh.node_count] += bearing[mesh.translations()]
     turning = bearing[mesh.rotations().reshape(-1, 3)]
     middle = points.mean(axis=0)
     both = forces + at_nodes

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.numerics.arrays import Array
+from orishell.structure.mesh.elements import assemble
 from orishell.structure.mesh.geometric import geometric_stiffness
+from orishell.structure.mesh.sheet import CORNERS, SheetMesh
 from orishell.structure.model import Model
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import turning_stiffness
@@ -17,12 +19,17 @@ if TYPE_CHECKING:
 
 
 def turned_by_load(
-    model: Model, structure: Factorised, forces: Array, membrane: Array
+    model: Model,
+    structure: Factorised,
+    forces: Array,
+    membrane: Array,
+    hung: tuple[Array, Array],
 ) -> csr_array:
     """The geometric stiffness (n, n) of free dofs.
 
     forces: Of all rows (M,) of the structure: ties pull, flaps push.
     membrane: Membrane forces xx, yy, xy (T, 3) of triangles, in their own axes.
+    hung: Forces (T, 18) that move triangles, and loads (N, 3) on points.
     """
     from scipy.sparse import csr_array
 
@@ -34,8 +41,31 @@ def turned_by_load(
     pulls = forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
     geometric = geometric_stiffness(mesh, membrane, points)
     turning = turning_stiffness(mesh.facets.points, pairs[:straight], pulls, mesh.count)
-    free = structure.free
-    return csr_array((geometric + turning)[free][:, free])
+    free, total = structure.free, geometric + turning
+    if mesh.offsets is not None:
+        total = total + by_arms(mesh, *hung)
+    return csr_array(total[free][:, free])
+
+
+def by_arms(mesh: SheetMesh, forces: Array, loads: Array) -> csr_array:
+    """What turning arms r add (D, D), which pass forces g on from hinges to plates.
+
+    Turned by t the end of an arm goes on by t x (t x r)/2, on which g works
+
+        ((g t)(r t) - (g r)(t t))/2.
+
+    forces: With which triangles are moved (T, 18).
+    loads: On points (N, 3).
+    """
+    assert mesh.offsets is not None
+    hung = mesh.offsets
+    by_places = np.zeros((mesh.nodes.size, 3))
+    np.add.at(by_places, mesh.places, forces.reshape(-1, 3, 6)[..., :3])
+    pulls, arms = by_places[hung.places] - loads[mesh.node_count :], hung.arms
+    outer = pulls[:, :, None] * arms[:, None]
+    inner = np.einsum("ki,ki->k", pulls, arms)[:, None, None] * np.eye(3)
+    turns = mesh.rotations().reshape(-1, 3)[hung.places]
+    return assemble(0.5 * (outer + outer.swapaxes(1, 2)) - inner, turns, mesh.count)
 
 
 def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
@@ -44,7 +74,8 @@ def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
     if not (len(points) and modes.size):
         return np.zeros(modes.shape[1])
     elements = model.elements
-    standing = np.asarray(np.isin(model.grid.faces_vertices(), points).any(axis=1))
+    corners = model.mesh.nodes[:, *CORNERS]
+    standing = np.asarray(np.isin(corners, points).any(axis=1))
     there = standing[model.mesh.panels]
     energies = []
     for mode in modes.T:

@@ -13,6 +13,7 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.loads import case_loads, sum_forces
+from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
     EdgeForces,
     crease_sides,
@@ -62,7 +63,7 @@ def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Arra
     apart = replace(
         exposure,
         mesh=Facets(
-            np.concatenate([points, points[mesh.nodes.ravel()]]), len(points) + mesh.places
+            np.concatenate([points, points[mesh.seats.ravel()]]), len(points) + mesh.places
         ),
         hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
     )
@@ -164,6 +165,14 @@ def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
     stress = np.where(alone[..., None], board_stress(found.per_length, build), -1.0)
     largest = on_creases(stress[..., None], model.grid).max(axis=(1, 2, 3))
     return _largest(model, largest) if largest.max() >= 0 else None
+
+
+def arms(model: Model, found: EdgeForces) -> AtCrease | None:
+    """The largest stress of the arms that hinges stand on; None if there are none."""
+    hinges, build = model.mesh.offsets, model.design.panel
+    if hinges is None or found.hinged is None or build is None or not hinges.heights.any():
+        return None
+    return _largest(model, arm_stress(hinges, found.hinged, build.fin).max(axis=1))
 
 
 def _largest(model: Model, sizes: Array) -> AtCrease:

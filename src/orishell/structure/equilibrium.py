@@ -17,6 +17,7 @@ from orishell.numerics.arrays import Array
 from orishell.structure.crease_forces import (
     AtCrease,
     CreaseForces,
+    arms,
     by_kind,
     film,
     lone_board,
@@ -28,12 +29,13 @@ from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
 from orishell.structure.verdict import COLLAPSED
 
-Limiting = Literal["panels", "membrane", "creases", "ties", "buckling"]
+Limiting = Literal["panels", "membrane", "creases", "arms", "ties", "buckling"]
 """What may be at the end of what it bears."""
 GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
     "membrane": "the stress in the membrane between boards",
     "creases": "the moment of creases",
+    "arms": "the stress in the arms of hinges",
     "ties": "the force in a tie",
     "buckling": "buckling",
 }
@@ -91,12 +93,13 @@ class Stress:
 class Utilisation:
     """Shares of what is borne, by what can be borne."""
 
-    WRITTEN = ("panels", "membrane", "creases", "ties", "buckling", "governs")
+    WRITTEN = ("panels", "membrane", "creases", "arms", "ties", "buckling", "governs")
 
     # of their strength; None where that is not known
     panels: float | None
     membrane: float | None  # None, too, where panels have none
     creases: float | None
+    arms: float | None  # None, too, where hinges have none
     ties: float | None
     buckling: float | None  # of the load at which the shell buckles; None if it does not
 
@@ -118,13 +121,14 @@ class Equilibrium:
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
-        "crease", "creases", "stress", "lone_board", "membrane", "panel_residual", "utilisation",
+        "crease", "creases", "stress", "lone_board", "membrane", "arms", "panel_residual",
+        "utilisation",
         "buckling", "buckling_factors", "frequencies", "path",
     )  # fmt: skip
 
     model: Model  # what is loaded
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
-    displacements: Array  # of nodes (N, 3) (length)
+    displacements: Array  # of points of the mesh (N, 3) (length)
     support_forces: Array  # on supported vertices (S, 3), as ``Model.supported`` has them (N)
     reaction: Vector  # sum of all reactions
     # what is missing between loads and reactions, of forces and moments the larger, relative to the
@@ -169,7 +173,8 @@ class Equilibrium:
         """The largest."""
         sizes = np.linalg.norm(self.displacements, axis=1)
         node = int(sizes.argmax())
-        panel = int(np.argmax((self.model.mesh.nodes == node).any(axis=(1, 2))))
+        mesh = self.model.mesh
+        panel = int(np.argmax(((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))))
         return Displacement(
             size=float(sizes[node]),
             vector=vector(self.displacements[node]),
@@ -225,6 +230,11 @@ class Equilibrium:
         return lone_board(self.model, self.edges)
 
     @cached_property
+    def arms(self) -> AtCrease | None:
+        """The largest stress of the arms of hinges beside creases; None if there are none."""
+        return arms(self.model, self.edges)
+
+    @cached_property
     def stress(self) -> Stress:
         """The largest."""
         triangle, face = np.unravel_index(self.stresses.argmax(), self.stresses.shape)
@@ -250,6 +260,7 @@ class Equilibrium:
             panels=_share(max(self.stress.size, boards), asked.strength),
             membrane=None if film is None else _share(film.size, asked.membrane_strength),
             creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
+            arms=None if self.arms is None else _share(self.arms.size, asked.arm_strength),
             ties=_share(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             buckling=None if self.buckling is None else 1 / self.buckling,
         )
@@ -267,6 +278,7 @@ class Equilibrium:
             "panels": True,
             "membrane": self.membrane is not None and self.membrane.size > 0,
             "creases": self.crease is not None,
+            "arms": self.arms is not None and self.arms.size > 0,
             "ties": bool(self.tie_forces.any()),
         }
         return tuple(

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, VertexPair
 from orishell.motion.layout import LaidOut
 from orishell.motion.quads import area_vectors
@@ -31,6 +34,19 @@ def hung_area(flapped: Mechanism, grid: Grid, count: int) -> Array:
         hung[vertices[:-1, column]] += 0.5 * area
         hung[vertices[1:, column]] += 0.5 * area
     return hung
+
+
+def between_flaps(boards: Boards, folding: Grid, grid: Grid, before: int) -> Boards:
+    """Those of the boards of a folding sheet that are between its flaps, by panels of that grid.
+
+    before: Number of columns of folded flaps before the first column of the grid.
+    """
+    # Boards of folded flaps are numbered with the sheet, or behind it.
+    row, column = np.divmod(boards.panels, folding.columns - 1)
+    column = column - before
+    own = (row < folding.rows - 1) & (column >= 0) & (column < grid.columns - 1)
+    chosen = boards.chosen(own)
+    return replace(chosen, panels=row[own] * (grid.columns - 1) + column[own])
 
 
 def kept_apart(flapped: Mechanism, grid: Grid, before: int) -> tuple[VertexPair, ...]:

@@ -24,8 +24,7 @@ def edge_nodes(
     level: Whether these edges have to be level.
     Raises InputError: If there are none, or one is not level.
     """
-    ends = grid.edges_vertices()
-    along = np.asarray(np.isin(ends, vertices).all(axis=1))
+    along = np.asarray(np.isin(grid.edges_vertices(), vertices).all(axis=1))
     if not along.any():
         raise InputError(
             "no edge of a panel joins two of these vertices",
@@ -33,10 +32,13 @@ def edge_nodes(
             expected="vertices that follow each other along a row or a column",
             remedy="name more vertices, or give patch instead: a length around each of them",
         )
-    heights = mesh.facets.points[ends[along], 2]
-    steps = np.abs(np.diff(heights, axis=1))[:, 0]
+    edges, seats = grid.faces_edges(), mesh.seats
+    held = along[edges]  # (F, 4), in the same order as sides
+    ends = np.stack([each[:, [0, -1]] for each in _sides(seats)], axis=1)
+    steps = np.where(held, np.abs(np.diff(mesh.facets.points[ends, 2]))[..., 0], 0.0)
     if level and steps.max() > LEVEL * np.ptp(mesh.facets.points[:, 2]):
-        row = int(ends[along][steps.argmax(), 0]) // grid.columns
+        panel, side = np.unravel_index(int(steps.argmax()), steps.shape)
+        row = int(grid.edges_vertices()[edges[panel, side], 0]) // grid.columns
         raise InputError(
             f"the edge between feet at row {row} is not on the ground",
             where=where,
@@ -44,16 +46,21 @@ def edge_nodes(
             expected="feet that are at one height: the shell stands on its vertices only",
             remedy="give patch instead: a length around each foot",
         )
-    sides = [mesh.nodes[:, :, 0], mesh.nodes[:, -1], mesh.nodes[:, :, -1], mesh.nodes[:, 0]]
-    held = along[grid.faces_edges()]  # (F, 4), in the same order
-    return np.unique(np.concatenate([side[held[:, k]].ravel() for k, side in enumerate(sides)]))
+    sides = enumerate(_sides(mesh.nodes))
+    return np.unique(np.concatenate([side[held[:, k]].ravel() for k, side in sides]))
+
+
+def _sides(nodes: Integers) -> list[Integers]:
+    """Nodes (F, cells+1) along the left, bottom, right and top of panels."""
+    return [nodes[:, :, 0], nodes[:, -1], nodes[:, :, -1], nodes[:, 0]]
 
 
 def patch_nodes(mesh: SheetMesh, vertices: Integers, radius: float) -> Integers:
-    """Nodes no further than a radius from one of the vertices."""
-    points = mesh.facets.points
-    away = np.stack([np.linalg.norm(points - each, axis=1) for each in points[vertices]])
-    return np.flatnonzero((away <= radius * (1 + AS_NEAR)).any(axis=0))
+    """Nodes of plates no further than a radius from one of the vertices."""
+    points, nodes = mesh.facets.points, np.unique(mesh.seats)
+    nodes = nodes[nodes < mesh.node_count]
+    away = np.stack([np.linalg.norm(points[nodes] - each, axis=1) for each in points[vertices]])
+    return np.asarray(nodes[(away <= radius * (1 + AS_NEAR)).any(axis=0)])
 
 
 def to_nearest(points: Array, vertices: Integers, forces: Array) -> Array:

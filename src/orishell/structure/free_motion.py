@@ -103,9 +103,9 @@ def describe_motion(
     slides: Whether feet slip away, though forces within their friction could bear the loads.
     unknown: Whether that could be, and what feet do was not found.
     """
-    drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
-    near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
-    folding = (near[1] - near[0]).reshape(-1)
+    drive = model.sheet.target_drive
+    points = model.vertices(drive)
+    folding = (model.vertices(drive + STEP) - model.vertices(drive - STEP)).reshape(-1)
     away = points - points.mean(axis=0)
     whole = np.concatenate(
         [np.tile(np.eye(3), (len(points), 1, 1)), np.cross(away[:, None], np.eye(3))], axis=1

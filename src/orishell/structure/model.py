@@ -13,16 +13,19 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
-from orishell.motion import Mechanism
+from orishell.motion import Mechanism, area_of
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
-from orishell.structure.flaps import hung_area, kept_apart
+from orishell.structure.flaps import between_flaps, hung_area, kept_apart
 from orishell.structure.loads import Exposure
+from orishell.structure.masses import point_masses
+from orishell.structure.mesh.arms import joint_elements
+from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
-from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.mesh.hinges import rigid_stiffness
 from orishell.structure.mesh.sections import Section, panel_sections
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.settings import Structure
@@ -30,6 +33,7 @@ from orishell.structure.solve.conditions import Conditions, between, joined, on_
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.supports import Supports, find_supports
+from orishell.structure.whole_boards import corners_at_vertices, plates_of
 
 Stiffness = float | Literal["free", "rigid"]
 """Of creases: moment per length and angle (N), 0 and infinite said in words."""
@@ -50,7 +54,7 @@ class Model:
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
-        "structure.membrane_strength",
+        "structure.membrane_strength", "structure.arm_modulus", "structure.arm_strength",
         "structure.supports",
     )  # fmt: skip
 
@@ -70,9 +74,14 @@ class Model:
         return found
 
     @property
+    def least_cells(self) -> int:
+        """How many cells there are at least along a side of a panel."""
+        return LEAST_CELLS if self.design.has_whole_boards else 1
+
+    @property
     def nodes(self) -> int:
         """Nodes of the mesh."""
-        return len(self.mesh.facets.points)
+        return self.mesh.node_count
 
     @property
     def triangles(self) -> int:
@@ -87,7 +96,7 @@ class Model:
     @property
     def mass(self) -> float:
         """Of all panels (kg)."""
-        return float(self.node_masses().sum())
+        return float(point_masses(self.exposure).sum())
 
     @property
     def height(self) -> float:
@@ -157,20 +166,29 @@ class Model:
 
     @cached_property
     def mesh(self) -> SheetMesh:
-        """The meshed sheet."""
+        """The meshed sheet, or its whole boards."""
+        if self.design.has_whole_boards:
+            return mesh_boards(self._plates(self.sheet.target_drive), self.grid, self.cells)
         return mesh_sheet(self.positions, self.grid, self.cells)
+
+    def vertices(self, drive: float) -> Array:
+        """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).
+
+        Of whole boards they are those corners that stand, and that ties are fixed to.
+        """
+        if self.design.has_whole_boards:
+            return corners_at_vertices(self._plates(drive), self.mesh, self.grid)
+        return self.sheet.positions(drive).reshape(-1, 3)
+
+    def _plates(self, drive: float) -> HingedPlates:
+        return plates_of(self.design, self.structure, self.sheet, drive)
 
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
         flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
-        return panel_sections(
-            self.structure,
-            self.design.panel,
-            self.boards,
-            flat,
-            centres(self.positions, self.cells),
-        )
+        middles = centres(self.positions, self.cells)
+        return panel_sections(self.structure, self.design.panel, self.boards, flat, middles)
 
     @property
     def boards(self) -> Boards | None:
@@ -178,20 +196,15 @@ class Model:
         built = self.built
         if built is None:
             return None
-        # Boards of folded flaps are numbered with the sheet, or behind it.
-        grid = self.design.mechanism.grid
-        row, column = np.divmod(built.boards.panels, grid.columns - 1)
-        column = column - self.before
-        own = (row < grid.rows - 1) & (column >= 0) & (column < self.grid.columns - 1)
-        boards = built.boards.chosen(own)
-        number = row[own] * (self.grid.columns - 1) + column[own]
-        return Boards(number, boards.sides, boards.outlines)
+        return between_flaps(built.boards, self.design.mechanism.grid, self.grid, self.before)
 
     @cached_property
     def exposure(self) -> Exposure:
         """The mesh as loads see it."""
         facets, mass = self.mesh.facets, self.site.areal_mass
-        points = self.positions[list(self.site.rows or (0, -1))]
+        if self.design.has_whole_boards:  # with nothing in the gaps between them
+            mass *= area_of(self.sheet) / float(facets.areas().sum())
+        points = self.mesh.facets.points[self.grid.vertices()[list(self.site.rows or (0, -1))]]
         span = float(np.linalg.norm(np.diff(points.mean(axis=1), axis=0)))
         standing = self.site.rows is not None
         return Exposure(
@@ -274,27 +287,10 @@ class Model:
     def factorised(self, stiffness: float) -> Factorised:
         """The structure with creases of a stiffness (force per radian), factorised."""
         mesh = self.mesh
-        elements = [self.elements]
-        if stiffness:
-            springs = min(stiffness, rigid_stiffness(mesh, self.section))
-            elements.append(hinge_elements(mesh, self.grid, springs))
+        springs = min(stiffness, rigid_stiffness(mesh, self.section))
+        elements = [self.elements, *joint_elements(mesh, self.grid, springs)]
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
-
-    def node_masses(self) -> Array:
-        """Mass (N,) at every node (kg)."""
-        exposure = self.exposure
-        share = exposure.areal_mass * exposure.mesh.areas() / 3
-        lumped = exposure.hung.copy()
-        np.add.at(lumped, exposure.mesh.triangles, share[:, None])
-        return lumped
-
-    def inertia(self) -> Array:
-        """Force by acceleration (D,) of every dof, the latter in the design's unit."""
-        inertia = np.zeros(self.mesh.count)
-        translations = self.mesh.translations()
-        inertia[translations] = self.site.metres * self.node_masses()[:, None]
-        return inertia
 
 
 def _range(values: ArrayLike) -> tuple[float, float]:

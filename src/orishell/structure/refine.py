@@ -77,7 +77,7 @@ def refined(
         return found, cases
 
     while True:
-        coarse = coarser(cells)
+        coarse = coarser(cells, model.least_cells)
         if coarse not in known:
             analysed(coarse, last=False)
         found = analysed(cells, last=True)
@@ -92,9 +92,10 @@ def refined(
     return *found, change, stopped
 
 
-def coarser(cells: int) -> int:
-    """Cells of the next coarser mesh, 3/4 of so many or less; 2 for 1."""
-    return max((each for each in LADDER if each <= COARSER * cells), default=2)
+def coarser(cells: int, least: int = 1) -> int:
+    """Cells of the next coarser mesh, 3/4 of so many or less; one more for the ``least``."""
+    fewer = (each for each in LADDER if least <= each <= COARSER * cells)
+    return max(fewer, default=least + 1)
 
 
 def figures(found: Equilibrium | None) -> Figures:

@@ -137,6 +137,11 @@ class StructureTable(Table):
     crease_stiffness: StiffnessRange = (0.0, math.inf)
     # what creases bear: moment per length; None if that is not known (force)
     crease_strength: Positive | None = None
+    # Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force
+    # per area)
+    arm_modulus: Positive | None = None
+    # stress that these arms bear; None if that is not known (force per area)
+    arm_strength: Positive | None = None
     # force by strain of a tie; infinite if it does not stretch (N)
     tie_stiffness: Positive = math.inf
     tie_strength: Positive | None = None  # what a tie bears; None if that is not known (N)

@@ -91,6 +91,7 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
         ("panels", used.panels),
         ("membrane", used.membrane),
         ("creases", used.creases),
+        ("arms", used.arms),
         ("ties", used.ties),
     ):
         if part is not None and part > 1:

@@ -15,7 +15,9 @@ from command_line import orishell
 from orishell.conventions.errors import InputError
 from orishell.design_file.file import check_design
 from orishell.io.format import Settings
+from orishell.io.formats.calculix import write_calculix
 from orishell.io.formats.tables import write_tables
+from orishell.io.formats.vtk import write_vtk
 from orishell.io.solids import mesh_of, solids_in
 from orishell.io.view import dump_view
 from orishell.motion.quads import grid_corners, longer_diagonals, unit_normals
@@ -141,14 +143,19 @@ def test_the_viewer_is_told_how_far_panels_are_shifted() -> None:
     assert not found[document.named["flat"]].any()
 
 
-def test_structures_of_hinged_boards_are_refused_by_name() -> None:
+def test_structures_of_hinged_boards_are_written_but_for_calculix(tmp_path: Path) -> None:
+    supports = [{"at": [[0, 0], [0, 5], [4, 0], [4, 5]], "kind": "pinned"}]
     tables = TABLES | {
-        "structure": {"material": "birch plywood", "supports": [{"at": "feet", "kind": "pinned"}]},
+        "structure": {"material": "birch plywood", "supports": supports, "cells": 3},
         "load_case": [{"name": "weight", "self_weight": True}],
     }
     file = check_design(tables, Path("shell.toml"))
-    with pytest.raises(InputError, match="not analysed as a structure yet"):
-        make_shell(file, skip=("remedies", "stock"))
+    analysed = make_shell(file, skip=("remedies", "stock"))
+    settings = Settings()
+    write_vtk(tmp_path / "shell.vtu", analysed.document, settings)
+    with pytest.raises(InputError, match="not written for CalculiX") as caught:
+        write_calculix(tmp_path / "shell.inp", analysed.document, settings)
+    assert caught.value.keys == ("panel.construction",)
 
 
 def test_every_format_is_written(tmp_path: Path) -> None:

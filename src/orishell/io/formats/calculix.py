@@ -44,7 +44,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     Raises
     ------
     InputError
-        If the shell was not analysed, or no unit of length is known.
+        If the shell was not analysed, or is of whole boards, or no unit of length is known.
     """
     shell = document.loaded
     if shell is None:
@@ -52,6 +52,14 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             "the shell was not analysed as a structure",
             keys=("structure",),
             remedy="add the tables [structure] and [[load_case]] to the design file",
+        )
+    if shell.whole_boards:
+        raise InputError(
+            "whole boards on hinges are not written for CalculiX: creases there are rigid, and in "
+            "the middle of panels",
+            keys=("panel.construction",),
+            got='"hinged"',
+            expected='"sandwich" or "bevel"',
         )
     unit = document.require_unit()
     deck = _deck_of(shell)

@@ -29,7 +29,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places
 
 STRETCHES = 4
 """Forces are averaged over so many equal stretches of an edge: finer ones would grow with finer
@@ -52,6 +52,9 @@ class EdgeForces:
     # what is missing for the balance of a panel, of forces and of moments over its diagonal the
     # larger, of all panels (N)
     missing: float
+    # what hinges beside creases do to the first and the second board (C, 2, cells+1, 6) at nodes
+    # along them, moments about their axes, 0 beyond their ends; None if hinges are in creases
+    hinged: Array | None = None
 
 
 def find_edge_forces(
@@ -75,18 +78,22 @@ def find_edge_forces(
     """
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
+    held[:, 3:] -= np.cross(mesh.arms_at_places(), held[:, :3])
     held[:, :3] -= panel_loads
-    spread, points = (
-        _sides(each.reshape(*mesh.nodes.shape, -1))
-        for each in (held, mesh.facets.points[mesh.nodes])
-    )
+    own = mesh.facets.points[mesh.seats]
+    hinged = None if mesh.offsets is None else _at_hinges(mesh.offsets, grid, held, own)
+    spread, points = (_sides(each.reshape(*mesh.nodes.shape, -1)) for each in (held, own))
     along = points[:, :, -1] - points[:, :, 0]
     along /= np.linalg.norm(along, axis=-1, keepdims=True)
     about = np.zeros(spread.shape[:3])
-    if turning is not None:
-        about = _hinged(grid, turning, along)
+    if hinged is not None:
+        about = _hinged(grid, -hinged[:, 0, :, 3:], along)
+    elif turning is not None:
+        about = _hinged(grid, turning[:, :3], along)
     at_corners = spread[:, :, 0].copy()
-    begin, end = _at_vertices(grid, at_corners[..., :3])
+    begin = end = np.zeros((len(own), 4, 3))
+    if mesh.offsets is None:  # else no crease joins corners
+        begin, end = _at_vertices(grid, at_corners[..., :3])
     spread[:, :, 0, :3], spread[:, :, -1, :3] = begin, end
     spread[:, :, [0, -1], 3:] = (-about[..., None] * along[:, :, None])[:, :, [0, -1]]
     corners = at_corners - spread[:, :, 0] - np.roll(spread[:, :, -1], 1, axis=1)
@@ -103,7 +110,7 @@ def find_edge_forces(
     origin = points[:, :1, 0]
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
     loaded = loaded.reshape(len(mesh.nodes), -1, 6)
-    own = mesh.facets.points[mesh.nodes].reshape(*loaded.shape[:2], 3)
+    own = own.reshape(*loaded.shape[:2], 3)
     within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
     if supported is not None:
         within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
@@ -116,7 +123,21 @@ def find_edge_forces(
     size = np.linalg.norm(np.ptp(own, axis=1), axis=1)
     whole, turning = (np.linalg.norm(each, axis=1) for each in (total[:, :3], total[:, 3:]))
     missing = float(max(whole.max(), (turning / size).max()))
-    return EdgeForces(per_length, resultants, corners, missing)
+    return EdgeForces(per_length, resultants, corners, missing, hinged)
+
+
+def _at_hinges(hinges: Offsets, grid: Grid, held: Array, own: Array) -> Array:
+    """What hinges beside creases do to boards (C, 2, cells+1, 6), moments about their axes.
+
+    held: Forces and moments (places, 6) that hold plates at their points.
+    own: These points (F, cells+1, cells+1, 3).
+    """
+    _, *sides = crease_places(grid, own.shape[1] - 1)
+    places = np.stack(sides, axis=1)
+    found = np.where(hinges.lengths[:, None, :, None] > 0, held[places], 0.0)
+    away = own.reshape(-1, 3)[places] - hinges.axes[:, None]
+    found[..., 3:] += np.cross(away, found[..., :3])
+    return found
 
 
 def _sides(values: Array) -> Array:
@@ -129,13 +150,13 @@ def _sides(values: Array) -> Array:
 def _hinged(grid: Grid, turning: Array, along: Array) -> Array:
     """Moments (F, 4, n+1) on the nodes of edges, by how they stretch the lower face.
 
-    turning: What springs have of both their panels (C (n+1), 6).
+    turning: Moments of springs on their first panels (C (n+1), 3), in any shape.
     along: Directions (F, 4, 3) of edges.
     """
     creases, sides = crease_sides(grid)
     # The first panel of a spring runs counter-clockwise along it: a bottom or a left edge.
     own = sides[np.arange(len(sides)), (sides[:, 0, 1] != 1).astype(np.int64)]
-    first = turning[:, :3].reshape(len(creases), -1, 3)
+    first = turning.reshape(len(creases), -1, 3)
     by_edge = np.zeros((len(grid.edges_vertices()), first.shape[1]))
     by_edge[creases] = np.einsum("cnx,cx->cn", first, along[own[:, 0], own[:, 1]])
     found = by_edge[grid.faces_edges()]

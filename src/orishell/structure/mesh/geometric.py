@@ -30,7 +30,7 @@ import numpy as np
 
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import assemble
-from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
 from orishell.structure.mesh.triangle import DOFS
 
 if TYPE_CHECKING:
@@ -53,18 +53,23 @@ def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr
     slopes.reshape(-1, 3, 2, 3, DOFS)[at_points, ..., 3:] = 0.0
     energy = np.einsum("tadi,tde,taej->tij", slopes, tensor, slopes, optimize=True)
     elements = facets.turned(energy * facets.areas()[:, None, None])
-    by_rotations = assemble(elements, mesh.dofs(), mesh.count)
+    own = 3 * facets.triangles[..., None] + np.arange(3)
+    turns = 3 * (len(facets.points) + mesh.places[..., None]) + np.arange(3)
+    dofs = np.concatenate([own, turns], axis=-1).reshape(-1, 18)
     smooth = _smoothing(mesh)
+    by_rotations = assemble(elements, dofs, smooth.shape[0])
     return csr_array(smooth.T @ by_rotations @ smooth)
 
 
 @lru_cache(maxsize=2)
 def _smoothing(mesh: SheetMesh) -> csr_array:
-    """All dofs (D, D) by displacements alone, kept for the load cases of a mesh."""
-    from scipy.sparse import csr_array, eye_array, vstack
+    """Displacements of points and rotations of panels there by displacements, as dofs have them.
 
-    displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
-    return csr_array(vstack([displaced, smooth_rotations(mesh)], format="csr"))
+    (3 N + 3 F (cells+1)^2, D), kept for the load cases of a mesh.
+    """
+    from scipy.sparse import csr_array, vstack
+
+    return csr_array(vstack([points_by_dofs(mesh), smooth_rotations(mesh)], format="csr"))
 
 
 def mean_slopes(corners: Array) -> Array:
@@ -90,13 +95,13 @@ def mean_slopes(corners: Array) -> Array:
 
 
 def smooth_rotations(mesh: SheetMesh) -> csr_array:
-    """Rotations (3 * F * (cells+1)^2, D) of panels at their nodes, by displacements of nodes.
+    """Rotations (3 * F * (cells+1)^2, D) of panels at their points, by displacements of those.
 
     About their normals they are 0.
     """
-    from scipy.sparse import coo_array
+    from scipy.sparse import coo_array, csr_array
 
-    nodes, points = mesh.nodes, mesh.facets.points[mesh.nodes]
+    nodes, points = mesh.seats, mesh.facets.points[mesh.seats]
     corners = points[:, [0, -1, -1, 0], [0, 0, -1, -1]]
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     normal = (normal / np.linalg.norm(normal, axis=1, keepdims=True))[:, None, None]
@@ -126,7 +131,8 @@ def smooth_rotations(mesh: SheetMesh) -> csr_array:
     columns = 3 * np.stack([below, beside])[..., None, None] + np.arange(3)
     rows, columns = np.broadcast_to(rows, values.shape), np.broadcast_to(columns, values.shape)
     places = (rows.ravel(), columns.ravel())
-    return coo_array((values.ravel(), places), shape=(3 * nodes.size, mesh.count)).tocsr()
+    shape = 3 * nodes.size, mesh.facets.points.size
+    return csr_array(coo_array((values.ravel(), places), shape=shape) @ points_by_dofs(mesh))
 
 
 def _slope_weights(points: Array, near: Integers) -> Array:

@@ -14,7 +14,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.sheet import SheetMesh, crease_places
 
 RIGID = 1e3
 """Stiffness of a rigid crease by that of a cell in bending."""
@@ -49,8 +49,11 @@ def crease_springs(
     """
     edge, *beside, nodes = beside_creases(mesh, grid)
     points = mesh.facets.points[nodes]  # (C, cells+1, 3)
-    step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
-    share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
+    if mesh.offsets is None:
+        step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
+        share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
+    else:
+        share = np.where(mesh.offsets.on_fins[:, None], 0.0, mesh.offsets.lengths)
     along = points[:, -1] - points[:, 0]
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     k = np.broadcast_to(np.asarray(stiffness, np.float64), len(grid.edges_vertices()))[edge]
@@ -62,13 +65,8 @@ def crease_springs(
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
     """Edges (C,) that are creases, places (C, cells+1) beside them on both sides, and nodes there.
 
-    Places are those of :class:`~orishell.structure.mesh.sheet.SheetMesh`.
+    Nodes are those of the first side. Places are those of
+    :class:`~orishell.structure.mesh.sheet.SheetMesh`.
     """
-    places, edges = np.arange(mesh.nodes.size).reshape(mesh.nodes.shape), grid.faces_edges()
-    # In the order of Grid.faces_edges.
-    sides = [places[:, :, 0], places[:, -1], places[:, :, -1], places[:, 0]]
-    edge, beside = edges.T.ravel(), np.concatenate(sides)
-    order = np.argsort(edge, kind="stable")
-    edge, beside = edge[order], beside[order]
-    pair = np.flatnonzero(edge[1:] == edge[:-1])
-    return edge[pair], beside[pair], beside[pair + 1], mesh.nodes.ravel()[beside[pair]]
+    edge, first, second = crease_places(grid, mesh.nodes.shape[1] - 1)
+    return edge, first, second, mesh.nodes.ravel()[first]

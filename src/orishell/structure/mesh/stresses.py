@@ -111,7 +111,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
 
 def _places(mesh: SheetMesh, side: tuple[slice | int, ...]) -> Array:
     """Places (F, cells+1) of nodes along a side of panels, from 0 to 1."""
-    points = mesh.facets.points[mesh.nodes[side]]
+    points = mesh.facets.points[mesh.seats[side]]
     away = np.linalg.norm(points - points[:, :1], axis=-1)
     return np.asarray(away / away[:, -1:])
 

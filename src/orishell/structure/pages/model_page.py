@@ -51,6 +51,9 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         stiffness += f", and {_stiffness(high)}: all is found for both"
     yield "Creases", stiffness
     yield "Strength of creases", _known(asked.crease_strength, said.moment)
+    if model.design.panel is not None and model.design.panel.construction == "hinged":
+        yield "Young\u2019s modulus of arms", _known(asked.arm_modulus, said.stress, "rigid")
+        yield "Strength of arms", _known(asked.arm_strength, said.stress)
     stretch = model.tie_stiffness
     yield "Ties", "do not stretch" if stretch is None else quantity(stretch, "N by strain")
     yield (
@@ -123,5 +126,5 @@ def _from_to(values: tuple[float, float], said: Callable[[float], str]) -> str:
     return low if low == high else f"from {low} to {high}"
 
 
-def _known(value: float | None, said: Callable[[float], str]) -> str:
-    return "not given" if value is None else said(value)
+def _known(value: float | None, said: Callable[[float], str], otherwise: str = "not given") -> str:
+    return otherwise if value is None else said(value)

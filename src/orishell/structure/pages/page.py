@@ -237,6 +237,8 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
         )
     if film is not None:
         yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
+    if found.arms is not None:
+        yield "Largest stress of an arm", f"{said.stress(found.arms.size)} {_between(found.arms)}"
     if found.crease is not None and case.creases != "free":
         yield (
             "Largest moment of a crease",
@@ -258,10 +260,11 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
             linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
         buckles = f"nonlinear: it {path.in_words()}. {linear}"
     yield "Buckling", buckles
-    if found.frequencies:
-        yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
+    if hertz := ", ".join(map(figure, found.frequencies)):
+        yield "Natural frequencies", f"{hertz} Hz"
     words = [f"{name} {_share(share)}" for name, share in used.shares.items() if share is not None]
-    bare = {"buckling", *(() if film else ("membrane",))}
+    there = {"membrane": film, "arms": found.arms, "buckling": None}
+    bare = {name for name, part in there.items() if part is None}
     unknown = [name for name, share in used.shares.items() if share is None and name not in bare]
     if unknown:
         words.append(f"of {' and '.join(unknown)} no strength is given")

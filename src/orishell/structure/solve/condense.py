@@ -55,11 +55,11 @@ def condense(
 def _axes(mesh: SheetMesh, number: Integers) -> Array:
     """Axes (D/3, 3, 3), as rows, of displacements of nodes and of rotations of panels there."""
     axes = np.tile(np.eye(3), (mesh.count // 3, 1, 1))
-    points = mesh.facets.points[mesh.nodes]
+    points = mesh.facets.points[mesh.seats]
     normal = _unit(
         np.cross(points[:, -1, -1] - points[:, 0, 0], points[:, 0, -1] - points[:, -1, 0])
     )
-    place = len(mesh.facets.points) + np.arange(mesh.nodes.size).reshape(mesh.nodes.shape)
+    place = mesh.node_count + np.arange(mesh.nodes.size).reshape(mesh.nodes.shape)
     for side in (np.s_[:, :, 0], np.s_[:, :, -1], np.s_[:, 0], np.s_[:, -1]):
         ends = points[side]
         along = _unit(ends[:, -1] - ends[:, 0])

@@ -10,7 +10,7 @@ from orishell.conventions.errors import DesignError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import Elements
-from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
 from orishell.structure.solve.condense import condense
 from orishell.structure.solve.conditions import Conditions, put_rows
 from orishell.structure.solve.factorised import Factorised
@@ -97,7 +97,8 @@ def _sprung(
         tuple(elements),
         free,
         conditions,
-        len(mesh.facets.points),
+        mesh.node_count,
+        points_by_dofs(mesh),
         csr_array(every_row),
         rows,
         springs,
@@ -111,7 +112,8 @@ def _sprung(
 
 def _rigid_motions(mesh: SheetMesh, free: Integers, supported: Integers) -> Array:
     """Motions of the whole (n, r) that supported dofs (H,) leave; orthonormal."""
-    away = mesh.facets.points - mesh.facets.points.mean(axis=0)
+    nodes = mesh.facets.points[: mesh.node_count]
+    away = nodes - nodes.mean(axis=0)
     size = float(np.linalg.norm(np.ptp(away, axis=0)))
     motions = np.zeros((mesh.count, 6))
     for axis, unit in enumerate(np.eye(3)):

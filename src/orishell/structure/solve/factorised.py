@@ -54,6 +54,7 @@ class Factorised:
     free: Integers  # dofs (n,) that are not supported
     conditions: Conditions  # the one-sided conditions (m)
     nodes: int  # number of nodes, whose displacements are the first dofs
+    by_dofs: csr_array  # displacements (3 N, D) of all points, nodes first
     every_row: csr_array  # all rows (M, D)
     rows: Array  # their part (M, n) of free dofs
     springs: Array  # their springs (M,)
@@ -73,12 +74,14 @@ class Factorised:
         return np.asarray(self.every_row.T @ forces)
 
     def ground_forces(self, forces: Array) -> Array:
-        """Forces (N, 3) of the ground on nodes, from the forces (M,) of all rows."""
+        """Forces (N, 3) of the ground on points, from the forces (M,) of all rows."""
         which = np.zeros(len(self.rows), dtype=bool)
         which[: len(self.conditions)] = self.conditions.grounded
         which[len(self.conditions) :][: len(self.sliding)] = True
         taken = self.every_row.T @ np.where(which, forces, 0.0)
-        return -np.asarray(taken[: 3 * self.nodes].reshape(-1, 3))
+        found = np.zeros((self.by_dofs.shape[0] // 3, 3))
+        found[: self.nodes] = -taken[: 3 * self.nodes].reshape(-1, 3)
+        return found
 
     def slipped(self, parted: Array) -> float:
         """How far a foot slips at most, by what rows part (M,)."""
@@ -86,10 +89,8 @@ class Factorised:
         return float(np.max(np.linalg.norm(rubs, axis=1), initial=0.0))
 
     def free_loads(self, forces: Array) -> Array:
-        """Loads on free dofs (n,) of forces on nodes (N, 3)."""
-        loads = np.zeros(self.every_row.shape[1])
-        loads[: forces.size] = forces.ravel()
-        return np.asarray(loads[self.free])
+        """Loads on free dofs (n,) of forces on points (N, 3)."""
+        return np.asarray((self.by_dofs.T @ forces.ravel())[self.free])
 
     def moved(self, displacements: Array) -> Array:
         """Displacements and rotations (D,), by displacements of free dofs (n,)."""
@@ -98,11 +99,11 @@ class Factorised:
         return moved
 
     def shape(self, displacements: Array) -> Array:
-        """Displacements (N, 3) of nodes, by displacements of free dofs (n,)."""
-        return self.moved(displacements)[: 3 * self.nodes].reshape(-1, 3)
+        """Displacements (N, 3) of points, by displacements of free dofs (n,)."""
+        return np.asarray((self.by_dofs @ self.moved(displacements)).reshape(-1, 3))
 
     def furthest(self, displacements: Array) -> float:
-        """The largest displacement of a node, by displacements of free dofs (n,)."""
+        """The largest displacement of a point, by displacements of free dofs (n,)."""
         return float(np.linalg.norm(self.shape(displacements), axis=1).max())
 
     def spring_solve(self, loads: Array) -> Array:

@@ -77,19 +77,19 @@ def largest(inverse: Inverse, apply: Apply, count: int) -> tuple[Array, Array]:
     return values[found], vectors[:, found]
 
 
-def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
+def find_frequencies(inverse: Inverse, mass: csr_array, count: int) -> tuple[Array, Array]:
     """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
 
-    mass: Of every free degree of freedom (n,), in force by acceleration in the unit of the sheet.
+    mass: Of free dofs (n, n), in force by acceleration in the unit of the sheet.
     """
     free = inverse.motions
-    heavy = mass[:, None] * free
+    heavy = np.asarray(mass @ free)
     held_back = np.linalg.solve(free.T @ heavy, heavy.T) if free.size else heavy.T
 
     def apply(moved: Array) -> Array:
         # Without the free motions' share, so that what is left is in balance.
         bare = moved - free @ (held_back @ moved)
-        return np.asarray(mass[:, None] * bare - heavy @ (held_back @ bare))
+        return np.asarray(mass @ bare - heavy @ (held_back @ bare))
 
     values, modes = largest(inverse, apply, count)
     return 1 / np.sqrt(values) / (2 * np.pi), modes - free @ (held_back @ modes)
