@@ -42,7 +42,7 @@ def loops(sheet: Mechanism) -> tuple[Integers, Booleans]:
         for first in range(row * across, (row + 1) * across - 1):
             found.append((first, first + across, first + across + 1, first + 1))
     panels = np.array(found)
-    return panels, layout.flaps[panels].any(axis=1)
+    return panels, np.asarray(layout.flaps[panels].any(axis=1))
 
 
 def ranks(sheet: Mechanism) -> tuple[Array, Booleans]:
