@@ -104,7 +104,7 @@ WHOLE = {
     "no table of hinges": (PANEL, f"[panel]\n{HINGED}hinge = 0.02\n", 2, "hinge"),
     "arms lighter than nothing": (PANEL, f"[panel]\n{HINGED}arm_density = -1\n", 2, "arm_density"),
     "no thickness": (PANEL, '[panel]\nconstruction = "hinged"\n', 2, "a thickness above 0"),
-    "flaps": ("flap = 0  ", "flap = 0.25", 1, "cannot be made with flaps yet"),
+    "flaps": ("flap = 0  ", "flap = 0.25", 1, "a flap folds flat before the sheet does"),
     "a sheet that does not fold flat": (
         'spacing = "equal"',
         'spacing = "curvature"',
