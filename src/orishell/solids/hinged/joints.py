@@ -105,7 +105,7 @@ def joint_axes(hinges: Hinges, positions: Array) -> Array:
         face = (hinges.levels[board] + share * hinges.thickness)[..., None] * n
         inward = side * cut[..., None] * np.cross(n, along)
         found += 0.5 * (shifts[board] + face + inward)[:, :, None]
-    return found + np.stack([crease[:, :-1], crease[:, 1:]], axis=2)
+    return np.asarray(found + np.stack([crease[:, :-1], crease[:, 1:]], axis=2))
 
 
 def joint_openings(mechanism: Mechanism, boards: Boards) -> Array:
