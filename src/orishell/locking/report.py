@@ -11,9 +11,7 @@ from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
 from orishell.motion.boards import ARM, Boards
-from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout
-from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
 from orishell.solids.hinged.joints import joint_openings
@@ -157,16 +155,10 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
             for rows in hinges.pieces
         ),
         joints=_joints(mechanism, built.boards),
-        play=PlayReport(_play(hinges, target), _play(hinges, mechanism.positions(built.limit))),
-    )
-
-
-def _play(hinges: Hinges, positions: Array) -> Play:
-    """The play of all pieces together."""
-    return Play.of_all(
-        [find_play(positions[rows.start : rows.stop + 1]) for rows in hinges.pieces],
-        [rows.stop - rows.start for rows in hinges.pieces],
-        hinges.levels.shape[1],
+        play=PlayReport(
+            find_play(target, hinges.pieces),
+            find_play(mechanism.positions(built.limit), hinges.pieces),
+        ),
     )
 
 

@@ -42,21 +42,6 @@ class Play:
     hinge: float  # the play that each hinge has where all share in it, on the mean of hinges
     board: float  # how far boards then lie beside their places, on the mean of boards
 
-    @classmethod
-    def of_all(cls, pieces: Sequence[Play], rows: Sequence[int], columns: int) -> Play:
-        """That of pieces that have so many rows of panels, in so many columns."""
-        hinges = [2 * each * columns - each - columns for each in rows]
-        return cls(
-            loop=max(each.loop for each in pieces),
-            hinge=_mean([each.hinge for each in pieces], hinges),
-            board=_mean([each.board for each in pieces], rows),
-        )
-
-
-def _mean(values: Sequence[float], weights: Sequence[int]) -> float:
-    """The root mean square."""
-    return float(np.sqrt(np.average(np.square(values), weights=weights)))
-
 
 def find_play(positions: Positions, pieces: Sequence[slice] | None = None) -> Play:
     """The play that errors of hinges of whole boards ask for in a state.
