@@ -101,6 +101,48 @@ def draw_shell(
     frame(axes, np.concatenate([*shown, picture.reshape(-1, 2)]))
 
 
+def draw_boards(axes: Axes, corners: Array, view: Camera, colours: Array) -> None:
+    """Draw boards with four corners, and arms, from the farthest piece of a face to the nearest.
+
+    Parameters
+    ----------
+    axes
+        Where to.
+    corners
+        Corners (B, H, 4, 3) of their outlines, the lowest first.
+    view
+        The camera.
+    colours
+        Of the boards (B, 3).
+    """
+    from matplotlib.collections import PolyCollection
+
+    low, high = corners[:, 0], corners[:, -1]
+    walls = [
+        np.stack([low[:, k], low[:, k - 3], high[:, k - 3], high[:, k]], axis=1) for k in range(4)
+    ]
+    faces = np.concatenate([high, low[:, ::-1], *walls])
+    normal = np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    seen = normal @ view.axes()[2] > 0
+    light = 0.55 + 0.45 * np.maximum(normal @ _lamp(view), 0.0)
+    shades = np.tile(colours, (6, 1)) * light[:, None]
+    a, b, c, d = faces[seen].swapaxes(0, 1)
+    cells = _cells_of(a, b, c, d)
+    inks = np.repeat(shades[seen], CELLS**2, axis=0)
+    picture, depth = view.project(cells)
+    order = np.argsort(depth.mean(axis=1), kind="stable")
+    axes.add_collection(
+        PolyCollection(
+            list(picture[order]),
+            facecolors=inks[order],
+            edgecolors=inks[order],
+            linewidths=0.4,
+        )
+    )
+    frame(axes, picture.reshape(-1, 2))
+
+
 def draw_line(axes: Axes, points: Array, view: Camera, colour: str, label: str = "") -> None:
     """Draw a curve (N, 3) over a shell, with a pale outline."""
     from matplotlib.patheffects import Normal, Stroke
@@ -187,12 +229,17 @@ def _corners(points: Array) -> tuple[Array, Array, Array, Array]:
 
 def _cells(positions: Array) -> Array:
     """Cells (F * CELLS**2, 4, 3) of all panels, by panel, then down, then to the right."""
-    a, b, c, d = (corner.reshape(-1, 1, 1, 3) for corner in _corners(positions))
+    return _cells_of(*_corners(positions))
+
+
+def _cells_of(*corners: Array) -> Array:
+    """Cells (F * CELLS**2, 4, 3) of quadrilaterals by their corners (..., 3), in order around."""
+    a, b, c, d = (corner.reshape(-1, 1, 1, 3) for corner in corners)
     steps = np.linspace(0, 1, CELLS + 1)
     u, v = steps[:, None, None], steps[None, :, None]
     points = (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
-    corners = (points[:, :-1, :-1], points[:, 1:, :-1], points[:, 1:, 1:], points[:, :-1, 1:])
-    return np.stack(corners, axis=-2).reshape(-1, 4, 3)
+    parts = (points[:, :-1, :-1], points[:, 1:, :-1], points[:, 1:, 1:], points[:, :-1, 1:])
+    return np.stack(parts, axis=-2).reshape(-1, 4, 3)
 
 
 def _sides(cells: Array, inks: tuple[Array, Array]) -> tuple[Array, Array, Integers]:

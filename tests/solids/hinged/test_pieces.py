@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from orishell.conventions.errors import DesignError
 from orishell.deployment.pieces import choose_pieces
 from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
+from orishell.io.format import Settings
+from orishell.io.formats.tables import write_tables
 from orishell.locking import find_lock
 from orishell.locking.joined import join_pieces
 from orishell.motion import Mechanism, diagonal
@@ -23,6 +26,8 @@ from orishell.motion.mechanism import panel_normals
 from orishell.motion.piece import SheetPiece
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
+from orishell.shell.make import make_shell
+from orishell.shell.steps import Step
 from orishell.solids import build_panels
 from orishell.solids.hinged import find_hinges
 from orishell.solids.hinged.joints import joint_openings, joint_rows, numbers_of_rows
@@ -223,3 +228,28 @@ def test_auto_takes_the_smallest_pack_whose_arms_may_be() -> None:
     assert choose_pieces(sheet, BUILD.having(largest_arm=0.01), end) == 2
     with pytest.raises(DesignError, match=r"arms of 0\.01 are needed"):
         choose_pieces(sheet, BUILD.having(largest_arm=0.009), end)
+
+
+def test_tables_name_joints_and_pieces(tmp_path: Path) -> None:
+    """Every joint once, none among the hinges, cuts as the theory has them; boards by piece."""
+    skip: tuple[Step, ...] = ("remedies", "deviation", "weight", "stock", "verification", "pack")
+    shell = make_shell(read_design_file(SHELTER), clash="unexamined", skip=skip)
+    document, hinges = shell.document, shell.design.hinges
+    assert hinges is not None
+    write_tables(tmp_path / "panels.csv", document, Settings())
+    joints, listed, boards, all_creases = (
+        list(csv.DictReader((tmp_path / f"{name}.csv").read_text().splitlines()))
+        for name in ("joints", "hinges", "boards", "creases")
+    )
+    assert len(joints) == 24
+    assert len(listed) == 264 - 24
+    assert not {each["crease"] for each in joints} & {each["crease"] for each in listed}
+    creases = {each["crease"]: each for each in all_creases}
+    for each in joints:
+        assert int(each["panel_2"]) - int(each["panel_1"]) == 12
+        assert int(each["piece_2"]) - int(each["piece_1"]) == 1
+        fold = np.deg2rad(abs(float(creases[each["crease"]]["fold_angle_at_lock_deg"])))
+        for cut in (each["cut_1_m"], each["cut_2_m"]):
+            assert float(cut) == pytest.approx(0.02 * np.tan(0.5 * fold))
+    rows = [int(each["panel"].split(",")[0]) for each in boards]
+    assert [int(each["piece"]) for each in boards] == [1 + row // 4 for row in rows]
