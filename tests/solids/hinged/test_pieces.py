@@ -85,7 +85,8 @@ def test_every_piece_closes_and_all_of_them_at_the_target(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_boards_meet_at_joints_but_for_a_step(seed: int) -> None:
     """Edges of boards on the faces on which they close, made here from the flat sheet: the motion
-    of two pieces that brings theirs together best leaves no more than what one lies higher.
+    of two pieces that brings theirs together best leaves no more than what one lies higher, all ends
+    of edges together.
 
     Both reach the bisecting plane, as far from the hinge as their faces are over it divided by the
     cosine of half the fold angle. Where columns are straight all boards lie at one height.
@@ -103,7 +104,8 @@ def test_boards_meet_at_joints_but_for_a_step(seed: int) -> None:
             closing_edges(parts[k], own[k], sign, cut, last=k == joint)
             for k, cut in zip((joint, joint + 1), hinges.joints.cuts[:, joint], strict=True)
         )
-        assert distance_after_motion(below, above) <= step.max() + 1e-11 * size
+        all_squares = 2 * float((step**2).sum())  # as they are placed; the best motion has less
+        assert distance_after_motion(below, above) <= np.sqrt(all_squares) + 1e-11 * size
         assert found[joint] == pytest.approx(step, abs=1e-12 * size)
         assert seed % 4 > 1 or step.max() < 1e-12 * size
 
