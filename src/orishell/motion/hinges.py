@@ -180,6 +180,12 @@ class Hinges:
         middles = self.middles(panel_normals(positions))
         return np.asarray(grid_corners(positions) + middles[..., None, :])
 
+    def drawn_boards(self, positions: Positions) -> Array:
+        """Corners (rows-1, columns-1, 4, 3) of all boards, half way up, as a state is drawn."""
+        listed = panel_normals(positions).reshape(-1, 3)
+        moved = self.drawn(listed) - self.shifts(listed)
+        return self.boards(positions) + moved.reshape(*self.levels.shape, 1, 3)
+
     def lowest(self, positions: Positions) -> Array:
         """Heights (rows, columns) of the lowest corners of boards at the vertices of a state.
 

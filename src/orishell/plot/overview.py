@@ -109,7 +109,7 @@ def plot_overview(
         """Corners (F, 4, 3) of all panels in a state."""
         positions = mechanism.positions(drive)
         if hinges is not None:
-            return hinges.boards(positions).reshape(-1, 4, 3)
+            return hinges.drawn_boards(positions).reshape(-1, 4, 3)
         return np.concatenate([_drawn_panels(positions), flaps.at(drive)])
 
     drives = [share * target for share in STATE_SHARES]

@@ -85,8 +85,8 @@ def test_every_piece_closes_and_all_of_them_at_the_target(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_boards_meet_at_joints_but_for_a_step(seed: int) -> None:
     """Edges of boards on the faces on which they close, made here from the flat sheet: the motion
-    of two pieces that brings theirs together best leaves no more than what one lies higher, all ends
-    of edges together.
+    of two pieces that brings theirs together best leaves no more than what one lies higher, over
+    all ends of edges.
 
     Both reach the bisecting plane, as far from the hinge as their faces are over it divided by the
     cosine of half the fold angle. Where columns are straight all boards lie at one height.
