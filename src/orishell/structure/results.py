@@ -153,7 +153,7 @@ class Analysis:
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
             text = f"linear theory may mislead under {few(far)}"
-            if not self.model.design.has_whole_boards:
+            if self.model.mesh.offsets is None:  # of whole boards they are not
                 text += ": large displacements are followed with nonlinear = true in [structure]"
             yield text
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
