@@ -22,7 +22,13 @@ from orishell.design import HingeSpec, PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
-from orishell.locking.report import HingedReport, MeetingReport, PanelReport
+from orishell.locking.report import (
+    HingedReport,
+    JointReport,
+    MeetingReport,
+    PanelReport,
+    PieceReport,
+)
 from orishell.search.figures import NAMES
 from orishell.shell.designed import design_of
 from orishell.solids.hinged.play import Play
@@ -246,6 +252,8 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
         ("meeting", MeetingReport),
         ("path", ProofRecord),
         ("hinged", HingedReport),
+        ("hinged.pieces", PieceReport),
+        ("hinged.joints", JointReport),
         ("hinged.play.target", Play),
     ):
         fields |= {f"{name}.{key}" for key in written_fields(part)}

@@ -251,8 +251,10 @@ export interface DeploymentReport {
   closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
   opening: "ties" | null;
-  /** The state that packs smallest; None if that was not asked for. */
+  /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
+  /** Of each piece, where there are pieces. */
+  pieces: Pack[];
   /** Its ties. */
   ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
@@ -663,6 +665,10 @@ export interface HingedReport {
   offset_max: number;
   /** How far corners of boards, half way up, lie at the target from those of the panels that meet it, at most and root mean square; without a target from the sheet without a thickness. */
   offset_rms: number;
+  /** One if the sheet is whole. */
+  pieces: PieceReport[];
+  /** None if the sheet is whole. */
+  joints: JointReport | null;
   /** What errors of hinges ask of the others. */
   play: PlayReport;
 }
@@ -679,6 +685,18 @@ export interface Info {
   search: SearchInfo;
   limits: Largest;
   start: NamedDesign | null;
+}
+
+/** Where pieces are joined at the target. */
+export interface JointReport {
+  /** Number of creases along which there are joints, and no hinges. */
+  creases: number;
+  /** How far boards are cut back from them at most. */
+  largest_cut: number;
+  /** How far boards are apart there, on the faces on which they close. */
+  open_max: number;
+  /** How far boards are apart there, on the faces on which they close. */
+  open_rms: number;
 }
 
 /** A key of the design file in words. */
@@ -1014,6 +1032,16 @@ export interface Patch {
   turn_deg: number;
 }
 
+/** A piece that folds by itself. */
+export interface PieceReport {
+  /** Its first and last row of panels. */
+  first_row: number;
+  /** Its first and last row of panels. */
+  last_row: number;
+  /** Its first and last row of panels. */
+  longest_arm: number;
+}
+
 /** How far boards are from fitting in a state, in errors of their hinges (root mean square). */
 export interface Play {
   /** How far the loop about a vertex is open, where that is most. */
@@ -1333,7 +1361,7 @@ export interface Tie {
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say, or they are on whole boards. */
   grows: boolean | null;
-  /** Whether it is proved to be slack from the end of the motion to the target. */
+  /** Whether it is proved to be slack from the end of the motion to the target; None where it is fixed there, to pieces that are joined. */
   slack: boolean | null;
   /** Where its vertices do not move apart, or are not proved to be nearer than at the target, nearest to the target. */
   fails_at_deg: number | null;

@@ -54,7 +54,8 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
     const { flap_attachment: flaps, start } = report.deployment ?? {};
     const locked = report.lock ? report.lock.cause === "flaps" : flaps === "folded";
     add(list, locked ? "Locks at" : "Closes to", lockOf(report), lockNote(report), "lock");
-    const { packed, weight, ties } = report.deployment ?? {};
+    const { packed, pieces, weight, ties } = report.deployment ?? {};
+    if (pieces?.length) add(list, "Pieces", String(pieces.length), "the largest packs as follows");
     add(list, start === "pack" ? "Pack" : "Smallest box", packed ? [packed.length, packed.width].map(threeDigits).join(" \u00d7 ") + ` \u00d7 ${length(packed.height, unit)}` : UNKNOWN,
       packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} ${packed.layers === 1 ? "panel" : "panels"} deep` : "");
     if (weight) {
@@ -63,7 +64,8 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
     }
     if (ties?.length) {
       const slack = ties.filter((tie) => tie.slack).length;
-      add(list, "Ties", String(ties.length), `${slack === ties.length ? "all" : slack} proved slack until the target`);
+      const late = ties.every((tie) => tie.slack === null);
+      add(list, "Ties", String(ties.length), late ? "fixed when pieces are joined" : `${slack === ties.length ? "all" : slack} proved slack until the target`);
     }
     for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(list, name, value, note);
   }

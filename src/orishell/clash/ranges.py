@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Generic, TypeVar
 
@@ -58,6 +58,31 @@ class PathResult:
 
     contact: PathContact | None  # the first contact, or None
     proof: ProofRecord
+
+    @classmethod
+    def of_all(cls, results: Sequence[PathResult]) -> PathResult:
+        """What was found on the same path in several searches, of other panels each.
+
+        Parameters
+        ----------
+        results
+            At least one.
+        """
+        met = [each.contact for each in results if each.contact is not None]
+        proofs = [each.proof for each in results]
+        proof = replace(
+            proofs[0],
+            states=sum(each.states for each in proofs),
+            ranges=sum(each.ranges for each in proofs),
+            tests=sum(each.tests for each in proofs),
+            largest_step=max(each.largest_step for each in proofs),
+            smallest_step=min(each.smallest_step for each in proofs),
+        )
+        if not met:
+            return cls(None, proof)
+        first = min(met, key=lambda each: each.drive)
+        clear = min(each.clear_until for each in met)
+        return cls(replace(first, clear_until=clear), proof)
 
 
 Left = TypeVar("Left")

@@ -195,6 +195,27 @@ def deepest_contact(
     return None if found is None else (found, max(0.0, -float(apart.gaps[0].min())))
 
 
+def deepest_between(
+    bodies: Bodies, points: Array, tolerance: float, groups: Integers
+) -> tuple[tuple[int, int], float] | None:
+    """Return the two bodies of different groups (B,) that reach farthest into each other.
+
+    And how far; None if none touch.
+    """
+    import shapely
+
+    state = bodies.carried(points)
+    low, high = state.corners.min(axis=1) - tolerance, state.corners.max(axis=1) + tolerance
+    frames = shapely.box(*low[:2], *high[:2])
+    first, second = shapely.STRtree(frames).query(frames)
+    near = (groups[first] < groups[second]) & (low[2, first] <= high[2, second])
+    near &= low[2, second] <= high[2, first]
+    pairs = selected((first, second), near)
+    apart = Apartness.of((state, state), pairs)
+    found = apart.touching(0, pairs, tolerance)
+    return None if found is None else (found, max(0.0, -float(apart.gaps[0].min())))
+
+
 def _apart_by_design(
     faces: Integers, pairs: Pairs, settled: Integers, hinged: Integers
 ) -> Booleans:

@@ -11,9 +11,12 @@ from orishell.motion.boards import Boards
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import area_vectors, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
+from orishell.solids.hinged.pieces import pieces_of
 
 THIN = 1e-3
 """A bundle counts as at least this thick, relative to the diagonal of the flat sheet."""
+PACKS = 9
+"""States from the target on that are compared to find the one that packs smallest."""
 
 
 @record
@@ -86,6 +89,19 @@ def find_pack(
     # Whole boards may be stacked along any side of their box.
     axes = box.axes if boards is None else None
     return Pack(drive, box, count_layers(points_of(mechanism, drive), faces, axes))
+
+
+def find_packs(
+    mechanism: Mechanism, limit: float, boards: Boards, states: int = PACKS
+) -> tuple[Pack, ...]:
+    """Return the pack of every piece of whole boards, from its first row on.
+
+    See :func:`find_pack`.
+    """
+    return tuple(
+        find_pack(piece.sheet, limit, states, boards=piece.boards)
+        for piece in pieces_of(mechanism, boards)
+    )
 
 
 def _surfaces(points: Array, faces: Integers, thickness: float) -> Array:

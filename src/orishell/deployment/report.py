@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.quantities import GRAVITY
 from orishell.conventions.record import Angle, record
-from orishell.deployment.pack import Pack, find_pack
+from orishell.deployment.pack import PACKS, Pack, find_pack, find_packs
 from orishell.deployment.settings import Attachment, Start
 from orishell.deployment.site import Site
 from orishell.deployment.ties import Tie, find_ties
@@ -18,9 +18,6 @@ from orishell.design import Design, PanelSpec
 from orishell.locking import Cause, Lock
 from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
-
-PACKS = 9
-"""States from the target on that are compared to find the one that packs smallest."""
 
 
 @record
@@ -39,7 +36,10 @@ class DeploymentReport:
     # what keeps it from closing, and from opening, beyond its target; None if nothing does
     closing: Cause | Literal["clipped flaps"] | None
     opening: Literal["ties"] | None
-    packed: Pack | None  # the state that packs smallest; None if that was not asked for
+    # the state that packs smallest, of the largest piece where there are pieces; None if that was
+    # not asked for
+    packed: Pack | None
+    pieces: tuple[Pack, ...]  # of each piece, where there are pieces
     ties: tuple[Tie, ...]  # its ties
     # what its own weight does; None if it does not stand, or that was not asked for
     weight: OwnWeight | None
@@ -64,6 +64,7 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
         closing="clipped flaps" if clipped else caught,
         opening="ties" if ties else None,
         packed=None,
+        pieces=(),
         ties=ties,
         weight=None,
     )
@@ -80,18 +81,22 @@ def with_measures(
 ) -> DeploymentReport:
     """The report with what is asked for of pack with largest thickness, and of own weight."""
     end = max(lock.closes_to, lock.target_drive)
+    packs = _packs(design, lock, report.thickness) if packed else ()
     return replace(
         report,
         largest_thickness=_largest_thickness(design) if packed else None,
-        packed=_pack(design, lock, report.thickness) if packed else None,
+        packed=max(packs, key=lambda each: each.box.volume, default=None),
+        pieces=packs if len(packs) > 1 else (),
         weight=_weight(design, site, end) if weighed else None,
     )
 
 
-def _pack(design: Design, lock: Lock, thickness: float) -> Pack:
-    whole = None if lock.built is None or not design.has_whole_boards else lock.built.boards
+def _packs(design: Design, lock: Lock, thickness: float) -> tuple[Pack, ...]:
+    """The pack, or those of all pieces."""
     end = max(lock.closes_to, lock.target_drive)
-    return find_pack(design.mechanism, end, PACKS, thickness, boards=whole)
+    if lock.built is None or not design.has_whole_boards:
+        return (find_pack(design.mechanism, end, PACKS, thickness),)
+    return find_packs(design.mechanism, end, lock.built.boards)
 
 
 def _largest_thickness(design: Design) -> float | None:

@@ -77,7 +77,8 @@ class Tie:
     # whether it is proved that its vertices move apart all the way from the end of the motion to
     # the flat sheet; None if the family does not say, or they are on whole boards
     grows: bool | None = None
-    # whether it is proved to be slack from the end of the motion to the target
+    # whether it is proved to be slack from the end of the motion to the target; None where it is
+    # fixed there, to pieces that are joined
     slack: bool | None = None
     # where its vertices do not move apart, or are not proved to be nearer than at the target,
     # nearest to the target
@@ -135,6 +136,8 @@ def find_ties(
     states = fixings.at(np.array([mechanism.target_drive, 0.0, limit]))
     distances = np.linalg.norm(states[..., 1, :] - states[..., 0, :], axis=-1).T.tolist()
     ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
+    if hinges is not None and hinges.joints is not None:
+        return ties  # they are fixed when the pieces are joined
     if hinges is not None or not isinstance(mechanism, ColumnDistances):
         found = find_slack(fixings, limit)
         return tuple(

@@ -156,7 +156,7 @@ def _folding(hinges: Hinges) -> tuple[Integers, Integers, Integers, Array]:
     """Edges (H,), panels (H, 2), sides (H,) and arms (H, 2) of all hinges that fold."""
     number = np.arange(hinges.levels.size, dtype=np.float64).reshape(hinges.levels.shape)
     (above, below), (left, right) = hinges.arms
-    signs = hinges.signs.on_edges()
+    signs = hinges.sides.on_edges()
     edges = np.flatnonzero(signs)
     panels, arms = (
         np.stack([CreaseValues(*each).on_edges()[edges] for each in both], axis=-1)

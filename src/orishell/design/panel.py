@@ -21,7 +21,7 @@ ARM_WIDTH = 0.1
 """Thickness of the fins that carry hinges off the faces, in thicknesses of the boards, where none
 is given: sheet metal of 1 mm beside boards of 10 mm. Thicker fins meet other boards sooner."""
 
-HINGED_ONLY = ("largest_arm", "arm_width", "arm_density", "hinge")
+HINGED_ONLY = ("largest_arm", "arm_width", "pieces", "arm_density", "hinge")
 """Keys that only whole boards on hinges have."""
 
 
@@ -54,6 +54,7 @@ class PanelSpec(Table):
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
     largest_arm: Size | Literal["any"] = "any"
     arm_width: Annotated[Number, Field(gt=0)] | Literal["auto"] = "auto"
+    pieces: Annotated[int, Field(ge=2)] | Literal["auto", "whole"] = "whole"
     arm_density: Size = 0.0
     hinge: HingeSpec = HingeSpec()
     density: Size = 0.0
@@ -99,7 +100,8 @@ class PanelSpec(Table):
                 if getattr(self, key) != type(self).model_fields[key].default:
                     raise PydanticCustomError(
                         "no_arms",
-                        'construction = "hinged", because only whole boards have hinges and arms',
+                        'construction = "hinged", because only whole boards have hinges, arms and '
+                        "pieces",
                         {"key": key, "got": _plain(getattr(self, key))},
                     )
         return self

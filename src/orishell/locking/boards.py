@@ -15,11 +15,11 @@ from orishell.clash import PathContact, PathResult
 from orishell.clash.bodies import Apartness, Bodies
 from orishell.clash.body_path import find_first_body_contact, opposite_panels
 from orishell.clash.broad_phase import Pairs
-from orishell.clash.hinged_path import find_first_hinged_contact
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design
+from orishell.locking.in_pieces import first_hinged_contact
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.layout import Layout, points_of
@@ -48,6 +48,14 @@ class Looked(Protocol):
 
 
 Found = TypeVar("Found", bound=Looked)
+
+
+@record
+class Met:
+    """Boards that meet at the target, and how far one reaches into the other."""
+
+    contact: PathContact | None
+    depth: float
 
 
 @record
@@ -96,7 +104,9 @@ def prove_boards(
     """
     mechanism, flat = design.mechanism.still, points_of(design.mechanism, 0.0)
     built = build_panels(design, end)
-    settled = built.settled()
+    settled, hinges = built.settled(), built.boards.hinges
+    if hinges is not None:  # boards of two pieces are looked at where they are joined
+        settled[list(() if hinges.joints is None else hinges.joints.rows)] = True
     opposite, vertices = opposite_panels(Layout.of(mechanism), settled)
 
     def corners(drive: float) -> Corners:
@@ -109,14 +119,13 @@ def prove_boards(
         )
 
     def first_contact(built: BuiltPanels) -> PathResult:
-        bodies = corners(end).bodies(built)
-        if bodies.hinges is not None:
-            return find_first_hinged_contact(mechanism, end, tolerance, bodies, progress)
+        if hinges is not None:
+            return first_hinged_contact(mechanism, built.boards, end, tolerance, progress)
         return find_first_body_contact(
             mechanism,
             end,
             tolerance,
-            bodies,
+            corners(end).bodies(built),
             settled=settled,
             only=only,
             progress=progress,

@@ -8,7 +8,7 @@ through each other. Boards are apart, but for those about a common crease, which
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -19,7 +19,7 @@ from orishell.clash.broad_phase import selected
 from orishell.clash.state import deepest_contact
 from orishell.conventions.errors import ClashError, DesignError, Remedy
 from orishell.design import Design
-from orishell.locking.boards import Corners, cut_corners
+from orishell.locking.boards import Corners, Met, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
 from orishell.motion.layout import points_of
@@ -105,30 +105,22 @@ def clip_boards(
     apart = layout.grid.vertices()[1:-1, 1:-1][settled]
     points = sheet.points_at_target()
 
-    def look(built: BuiltPanels) -> _Met:
+    def look(built: BuiltPanels) -> Met:
         bodies = corners.bodies(built)
         found = deepest_contact(
             bodies, points, tolerance, only=layout.flaps, settled=apart, hinged=layout.hinges
         )
         if found is None:
-            return _Met(None, 0.0)
+            return Met(None, 0.0)
         pair, depth = found
         ends = sheet.target, sheet.target
-        return _Met(PathContact(*ends, bodies.carriers(pair), pair), depth)
+        return Met(PathContact(*ends, bodies.carriers(pair), pair), depth)
 
     built, met = cut_corners(design, built, tolerance, look, lambda _: corners)
     if met.contact is None:
         return built, None
     found = sheet.contact_of_boards(met.contact, built.with_flaps(mechanism))
     return built, replace(found, overlap=met.depth)
-
-
-@dataclass(frozen=True, slots=True)
-class _Met:
-    """Boards that meet at the target, and how far one reaches into the other."""
-
-    contact: PathContact | None
-    depth: float
 
 
 def refuse_clipped(design: Design, contact: Contact) -> ClashError:

@@ -14,6 +14,8 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.locking.boards import prove_boards
 from orishell.locking.clipped import clip_boards, find_crossing
+from orishell.locking.in_pieces import first_contact_of_pieces
+from orishell.locking.joined import join_pieces
 from orishell.locking.result import Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
@@ -79,7 +81,10 @@ def find_lock(
             found = sheet.contact_of_boards(path.contact, built.boards)
             lock = replace(lock, drive=found.drive, cause="boards", first_contact=found)
     lock = replace(lock, built=built)
-    if design.clipped is None or lock.early:
+    if lock.early:
+        return lock
+    lock = replace(lock, built=join_pieces(design, built, size))
+    if design.clipped is None:
         return lock
     built, met = clip_boards(design, sheet.with_flaps(design.clipped), built, size)
     return replace(lock, built=built, clipped_contact=met and _at_target(met, lock))
@@ -107,6 +112,8 @@ def _lock_of_panels(
     mechanism = sheet.mechanism
 
     def search(end: float, distance: float) -> PathResult:
+        if design.hinges is not None and design.hinges.joints is not None:
+            return first_contact_of_pieces(mechanism, design.hinges, end, distance, progress)
         return find_first_contact(
             mechanism,
             end,

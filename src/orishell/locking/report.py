@@ -9,11 +9,12 @@ from orishell.conventions.record import Angle, record
 from orishell.design import Construction, Design
 from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
-from orishell.motion import area_of
-from orishell.motion.boards import ARM
+from orishell.motion import Mechanism, area_of
+from orishell.motion.boards import ARM, Boards
 from orishell.motion.layout import Layout
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
+from orishell.solids.hinged.joints import joint_openings
 from orishell.solids.hinged.play import Play, find_play
 
 
@@ -27,6 +28,27 @@ class MeetingReport:
     total: float
     largest_play: float  # how far apart they are at most, where a gap sets them farther back
     largest_turn: Angle  # by how much a flap could fold further at most until they meet
+
+
+@record
+class PieceReport:
+    """A piece that folds by itself."""
+
+    # its first and last row of panels
+    first_row: int
+    last_row: int
+    longest_arm: float
+
+
+@record
+class JointReport:
+    """Where pieces are joined at the target."""
+
+    creases: int  # number of creases along which there are joints, and no hinges
+    largest_cut: float  # how far boards are cut back from them at most
+    # how far boards are apart there, on the faces on which they close
+    open_max: float
+    open_rms: float
 
 
 @record
@@ -51,6 +73,8 @@ class HingedReport:
     # it, at most and root mean square; without a target from the sheet without a thickness
     offset_max: float
     offset_rms: float
+    pieces: tuple[PieceReport, ...]  # one if the sheet is whole
+    joints: JointReport | None  # None if the sheet is whole
     play: PlayReport  # what errors of hinges ask of the others
 
 
@@ -126,7 +150,28 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
         arm_width=built.build.fin,
         offset_max=float(offsets.max()),
         offset_rms=float(np.sqrt((offsets**2).mean())),
-        play=PlayReport(find_play(target), find_play(mechanism.positions(built.limit))),
+        pieces=tuple(
+            PieceReport(rows.start, rows.stop - 1, hinges.of_piece(rows).longest_arm)
+            for rows in hinges.pieces
+        ),
+        joints=_joints(mechanism, built.boards),
+        play=PlayReport(
+            find_play(target, hinges.pieces),
+            find_play(mechanism.positions(built.limit), hinges.pieces),
+        ),
+    )
+
+
+def _joints(mechanism: Mechanism, boards: Boards) -> JointReport | None:
+    joints = None if boards.hinges is None else boards.hinges.joints
+    if joints is None:
+        return None
+    apart = joint_openings(mechanism, boards)
+    return JointReport(
+        creases=apart.size,
+        largest_cut=float(joints.cuts.max()),
+        open_max=float(apart.max()),
+        open_rms=float(np.sqrt((apart**2).mean())),
     )
 
 

@@ -9,12 +9,17 @@ panel p is shifted, from where its crease would have it, by
 
 Around a vertex these steps sum up to nothing in all states if the heights fulfil two conditions
 (:mod:`~orishell.solids.hinged.conditions`).
+
+A sheet in pieces has joints in place of the hinges of some rows. The heights there are those at
+which hinges would let the pieces move as one, so the pieces fit each other exactly at the target.
+Folded up further they are drawn apart.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from itertools import pairwise
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -24,6 +29,9 @@ from orishell.motion.grid import CreaseValues, Grid, Positions
 from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
+
+OPEN = 1e-9
+"""Joints that fold flat at the target count as open by so much."""
 
 
 @runtime_checkable
@@ -53,6 +61,17 @@ class FreeLengths(Protocol):
 
 
 @record
+class Joints:
+    """Row creases along which pieces are joined at the target, and no hinges are."""
+
+    rows: tuple[int, ...]  # their numbers, ascending
+    # how far boards are cut back from them (2, J, columns-1), those above and below (length)
+    cuts: Array
+    # the mean cosine (J,) of the fold angles of each at the target
+    cosines: Array
+
+
+@record
 class Hinges:
     """Where the hinges of whole boards are, and where the boards lie in the flat sheet."""
 
@@ -68,6 +87,46 @@ class Hinges:
     knuckle: float = 0.0
     # by how much all boards are moved together (3,), so that they meet the target (length)
     place: Array = field(default_factory=lambda: np.zeros(3))
+    joints: Joints | None = None  # where pieces are joined; None if the sheet is one piece
+
+    @property
+    def pieces(self) -> list[slice]:
+        """Rows of panels of every piece."""
+        ends = () if self.joints is None else (row + 1 for row in self.joints.rows)
+        cuts = [0, *ends, len(self.levels)]
+        return [slice(*each) for each in pairwise(cuts)]
+
+    @property
+    def cut_back(self) -> Array:
+        """How far boards stand back from the sides of their panels at joints (F, 4) (length)."""
+        back = np.zeros((*self.levels.shape, 4))
+        if self.joints is not None:
+            above = list(self.joints.rows)
+            back[above, :, 1], back[[row + 1 for row in above], :, 3] = self.joints.cuts
+        return back.reshape(-1, 4)
+
+    @property
+    def sides(self) -> CreaseValues:
+        """On which side of the boards hinges are: +1 top, -1 bottom, 0 where there is none."""
+        row = self.signs.row.copy()
+        row[list(self.joints.rows if self.joints is not None else ())] = 0.0
+        return CreaseValues(row, self.signs.column)
+
+    def of_piece(self, rows: slice) -> Hinges:
+        """The hinges of a piece by its rows of panels."""
+        inner = slice(rows.start, rows.stop - 1)
+
+        def part(values: CreaseValues) -> CreaseValues:
+            return CreaseValues(values.row[inner], values.column[rows])
+
+        return Hinges(
+            part(self.signs),
+            part(self.heights),
+            self.levels[rows],
+            self.thickness,
+            (self.arms[0][:, inner], self.arms[1][:, rows]),
+            self.knuckle,
+        )
 
     @property
     def grid(self) -> Grid:
@@ -93,6 +152,20 @@ class Hinges:
         shifts += self.place - shifts.mean(axis=(-3, -2), keepdims=True)
         return shifts.reshape(normals.shape)
 
+    def drawn(self, normals: Array) -> Array:
+        """The shifts (F, 3) with which a state is drawn: pieces that lie in one place apart.
+
+        Folded up further than at the target, pieces are moved along the normal that all panels
+        share when they are folded flat, by the height of such a stack.
+        """
+        shifts = self.shifts(normals)
+        if self.joints is None:
+            return shifts
+        n = normals.reshape(*self.levels.shape, 3)
+        apart = self._apart(n, self.joints)
+        apart -= apart.mean(axis=0)
+        return shifts + np.repeat(apart, n.shape[1], axis=0)
+
     def middles(self, normals: Array) -> Array:
         """How far (..., rows-1, columns-1, 3) boards are, half way up, from their panels.
 
@@ -112,6 +185,27 @@ class Hinges:
         down = self.heights.row[..., None] * (n[..., :-1, :, :] - n[..., 1:, :, :])
         across = self.heights.column[..., None] * (n[..., :-1, :] - n[..., 1:, :])
         return down, across
+
+    def _apart(self, n: Array, joints: Joints) -> Array:
+        """How far rows of panels (rows-1, 3) are moved apart with their pieces, by normals."""
+        rows = list(joints.rows)
+        above, below = n[rows], n[[row + 1 for row in rows]]
+        cosines = (above * below).sum(axis=-1).mean(axis=1)
+        share = np.maximum(joints.cosines - cosines, 0.0) / np.maximum(1 + joints.cosines, OPEN)
+        most = max(each.stop - each.start for each in self.pieces) * n.shape[1]
+        height = most * (self.thickness + 2 * self.knuckle) + 2 * self.longest_arm
+        along = (self._sides()[rows][..., None] * above).mean(axis=1)
+        apart = np.zeros((len(n), 3))
+        apart[[row + 1 for row in rows]] = height * share[:, None] * along
+        return np.cumsum(apart, axis=0)
+
+    def _sides(self) -> Array:
+        """1 or -1 (rows-1, columns-1): the way panels face, folded flat, as the first or not."""
+        down, across = (
+            np.where(signs != 0, -1.0, 1.0) for signs in (self.signs.row[:, :1], self.signs.column)
+        )
+        first = np.concatenate([[[1.0]], down.cumprod(axis=0)])
+        return np.concatenate([first, first * across.cumprod(axis=1)], axis=1)
 
     def gap(self, positions: Positions) -> float:
         """How far the loop around any inner vertex is from closing in a state (length)."""

@@ -85,9 +85,11 @@ def _utilisation(report: Report) -> float | None:
 
 
 def _packed_volume(report: Report) -> float | None:
-    packed = report.deployment.packed
+    packed, pieces = report.deployment.packed, report.deployment.pieces
     if packed is None:
         return None
+    if pieces:
+        return sum(each.box.volume for each in pieces)
     thickness = report.deployment.thickness
     if not thickness and report.structure is not None:
         thickness = report.structure.model.thickness

@@ -32,7 +32,7 @@ def warn_of_deployment(
     return [
         *_of_pack(file, design, lock, report, mended=mended),
         *_of_ties(report),
-        *(_of_weight(report, report.weight) if report.weight is not None else ()),
+        *(_of_weight(design, report, report.weight) if report.weight is not None else ()),
     ]
 
 
@@ -90,7 +90,7 @@ def _of_ties(report: DeploymentReport) -> Iterator[str]:
         )
 
 
-def _of_weight(report: DeploymentReport, weight: OwnWeight) -> Iterator[str]:
+def _of_weight(design: Design, report: DeploymentReport, weight: OwnWeight) -> Iterator[str]:
     unit = "N" if weight.force_unit == "N" else "times its weight"
     force = f"{plain(abs(weight.at_feet), 3)} {unit} at each line of feet"
     if weight.at_feet > 0 and report.opening is None:
@@ -99,7 +99,8 @@ def _of_weight(report: DeploymentReport, weight: OwnWeight) -> Iterator[str]:
             'holds it: tie its feet together (ties = "feet" in [deployment])'
         )
     if weight.at_feet < 0 and report.closing is None:
+        remedy = "block a hinge, for all fold together" if design.hinges else "give it flaps"
         yield (
             f"the shell closes under its own weight with {force}, and nothing but its supports "
-            "holds it: give it flaps"
+            f"holds it: {remedy}"
         )

@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
+from orishell.deployment.pieces import choose_pieces
 from orishell.design import Design, PanelSpec
 from orishell.design.panel import HINGED_ONLY
 from orishell.design_file import DesignFile
@@ -138,13 +139,16 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
     mechanism = design.mechanism
     if has_flaps(mechanism):
         raise DesignError(
-            "whole boards on hinges cannot be made with flaps yet",
+            "whole boards on hinges cannot have flaps: a flap folds flat before the sheet does",
             keys=("pattern.flap", "panel.construction"),
-            candidates=[Remedy({"pattern.flap": 0.0})],
+            candidates=[Remedy({"pattern.flap": 0.0}), _on_membrane(panel)],
         )
     if isinstance(mechanism, Straightened):
         mechanism = mechanism.straightened()
     try:
+        if panel.pieces == "auto":
+            end = drive_at_fold(mechanism, design.largest_fold)
+            panel = panel.having(pieces=choose_pieces(mechanism, panel, end))
         hinges = find_hinges(mechanism, panel)
     except DesignError as error:
         if error.keys == ("panel.construction",):

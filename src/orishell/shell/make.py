@@ -27,6 +27,7 @@ from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.candidate import ClashPolicy, find_candidate
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.families import choose_family
+from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -201,6 +202,7 @@ def _step_by_step(
             *design.warnings,
             *lock.warnings,
             *warn_of_building(design, lock, feet, file.unit, file.workshop),
+            *warn_of_joints(design, lock, file.unit),
             *warn_of_deployment(file, design, lock, deployment, mended="remedies" not in skip),
             *(() if analysis is None else analysis.warnings),
         ),

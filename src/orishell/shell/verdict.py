@@ -10,6 +10,7 @@ from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
 from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
+from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
 from orishell.structure.results import Analysis
 
@@ -113,8 +114,11 @@ def _held(report: Report) -> Iterator[Row]:
     held = report.deployment
     slack = sum(tie.slack is True for tie in held.ties)
     known = "all" if slack == len(held.ties) else str(slack)
+    before = f"{known} proved slack from the pack to there"
+    if held.ties and all(tie.slack is None for tie in held.ties):
+        before = "fixed when its pieces are joined"
     opening = (
-        f"{len(held.ties)} ties stop it opening ({known} proved slack from the pack to there)"
+        f"{len(held.ties)} ties stop it opening ({before})"
         if held.opening == "ties"
         else "only its supports stop it opening"
     )
@@ -145,10 +149,23 @@ def _boards(report: Report) -> Iterator[Row]:
     if panel.hinged is not None:
         arm = plain(panel.hinged.longest_arm, 3)
         text = f"{panel.boards}, whole, {thick} {unit} thick, on hinges up to {arm} {unit} off them"
+        text += _in_pieces(panel.hinged, unit)
     else:
         back = plain(panel.largest_setback, 3)
         text = f"{panel.boards}, of panels {thick} {unit} thick, set back by up to {back} {unit}"
     yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
+
+
+def _in_pieces(hinged: HingedReport, unit: str) -> str:
+    """In how many pieces boards are, and how these meet."""
+    joints = hinged.joints
+    if joints is None:
+        return ""
+    cut, apart = plain(joints.largest_cut, 3), plain(joints.open_max, 2)
+    return (
+        f"; in {len(hinged.pieces)} pieces, cut back by up to {cut} {unit} along joints and up to "
+        f"{apart} {unit} apart there at the target"
+    )
 
 
 def _hinges(report: Report) -> Iterator[Row]:
@@ -236,6 +253,10 @@ def _travels(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
     packed, weight = deployment.packed, deployment.weight
     if packed is not None and deployment.start == "pack":
         box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
+        if deployment.pieces:
+            volume = sum(each.box.volume for each in deployment.pieces)
+            total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
+            box = f"{total}, the largest {box}"
         deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
         yield Row("says", "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
     if weight is None:

@@ -152,7 +152,7 @@ def boards_on(
         return inset_panels(panels[present], distance[present], grid, kept)
 
     if hinges is not None:
-        middle = set_backs_of(at_sides, 0.0, build.gap).top
+        middle = set_backs_of(at_sides, 0.0, build.gap).top + hinges.cut_back
         inset = inset_panels(panels, middle, grid, cut)
         return build_whole_boards(panels, inset, hinges, build)
     if build.construction == "bevel":

@@ -325,5 +325,5 @@ def test_freecad_opens_the_shelter(tmp_path: Path) -> None:
     document = make_shell(read_design_file(path), clash="unexamined", skip=skip).document
     assert document.boards is not None
     solids, volume = ask(document, tmp_path, "target")
-    assert solids == len(document.boards) == 144 + 242
+    assert solids == len(document.boards) == 144 + 198
     assert volume == pytest.approx(1e9 * document.boards.volumes().sum(), rel=1e-6)

@@ -11,8 +11,8 @@ import type { Value } from "../state/types.ts";
 const HINGE = 0.05;
 /** Keys that whole boards on hinges have not, and those that only they have. */
 const SET_BACK = ["membrane", "membrane_density", "largest_setback", "stop_deg"];
-const ARMS = ["largest_arm", "arm_width", "arm_density", "hinge"];
-type Size = "thickness" | "membrane" | "gap" | "largest_arm";
+const ARMS = ["largest_arm", "arm_width", "pieces", "arm_density", "hinge"];
+type Size = "thickness" | "membrane" | "gap" | "largest_arm" | "pieces";
 
 export class PanelControls {
   readonly element: HTMLElement;
@@ -27,6 +27,7 @@ export class PanelControls {
       membrane: this.box("membrane", (value) => this.change({ ...this.table, membrane: value }, "type-membrane")),
       gap: this.box("gap", (value) => this.change({ ...this.table, gap: value }, "type-gap")),
       largest_arm: this.box("largest_arm", (value) => this.change({ ...this.table, largest_arm: value }, "type-arm")),
+      pieces: this.box("pieces", (value) => this.setPieces(value)),
     };
     const { label, keys } = store.info.tables["panel"]!;
     const construction = keys["construction"]!;
@@ -40,6 +41,7 @@ export class PanelControls {
       this.row("membrane", keys),
       this.row("gap", keys),
       this.row("largest_arm", keys),
+      this.row("pieces", keys),
     ];
     this.element = h(
       "section",
@@ -61,8 +63,8 @@ export class PanelControls {
 
   private row(key: Size, keys: TableWords["keys"]): HTMLElement {
     const { label, help } = keys[key]!;
-    const unit = h("span", { class: "unit" });
-    this.units.push(unit);
+    const unit = h("span", { class: "unit" }, key === "pieces" ? "rows" : "");
+    if (key !== "pieces") this.units.push(unit);
     return h("div", { class: "parameter-head", title: help }, h("label", { for: `panel-${key}` }, label), this.boxes[key], unit);
   }
 
@@ -70,6 +72,12 @@ export class PanelControls {
     const membrane = Number(this.table["membrane"] ?? 0);
     const fits = this.solid || (membrane > 0 && membrane < thickness);
     this.change({ ...this.table, thickness, ...(fits ? {} : { membrane: hingeOf(thickness) }) }, "type-thickness");
+  }
+
+  /** A piece of one row has no motion of its own: below 2 the sheet is whole. */
+  private setPieces(rows: number): void {
+    const table = without(this.table, ["pieces"]);
+    this.change(rows < 2 ? table : { ...table, pieces: Math.round(rows) }, "type-pieces");
   }
 
   private setConstruction(construction: string): void {
@@ -88,16 +96,18 @@ export class PanelControls {
   }
 
   private show(): void {
-    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich", largest_arm: arm } = this.table;
+    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich", largest_arm: arm, pieces } = this.table;
     setNumber(this.boxes.thickness, short(Number(thickness)));
     setNumber(this.boxes.membrane, short(Number(membrane)));
     setNumber(this.boxes.gap, short(Number(gap)));
     setNumber(this.boxes.largest_arm, typeof arm === "number" ? short(arm) : "");
+    setNumber(this.boxes.pieces, typeof pieces === "number" ? String(pieces) : "");
+    this.boxes.pieces.placeholder = String(pieces ?? "whole");
     this.construction.set(String(construction));
     for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
     for (const row of this.more) row.hidden = !Number(thickness);
     this.more[1]!.hidden ||= this.solid;
-    this.more[3]!.hidden ||= construction !== "hinged";
+    for (const row of this.more.slice(3)) row.hidden ||= construction !== "hinged";
   }
 
   private get solid(): boolean {

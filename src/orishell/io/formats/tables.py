@@ -14,8 +14,10 @@ from orishell.conventions.quantities import conversion
 from orishell.design.fittings import Fittings
 from orishell.document import Document
 from orishell.io.format import Format, Settings
-from orishell.motion.boards import SIDES
+from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import CreaseValues
+from orishell.motion.hinges import Hinges
+from orishell.solids.hinged.pieces import piece_numbers
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_parts, nest_boards
@@ -59,7 +61,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
     other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, hinges
-    of whole boards to ``hinges.csv``, the kinds of their arms to ``arms.csv``. The first
+    of whole boards to ``hinges.csv``, the kinds of their arms to ``arms.csv``, joints of pieces to
+    ``joints.csv``. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.
     """
@@ -75,6 +78,10 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     if fittings is not None:
         write_csv(beside("hinges"), *_hinges(document, fittings))
         write_csv(beside("arms"), *_arms(document, fittings))
+    if document.boards is not None and document.boards.hinges is not None:
+        hinges = document.boards.hinges
+        if hinges.joints is not None:
+            write_csv(beside("joints"), *_joints(document, hinges))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -142,6 +149,9 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
     assert boards is not None
     assert build is not None
     heads = ["part", "panel", "side", f"area_{unit}2", f"volume_{unit}3", "mass_kg", "sheet"]
+    pieces = _pieces(boards)
+    if pieces:
+        heads.append("piece")
     areas, volumes = boards.areas().tolist(), boards.volumes()
     masses = (volumes * conversion(unit, "m") ** 3 * build.density).tolist()
     parts = board_parts(document)
@@ -157,9 +167,18 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
             float(volumes[part.number]),
             masses[part.number] if build.density else "",
             sheet,
+            *(pieces[part.number : part.number + 1]),
         ]
         for part, sheet in zip(parts, sheets, strict=True)
     )
+
+
+def _pieces(boards: Boards) -> list[int]:
+    """The piece (B,) that every board belongs to, from 1; nothing where the sheet is whole."""
+    if boards.hinges is None or boards.hinges.joints is None:
+        return []
+    numbers: list[int] = (1 + piece_numbers(boards)).tolist()
+    return numbers
 
 
 def _hinges(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -199,6 +218,45 @@ def _hinges(document: Document, fittings: Fittings) -> tuple[list[str], Iterable
         (length * density or "" for length in fittings.lengths.tolist()),
         strict=True,
     )
+
+
+def _joints(document: Document, hinges: Hinges) -> tuple[list[str], Iterable[Sequence[object]]]:
+    """Joints of pieces: on which face boards meet, and how far they are cut back."""
+    unit, lengths = document.unit, document.edge_lengths()
+    assert hinges.joints is not None
+    across, signs = hinges.grid.columns - 1, hinges.signs.row
+    heads = [
+        "crease",
+        "panel_1",
+        "panel_2",
+        "piece_1",
+        "piece_2",
+        "side",
+        f"length_{unit}",
+        f"cut_1_{unit}",
+        f"cut_2_{unit}",
+    ]
+    return heads, (
+        [
+            number,
+            *_beside(number, hinges.grid.rows * across, across),
+            joint + 1,
+            joint + 2,
+            SIDES[int(signs[row, column])],
+            lengths[number],
+            *hinges.joints.cuts[:, joint, column].tolist(),
+        ]
+        for joint, row in enumerate(hinges.joints.rows)
+        for column, number in enumerate(range((row + 1) * across, (row + 2) * across))
+    )
+
+
+def _beside(edge: int, row_edges: int, across: int) -> tuple[int, int]:
+    """The panels above and below an edge of a row of the grid, or left and right of a column's."""
+    if edge < row_edges:
+        return edge - across, edge
+    row, column = divmod(edge - row_edges, across + 1)
+    return row * across + column - 1, row * across + column
 
 
 def _arms(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[Sequence[object]]]:

@@ -12,11 +12,17 @@ on the faces, column hinges stand off them by up to t (max S - min S): R t where
 which is the least. Columns that do not fold need no hinge. Elsewhere a linear program finds the
 shortest longest arm, and how high boards lie. All of it grows with the thickness alone.
 
+Along joints between pieces nothing folds flat, so row "hinges" there may lie at any height: S goes
+on from piece to piece as it likes, and stays within what the widest piece needs.
 Axes of hinges with knuckles of radius r stand r off the faces or more if heights are those for
 boards of thickness t + 2r, and the boards lie in the middle of these.
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,8 +32,9 @@ from orishell.design import PanelSpec
 from orishell.motion import Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
 from orishell.solids.hinged.conditions import Vertices
+from orishell.solids.hinged.joints import Rows, find_joints, joint_rows, numbers_of_rows
 from orishell.solids.hinged.program import least_arms
 
 STRAIGHT = 1e-9
@@ -35,68 +42,95 @@ STRAIGHT = 1e-9
 
 
 def find_hinges(mechanism: Mechanism, build: PanelSpec) -> Hinges:
-    """The hinges of whole boards of a sheet.
+    """The hinges of whole boards of a sheet, and the joints of its pieces.
 
     Raises
     ------
     DesignError
-        If the sheet does not fold flat, or arms would be longer than they may.
+        If the sheet does not fold flat, its rows do not part into such pieces, or arms would be
+        longer than they may.
     """
     vertices = Vertices.of(mechanism.positions(0.0), find_assignment(mechanism))
-    unit = closed_form(vertices) or least_arms(vertices)
-    hinges = _scaled(unit, build.thickness, build.hinge.knuckle)
+    rows = joint_rows(mechanism.grid.rows - 1, build.pieces)
+    unit = closed_form(vertices, rows) or least_arms(vertices, rows)
+    hinges = _scaled(unit, build.thickness, build.hinge.knuckle, rows)
     if hinges.longest_arm > build.longest_arm:
         raise _too_long(hinges, build)
-    return hinges
+    return replace(hinges, joints=find_joints(mechanism, hinges, rows)) if rows else hinges
 
 
-def closed_form(vertices: Vertices) -> Hinges | None:
-    """The hinges of boards of thickness 1 where columns, or rows, are straight; or None."""
+def closed_form(vertices: Vertices, joints: Rows = ()) -> Hinges | None:
+    """The hinges of boards of thickness 1 where columns, or rows, are straight; or None.
+
+    ``joints`` are the numbers of rows of creases along which pieces are joined.
+    """
     a, b, mode, signs = vertices.a, vertices.b, vertices.row_mode, vertices.signs
+    joined = np.isin(np.arange(len(a)), joints)
     if ((mode & (np.abs(a - b) <= STRAIGHT)) | vertices.still).all() and signs.row.all():
-        row, column = _straight_columns(signs.row[:, 0], signs.column[0])
+        sums = _sums(signs.row[:, 0], joints)
+        row, column = _straight_columns(signs.column[0], sums, np.zeros(a.shape[1], np.bool_))
     elif ((~mode & (np.abs(a + b - np.pi) <= STRAIGHT)) | vertices.still).all() and (
         signs.column.all()
     ):
-        turned = _straight_columns(signs.column[0], signs.row[:, 0])
+        turned = _straight_columns(signs.row[:, 0], _sums(signs.column[0]), joined)
         column, row = turned[0].T, turned[1].T
     else:
         return None
     levels = np.full((len(column), row.shape[1]), -0.5)
-    return hinges_of(signs, CreaseValues(row, column), levels)
+    return hinges_of(signs, CreaseValues(row, column), levels, joints)
 
 
-def _straight_columns(rows: Array, columns: Array) -> tuple[Array, Array]:
-    """Heights of rows (R, C+1) and columns (R+1, C) by signs of rows (R,) and columns (C,)."""
-    by_turns = (-1.0) ** np.arange(len(rows) + 1)
-    sums = np.concatenate([[0.0], np.cumsum(by_turns[:-1] * rows)])
-    first = np.where(columns > 0, 0.5 + sums.max(), sums.min() - 0.5)
+def _sums(rows: Array, joints: Rows = ()) -> Array:
+    """The sums S (R+1,) by signs of rows (R,), kept where the first piece's are beyond joints."""
+    steps = np.concatenate([[0.0], (-1.0) ** np.arange(len(rows)) * rows])
+    sums = np.cumsum(steps)
+    if not joints:
+        return np.asarray(sums)
+    cuts = [0, *(row + 1 for row in joints), len(sums)]
+    parts = [slice(*each) for each in pairwise(cuts)]
+    low = float(sums[parts[0]].min())
+    high = low + max(float(np.ptp(sums[part])) for part in parts)
+    for part in parts[1:]:
+        own = sums[part]
+        sums[part.start :] += max(low - own.min(), 0.0) - max(own.max() - high, 0.0)
+    return np.asarray(sums)
+
+
+def _straight_columns(columns: Array, sums: Array, joined: Booleans) -> tuple[Array, Array]:
+    """Heights of rows (R, C+1) and columns (R+1, C) by signs of columns (C,) and the sums (R+1,).
+
+    Columns that are joints, not hinges, lie on the other side of the faces, or on them.
+    """
+    by_turns = (-1.0) ** np.arange(len(sums))
+    low, high = sums.min(), sums.max()
+    first = np.where(columns > 0, 0.5 + high, low - 0.5)
+    first = np.where(joined, np.where(columns > 0, 0.5 + low, high - 0.5), first)
     folds = np.where(columns == 0, 0.0, 1.0)
-    of_rows = np.repeat(0.5 * rows[:, None], len(columns) + 1, axis=1)
+    rows = 0.5 * by_turns[:-1] * np.diff(sums)
+    of_rows = np.repeat(rows[:, None], len(columns) + 1, axis=1)
     return of_rows, by_turns[:, None] * (first - sums[:, None]) * folds
 
 
-def hinges_of(signs: CreaseValues, heights: CreaseValues, levels: Array) -> Hinges:
-    """Hinges at heights, with boards of thickness 1 at levels (rows-1, columns-1)."""
+def hinges_of(
+    signs: CreaseValues, heights: CreaseValues, levels: Array, joints: Rows = ()
+) -> Hinges:
+    """Hinges at heights, with boards of thickness 1 at levels (rows-1, columns-1).
+
+    There are none, and no arms, in the rows of creases that are ``joints``.
+    """
 
     def arms(sign: Array, height: Array, level: Array) -> Array:
         off = np.where(sign > 0, height - level - 1.0, level - height)
         return np.where(sign == 0, 0.0, off)
 
     across, down = (levels[:, :-1], levels[:, 1:]), (levels[:-1], levels[1:])
-    return Hinges(
-        signs,
-        heights,
-        levels,
-        1.0,
-        (
-            np.stack([arms(signs.row, heights.row, each) for each in down]),
-            np.stack([arms(signs.column, heights.column, each) for each in across]),
-        ),
-    )
+    of_rows = np.stack([arms(signs.row, heights.row, each) for each in down])
+    of_rows[:, list(joints)] = 0.0
+    of_columns = np.stack([arms(signs.column, heights.column, each) for each in across])
+    return Hinges(signs, heights, levels, 1.0, (of_rows, of_columns))
 
 
-def _scaled(unit: Hinges, thickness: float, knuckle: float) -> Hinges:
+def _scaled(unit: Hinges, thickness: float, knuckle: float, joints: Rows) -> Hinges:
     """Those of boards of a thickness, by those of thickness 1; all axes a knuckle off the faces."""
     wide, signs = thickness + 2 * knuckle, unit.signs
     heights = CreaseValues(wide * unit.heights.row, wide * unit.heights.column)
@@ -104,6 +138,7 @@ def _scaled(unit: Hinges, thickness: float, knuckle: float) -> Hinges:
         wide * each + np.where(sign == 0, 0.0, knuckle)
         for each, sign in zip(unit.arms, (signs.row, signs.column), strict=True)
     )
+    row[:, list(joints)] = 0.0
     levels = wide * unit.levels + knuckle
     return Hinges(signs, heights, levels, thickness, (row, column), knuckle)
 
@@ -120,14 +155,25 @@ def _too_long(hinges: Hinges, build: PanelSpec) -> DesignError:
     thinnest = (most - knuckle) / times - 2 * knuckle if times else 0.0
     shares = THINNER if thinnest > 0 else ()
     thinner = [Remedy({"panel.thickness": rounded_down(share * thinnest)}) for share in shares]
+    rows = hinges.levels.shape[0]
+    fewer = _shorter_pieces(rows, build) if most > 0 else ()
     return DesignError(
         "hinges would stand farther off their boards than arms may be long",
         keys=("panel.largest_arm",),
         size=f"arms of {needed:.4g} are needed, {needed / build.thickness:.4g} times the "
         f"thickness, and may be {most:.4g} long",
         candidates=[
+            *fewer,
             Remedy({"panel.largest_arm": rounded(needed * 1.0005)}),
             *thinner,
         ],
         excess=needed / most - 1 if most > 0 else None,
     )
+
+
+def _shorter_pieces(rows: int, build: PanelSpec) -> Iterator[Remedy]:
+    """Pieces of fewer rows of panels, the longest first."""
+    now = rows if isinstance(build.pieces, str) else build.pieces
+    for most in reversed(numbers_of_rows(rows)):
+        if most < now:
+            yield Remedy({"panel.pieces": most})

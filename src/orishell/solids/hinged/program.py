@@ -11,6 +11,7 @@ from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids.hinged.conditions import Vertices, crease_numbers
+from orishell.solids.hinged.joints import Rows
 
 MOST_PANELS = 5000
 """Sheets of more panels are refused: the program takes 2 s for 2500 panels, 20 s for these."""
@@ -18,10 +19,15 @@ EXACT = 1e-10
 """Accuracy that the program is asked for, in thicknesses; conditions are then met to rounding."""
 APART = 1e-8
 """Hinges keep so much off the faces, in thicknesses, that no rounding puts them inside a board."""
+JOINTS = 0.1
+"""What the depth of joints counts, beside the longest arm: boards are cut back for it."""
 
 
-def least_arms(vertices: Vertices) -> Hinges:
+def least_arms(vertices: Vertices, joints: Rows = ()) -> Hinges:
     """The hinges with the shortest longest arm, and how high boards then lie, thickness 1.
+
+    Rows of creases that are ``joints`` have no arms. They lie on the faces on which they close or
+    on the other side of these, as near to them as short arms let them.
 
     Raises
     ------
@@ -41,20 +47,20 @@ def least_arms(vertices: Vertices) -> Hinges:
             size=f"it has {grid.panel_count} panels, and may have {MOST_PANELS}",
             excess=grid.panel_count / MOST_PANELS - 1,
         )
-    matrix, bounds = _inequalities(vertices, grid)
+    matrix, bounds = _inequalities(vertices, grid, joints)
     conditions = vertices.conditions()
     heights, panels = conditions.shape[1], grid.panel_count
-    objective = np.zeros(heights + panels + 1)
-    objective[-1] = 1.0
+    longest = [1.0, JOINTS] if joints else [1.0]  # arm, and depth of joints
+    objective = np.concatenate([np.zeros(heights + panels), longest])
     free: list[tuple[float | None, float | None]] = [(None, None)] * (heights + panels)
     free[heights] = (-0.5, -0.5)
     found = linprog(
         objective,
         A_ub=matrix,
         b_ub=bounds,
-        A_eq=_widened(conditions, panels + 1),
+        A_eq=_widened(conditions, panels + len(longest)),
         b_eq=np.zeros(conditions.shape[0]),
-        bounds=[*free, (0.0, None)],
+        bounds=[*free, *[(0.0, None)] * len(longest)],
         method="highs",
         options={
             "primal_feasibility_tolerance": EXACT,
@@ -69,12 +75,12 @@ def least_arms(vertices: Vertices) -> Hinges:
         )
     h = _on_conditions(found.x[:heights], conditions)
     row, column = crease_numbers(grid)
-    levels = found.x[heights:-1].reshape(grid.rows - 1, grid.columns - 1)
-    return hinges_of(vertices.signs, CreaseValues(h[row], h[column]), levels)
+    levels = found.x[heights : heights + panels].reshape(grid.rows - 1, grid.columns - 1)
+    return hinges_of(vertices.signs, CreaseValues(h[row], h[column]), levels, joints)
 
 
-def _inequalities(vertices: Vertices, grid: Grid) -> tuple[Any, Array]:
-    """A sparse matrix and bounds on heights, levels and the longest arm."""
+def _inequalities(vertices: Vertices, grid: Grid, joints: Rows) -> tuple[Any, Array]:
+    """A sparse matrix and bounds on heights, levels, the longest arm, and the deepest joint."""
     from scipy.sparse import coo_array
 
     row, column = crease_numbers(grid)
@@ -91,13 +97,18 @@ def _inequalities(vertices: Vertices, grid: Grid) -> tuple[Any, Array]:
     crease, sign, board = crease[folds], sign[folds], board[folds]
     heights, count = row.size + column.size, len(crease)
     place, last = np.arange(count), np.full(count, heights + grid.panel_count)
-    # An arm is s (h - b), less 1 of a valley: at least APART, at most the last unknown.
+    # An arm is s (h - b), less 1 of a valley: at least APART, at most the last unknown. At joints
+    # it is at most 0, and at least the last unknown's negative.
+    joined = np.isin(crease, row[list(joints)])
     over = np.where(sign > 0, 1.0, 0.0)
-    least = over + APART
+    sign = np.where(joined, -sign, sign)
+    over = np.where(joined, -over, over)
+    last = last + joined
+    least = over + np.where(joined, 0.0, APART)
     where = np.concatenate([place, place, count + place, count + place, count + place])
     which = np.concatenate([crease, heights + board, crease, heights + board, last])
     value = np.concatenate([-sign, sign, sign, -sign, -np.ones(count)])
-    shape = 2 * count, heights + grid.panel_count + 1
+    shape = 2 * count, heights + grid.panel_count + 1 + bool(joints)
     return coo_array((value, (where, which)), shape=shape).tocsr(), np.concatenate([-least, over])
 
 
