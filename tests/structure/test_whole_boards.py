@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -33,7 +34,7 @@ from orishell.structure.mesh.boards import HingedPlates, mesh_boards
 from orishell.structure.mesh.edge_forces import find_edge_forces
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
+from orishell.structure.mesh.sheet import SheetMesh, crease_places, points_by_dofs
 from orishell.structure.model import Model
 from orishell.structure.settings import Structure, Support
 from orishell.structure.solve.active_set import respond
@@ -131,39 +132,67 @@ def test_a_hinge_at_a_wrong_height_closes_the_motion(seed: int) -> None:
 
 
 @cache
-def shelter() -> Design:
+def shelter(pieces: int | Literal["whole"] = "whole") -> Design:
     file = read_design_file(EXAMPLES / "shelter_hinged.toml")
     assert file.panel is not None
+    panel = file.panel.having(pieces=pieces, largest_arm=0.12)
     design = file.pattern.design(file.f, file.g)
     assert isinstance(design.mechanism, Straightened)
     mechanism = design.mechanism.straightened()
-    hinges = find_hinges(mechanism, file.panel)
-    return replace(design, mechanism=mechanism, panel=file.panel, hinges=hinges)
+    hinges = find_hinges(mechanism, panel)
+    return replace(design, mechanism=mechanism, panel=panel, hinges=hinges)
+
+
+def free_motions(design: Design, hinges: Hinges, share: float, *, locked: bool) -> int:
+    """Number of motions that take no energy, at a share of the way to the target."""
+    sheet = design.mechanism
+    section = Section.solid(6.7e9, hinges.thickness, 0.3)
+    mesh = meshed(sheet, hinges, share * sheet.target_drive)
+    elements = [mesh.elements(section)]
+    if locked:
+        springs = rigid_stiffness(mesh, section)
+        elements.append(hinge_elements(mesh, sheet.grid, springs))
+    held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
+    return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
 
 
 @pytest.mark.parametrize("share", [0.4, 0.8, 1.0])
 def test_the_shelter_of_whole_boards_has_one_motion(share: float) -> None:
     """144 boards, arms of 110 mm: seven motions, six with locked hinges or one 1 mm wrong."""
     design = shelter()
-    sheet, hinges = design.mechanism, design.hinges
+    hinges = design.hinges
     assert hinges is not None
     column = hinges.heights.column.copy()
     column[5, 5] += 1e-3
     wrong = replace(hinges, heights=CreaseValues(hinges.heights.row, column))
-    section = Section.solid(6.7e9, hinges.thickness, 0.3)
+    assert free_motions(design, hinges, share, locked=False) == 7
+    assert free_motions(design, hinges, share, locked=True) == 6
+    assert free_motions(design, wrong, share, locked=False) == 6
 
-    def motions(heights: Hinges, *, locked: bool) -> int:
-        mesh = meshed(sheet, heights, share * sheet.target_drive)
-        elements = [mesh.elements(section)]
-        if locked:
-            springs = rigid_stiffness(mesh, section)
-            elements.append(hinge_elements(mesh, sheet.grid, springs))
-        held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
-        return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
 
-    assert motions(hinges, locked=False) == 7
-    assert motions(hinges, locked=True) == 6
-    assert motions(wrong, locked=False) == 6
+def test_pieces_that_are_joined_do_not_fold() -> None:
+    """Three pieces of four rows; joints are on the faces of boards, where pieces meet.
+
+    That is 6.5 mm from the middle of the edge of either board, half its thickness and half the gap.
+    """
+    design = shelter(pieces=4)
+    hinges, sheet = design.hinges, design.mechanism
+    assert hinges is not None
+    assert hinges.joints is not None
+    assert free_motions(design, hinges, 1.0, locked=False) == 6
+    flat, positions = sheet.positions(0.0), sheet.positions(sheet.target_drive)
+    mesh = mesh_boards(hinged_plates(hinges, 0.001, flat, positions), sheet.grid, 3)
+    assert mesh.offsets is not None
+    edges, _, _ = crease_places(sheet.grid, 3)
+    count = sheet.grid.columns - 1
+    joined = np.isin(edges // count, [row + 1 for row in hinges.joints.rows])
+    joined &= edges < sheet.grid.rows * count
+    assert joined.sum() == 2 * count
+    assert not mesh.offsets.heights[joined].any()
+    assert mesh.offsets.heights.max() == pytest.approx(hinges.longest_arm)
+    hung = mesh.offsets.arms.reshape(2, -1, 3)
+    away = np.linalg.norm(hung, axis=-1)
+    assert away[:, np.repeat(joined, 2)].max() < 0.007
 
 
 WIDTH, FIRST, SECOND = 0.5, 1.0, 0.7
