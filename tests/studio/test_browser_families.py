@@ -17,6 +17,7 @@ SURFACE = """() => {
     const store = window.__orishell.store, design = structuredClone(store.design.value);
     const formula = "-0.4*x**2 - 0.1*y**2";
     design.target = { surface: { formula, x: [-1, 1], y: [-1, 1] } };
+    Object.assign(design.pattern, { rows: 3, columns: 4 });
     store.change(design, "surface");
 }"""
 VAULT = """() => {
@@ -25,7 +26,7 @@ VAULT = """() => {
         f: { formula: "-0.5*x**2", range: [-1, 1] },
         g: { formula: "0*x", range: [0, 3] },
     };
-    Object.assign(design.pattern, { rows: 5, columns: 5 });
+    Object.assign(design.pattern, { rows: 3, columns: 4 });
     store.change(design, "vault");
 }"""
 

@@ -10,8 +10,6 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
-from orishell.motion.hinges import Hinges
-from orishell.motion.mechanism import panel_normals
 from orishell.numerics.arrays import Array, Integers
 
 RISE = 0.1
@@ -45,6 +43,13 @@ class Feet:
         """Whether all are at one height."""
         return self.uneven == 0.0
 
+    def vertices(self, mechanism: Mechanism) -> Integers:
+        """Rows and columns (K, 2) of the whole grid of all vertices that are feet."""
+        if self.points:
+            return np.array(self.points)
+        rows, columns = np.meshgrid(self.rows, self.columns(mechanism), indexing="ij")
+        return np.stack([rows.ravel(), columns.ravel()], axis=-1)
+
     def columns(self, mechanism: Mechanism) -> Integers:
         """Columns (K,) of the whole grid in which both rows have a foot."""
         if not self.points:
@@ -64,7 +69,7 @@ def find_feet(design: Design) -> Feet | None:
     shell = placed if design.meant is None else design.meant[:, mechanism.inner_columns]
     height = shell[..., 2]
     hinges = design.hinges
-    lowest = height if hinges is None else _lowest_corners(hinges, placed)
+    lowest = height if hinges is None else hinges.lowest(placed)
     f, column = design.targets.get("f"), shell[:, 0]
     if f is None and design.may_stand:
         found = _on_points(design, height, lowest)
@@ -129,22 +134,6 @@ def _on_points(design: Design, height: Array, lowest: Array) -> Feet | None:
     before = design.mechanism.inner_columns.start
     points = tuple((row, column + before) for row, column in np.argwhere(on).tolist())
     return _feet(design, rows, lowest[on], size, points)
-
-
-def _lowest_corners(hinges: Hinges, placed: Array) -> Array:
-    """Heights (R, C) of the lowest corners of whole boards at the vertices of their sheet.
-
-    Boards do not meet there.
-    """
-    normals = panel_normals(placed)
-    over = 0.5 * hinges.thickness * np.abs(normals[..., 2:])
-    height = hinges.boards(placed)[..., 2] - over
-    # Corners of a panel: left above, left below, right below, right above.
-    lowest = np.full(placed.shape[:2], np.inf)
-    for corner, (row, column) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
-        part = lowest[row : row + len(height), column : column + height.shape[1]]
-        np.minimum(part, height[..., corner], out=part)
-    return lowest
 
 
 def _outermost(low: Array, size: float) -> int:

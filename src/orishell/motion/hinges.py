@@ -180,6 +180,20 @@ class Hinges:
         middles = self.middles(panel_normals(positions))
         return np.asarray(grid_corners(positions) + middles[..., None, :])
 
+    def lowest(self, positions: Positions) -> Array:
+        """Heights (rows, columns) of the lowest corners of boards at the vertices of a state.
+
+        Boards do not meet there. How far they are below or above it depends on normals alone.
+        """
+        over = 0.5 * self.thickness * np.abs(panel_normals(positions)[..., 2:])
+        height = self.boards(positions)[..., 2] - over
+        # Corners of a panel: left above, left below, right below, right above.
+        lowest = np.full(positions.shape[:2], np.inf)
+        for corner, (row, column) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+            part = lowest[row : row + len(height), column : column + height.shape[1]]
+            np.minimum(part, height[..., corner], out=part)
+        return lowest
+
     def _steps(self, n: Array) -> tuple[Array, Array]:
         """Steps of the shift from panels to those below and to their right, by normals."""
         down = self.heights.row[..., None] * (n[..., :-1, :, :] - n[..., 1:, :, :])

@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
+from orishell.deployment.feet import find_feet
 from orishell.deployment.pieces import choose_pieces
 from orishell.design import Design, PanelSpec
 from orishell.design.panel import HINGED_ONLY
@@ -155,14 +156,22 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
             other = _on_membrane(panel)
             error.candidates = [other] if closing is None else [closing, other]
         raise
-    design = replace(design, mechanism=mechanism, panel=panel, hinges=hinges, grounded=None)
-    return design if design.swept is None else _with_boards_at_target(design, hinges)
+    design = replace(design, mechanism=mechanism, panel=panel, grounded=None)
+    if design.swept is None:
+        return replace(design, hinges=hinges)
+    return _with_boards_at_target(design, hinges)
 
 
 def _with_boards_at_target(design: Design, hinges: Hinges) -> Design:
-    """The design whose boards are where its panels are at the target, as nearly as they can be."""
+    """The design whose boards are where its panels are at the target, as nearly as they can be.
+
+    Level feet of sweeps stay level. Fitted sheets touch the ground with flat rims: a dome of 6 m
+    whose feet were 54 mm uneven became even by moving them 490 mm along it.
+    """
     sheet = design.mechanism
-    mechanism, hinges = meet_target(sheet, hinges)
+    feet = find_feet(design) if design.targets else None
+    level = feet.vertices(sheet) if feet is not None and feet.level else None
+    mechanism, hinges = meet_target(sheet, hinges, feet=level)
     described = mechanism.described_lengths() if isinstance(mechanism, FreeLengths) else {}
     return replace(
         design,

@@ -18,7 +18,7 @@ from orishell.motion import Mechanism
 from orishell.motion.hinges import FreeLengths, Hinges, Straightened
 from orishell.motion.mechanism import panel_normals
 from orishell.motion.quads import dots, grid_corners
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 ACROSS = 100.0
 """A distance square to a panel counts like one so many times as long in its plane: it shows in the
@@ -26,13 +26,18 @@ shape of the shell, the other along the edges of boards only. Boards of sweeps, 
 those of the panels, leave these by less than a thousandth of a millimetre then in the shelter."""
 STEP = 2.0**-10
 """Share by which lengths are changed to see what moves: so little that no edge turns round."""
+SAME = 1e-9
+"""Heights of feet that follow from others of them to this share are not asked for again."""
 SHRUNK = 0.5
 """No edge becomes shorter than this share of it: boards that ask for more are left as near as that
 brings them."""
 
 
 def meet_target(
-    mechanism: Mechanism, hinges: Hinges, meant: Array | None = None
+    mechanism: Mechanism,
+    hinges: Hinges,
+    meant: Array | None = None,
+    feet: Integers | None = None,
 ) -> tuple[Mechanism, Hinges]:
     """The sheet whose whole boards come nearest to panels at its target, with its hinges.
 
@@ -42,6 +47,9 @@ def meet_target(
     ----------
     meant
         Vertices (rows, columns, 3) of the panels; those of the sheet itself if None.
+    feet
+        Rows and columns (K, 2) of vertices at which boards are to stand as high as the panels
+        would, by their lowest corners.
     """
     if not isinstance(mechanism, FreeLengths):
         return mechanism, hinges
@@ -60,8 +68,11 @@ def meet_target(
         other = having(longer)
         moves[k] = (other.positions(other.target_drive) - shell) / STEP
     moves[len(lengths) :] = np.eye(3)[:, None, None]
-    off = hinges.boards(shell) - grid_corners(shell if meant is None else meant)
-    change = _least(moves, off, panel_normals(shell))
+    meant = shell if meant is None else meant
+    off = hinges.boards(shell) - grid_corners(meant)
+    row, column = np.zeros((2, 0), np.int64) if feet is None else feet.T
+    sunk = (hinges.lowest(shell) - meant[..., 2])[row, column]
+    change = _least(*_squares(moves, off, panel_normals(shell)), moves[:, row, column, 2].T, -sunk)
     change *= _share(np.einsum("k,kijx->ijx", change, moves), shell)
     fitted = having(lengths * (1 + change[:-3]))
     if isinstance(fitted, Straightened):
@@ -69,10 +80,10 @@ def meet_target(
     return fitted, replace(hinges, place=hinges.place + change[-3:])
 
 
-def _least(moves: Array, off: Array, normals: Array) -> Array:
-    """Factors (K,) of moves (K, rows, columns, 3) that bring corners of panels back from ``off``.
+def _squares(moves: Array, off: Array, normals: Array) -> tuple[Array, Array]:
+    """Normal equations (K, K) and (K,) for corners of panels to come back from ``off``.
 
-    Least squares, row of panels by row of panels; off (rows-1, columns-1, 4, 3).
+    By moves (K, rows, columns, 3), row of panels by row of panels; off (rows-1, columns-1, 4, 3).
     """
     count = len(moves)
     squares, products = np.zeros((count, count)), np.zeros(count)
@@ -81,7 +92,17 @@ def _least(moves: Array, off: Array, normals: Array) -> Array:
         matrix = _weighed(corners, normal).reshape(count, -1)
         squares += matrix @ matrix.T
         products += matrix @ _weighed(gap, normal).ravel()
-    return np.asarray(np.linalg.solve(squares, -products))
+    return squares, products
+
+
+def _least(squares: Array, products: Array, kept: Array, values: Array) -> Array:
+    """The least of squares (K,) with ``kept`` (F, K) of it equal to values (F,), or nearly."""
+    _, sizes, ways = np.linalg.svd(kept, full_matrices=True)
+    rank = int((sizes > SAME * sizes.max(initial=0.0)).sum())
+    free = ways[rank:].T
+    found = np.linalg.lstsq(kept, values, rcond=SAME)[0]
+    rest = free.T @ (products + squares @ found)
+    return np.asarray(found + free @ np.linalg.solve(free.T @ squares @ free, -rest))
 
 
 def _weighed(vectors: Array, normals: Array) -> Array:
