@@ -340,7 +340,7 @@ def test_plywood_with_locked_creases_carries_snow_and_wind() -> None:
 @thorough
 @pytest.mark.slow
 def test_whole_boards_carry_more_snow_than_boards_on_a_membrane() -> None:
-    """Figures of the guide, with locked hinges, under 0.5 kN/m2 of snow; and none with free ones."""
+    """Figures of the guide, hinges locked, under 0.5 kN/m2 of snow; nothing with free ones."""
     module = runpy.run_path(str(EXAMPLES / "shelter_constructions.py"))
     design, load, snow = module["design"], module["load"], module["SNOW"]
     expected = {
