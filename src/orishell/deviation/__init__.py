@@ -9,14 +9,12 @@ from orishell.deviation.measure import (
     SAMPLES,
     Deviation,
     Distances,
-    SignedDistances,
     find_excess,
     measure_approach,
     measure_deviation,
     measure_distance,
-    measure_points,
-    measure_signed,
 )
+from orishell.deviation.signed import SignedDistances, measure_points, measure_signed
 
 __all__ = [
     "COARSE",

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from orishell.design import Design
-from orishell.deviation.measure import measure_points
+from orishell.deviation.signed import measure_points
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness

@@ -1,4 +1,7 @@
-"""Whole boards as a structure: their plates and hinges in a state, and what is not analysed."""
+"""Whole boards as a structure: their plates and hinges in a state, and what is not analysed.
+
+Where pieces are joined, hinges are along the edges in which their boards meet.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +17,9 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array
 from orishell.solids.boards import inset_panels
+from orishell.solids.hinged.joints import joint_axes
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import CORNERS, SheetMesh
@@ -91,8 +95,8 @@ def hinged_plates(
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     inner = np.bincount(edges.ravel()) > 1
     lying, folded = flat.reshape(-1, 3), positions.reshape(-1, 3)
-    back = np.where(inner[edges], 0.5 * gap, 0.0) + hinges.cut_back
-    outline = inset_panels(lying[faces, :2], back, grid)
+    back = np.where(inner[edges], 0.5 * gap, 0.0)
+    outline = inset_panels(lying[faces, :2], back + hinges.cut_back, grid)
     middle = (hinges.levels + 0.5 * hinges.thickness).ravel()
     at = np.concatenate([outline, np.broadcast_to(middle[:, None, None], (*faces.shape, 1))], -1)
     number = np.arange(len(faces))
@@ -106,30 +110,12 @@ def hinged_plates(
     height = hinges.heights.on_edges()
     off = hinges.shifts(normals)[first] + height[:, None] * normals[first]
     axes = folded[grid.edges_vertices()] + off[:, None]
+    if hinges.joints is not None:  # boards are joined where they meet
+        across = grid.columns - 1
+        rows = axes[: grid.rows * across].reshape(grid.rows, across, 2, 3)
+        rows[np.array(hinges.joints.rows) + 1] = joint_axes(hinges, positions)
     arms = np.stack(
         [CreaseValues(*both).on_edges() for both in zip(*hinges.arms, strict=True)], axis=1
     )
     arms[arms - hinges.knuckle <= SHORT * hinges.thickness] = 0.0
-    if hinges.joints is not None:
-        joined, beside = _joints(hinges, corners, normals)
-        axes[joined], arms[joined] = beside, 0.0
     return HingedPlates(corners, axes, arms, fins)
-
-
-def _joints(hinges: Hinges, corners: Array, normals: Array) -> tuple[Integers, Array]:
-    """Edges (J,) along which pieces are joined, and the axes there (J, 2, 3).
-
-    Boards on both sides meet on the faces on which creases close: the axis is half way between
-    their edges there, in the middle of what may be open.
-
-    corners, normals: Of plates (F, 4, 3), half way up, and of panels (F, 3).
-    """
-    assert hinges.joints is not None
-    columns = hinges.grid.columns - 1
-    row = np.array(hinges.joints.rows)[:, None]
-    above = (row * columns + np.arange(columns)).ravel()
-    below = above + columns
-    half = 0.5 * hinges.thickness * hinges.signs.row[row[:, 0]].reshape(-1, 1)
-    upper = corners[above][:, [1, 2]] + (half * normals[above])[:, None]
-    lower = corners[below][:, [0, 3]] + (half * normals[below])[:, None]
-    return above + columns, 0.5 * (upper + lower)

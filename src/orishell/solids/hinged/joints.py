@@ -21,6 +21,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.hinges import Hinges, Joints
+from orishell.motion.mechanism import panel_normals
 from orishell.motion.quads import lengths, units
 from orishell.numerics.arrays import Array
 
@@ -83,6 +84,28 @@ def find_joints(mechanism: Mechanism, hinges: Hinges, rows: Rows) -> Joints:
     deep = np.where(sign > 0, level + hinges.thickness - height, height - level)
     cuts = np.maximum(np.where(sign == 0, 0.0, deep), 0.0) * np.tan(0.5 * fold)
     return Joints(rows, cuts, np.cos(fold).mean(axis=1))
+
+
+def joint_axes(hinges: Hinges, positions: Array) -> Array:
+    """Lines along which pieces are joined, from end to end (J, columns-1, 2, 3), at the target.
+
+    Half way between the edges of the two boards on the faces on which they close.
+
+    positions: Vertices (rows, columns, 3) there.
+    """
+    assert hinges.joints is not None
+    normals = panel_normals(positions)
+    shifts = hinges.shifts(normals.reshape(-1, 3)).reshape(normals.shape)
+    rows = np.array(hinges.joints.rows)
+    crease = positions[rows + 1]
+    along, sign = units(np.diff(crease, axis=1)), hinges.signs.row[rows]
+    found = np.zeros((*along.shape[:2], 2, 3))
+    for board, cut, side in zip((rows, rows + 1), hinges.joints.cuts, (1.0, -1.0), strict=True):
+        n, share = normals[board], 0.5 * (1 + sign)
+        face = (hinges.levels[board] + share * hinges.thickness)[..., None] * n
+        inward = side * cut[..., None] * np.cross(n, along)
+        found += 0.5 * (shifts[board] + face + inward)[:, :, None]
+    return np.asarray(found + np.stack([crease[:, :-1], crease[:, 1:]], axis=2))
 
 
 def joint_openings(mechanism: Mechanism, boards: Boards) -> Array:
