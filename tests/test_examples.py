@@ -339,6 +339,25 @@ def test_plywood_with_locked_creases_carries_snow_and_wind() -> None:
 
 @thorough
 @pytest.mark.slow
+def test_whole_boards_carry_more_snow_than_boards_on_a_membrane() -> None:
+    """Figures of the guide, hinges locked, under 0.5 kN/m2 of snow; nothing with free ones."""
+    module = runpy.run_path(str(EXAMPLES / "shelter_constructions.py"))
+    design, load, snow = module["design"], module["load"], module["SNOW"]
+    expected = {
+        "sandwich": ({"panels": 3.59, "membrane": 1.65}, 4.16),
+        "hinged, arms of 1 mm": ({"panels": 0.37, "arms": 0.61}, 2.92),
+        "in three pieces": ({"panels": 0.40, "arms": 0.71}, 2.99),
+    }
+    for name, (used, buckling) in expected.items():
+        shell = design(name)
+        found = load(shell, snow)
+        assert found.used == pytest.approx(used, abs=0.01)
+        assert found.buckling == pytest.approx(buckling, abs=0.01)
+        assert load(shell, 0.0, 0.0).share > 1
+
+
+@thorough
+@pytest.mark.slow
 def test_plywood_stands_with_creases_of_some_stiffness_and_on_the_ground() -> None:
     module = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
     judge, with_creases = module["judge"], module["with_creases"]

@@ -9,6 +9,7 @@ import pytest
 
 from orishell.design import Design
 from orishell.design_file import read_design_file
+from orishell.deviation import drawn_shell, locked_shell
 from orishell.deviation.of_boards import boards_closeness
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
@@ -45,6 +46,16 @@ def test_distances_from_curves_are_those_of_points_on_edges_of_boards(shelter: D
         ways = cKDTree(points).query(curve)[0], cKDTree(curve).query(points)[0]
         farthest = max(float(np.max(each)) for each in ways)
         assert found[name].max == pytest.approx(farthest, abs=1e-3)
+
+
+def test_pictures_draw_boards_where_they_are(shelter: Design) -> None:
+    """Means of their corners lie within 5 mm of the panels that meet the target.
+
+    The sheet without a thickness lies up to 76 mm beside these.
+    """
+    assert shelter.meant is not None
+    assert np.linalg.norm(drawn_shell(shelter) - shelter.meant, axis=-1).max() < 5e-3
+    assert np.linalg.norm(locked_shell(shelter) - shelter.meant, axis=-1).max() > 0.02
 
 
 def test_boards_follow_the_curves_as_the_sheet_would(shelter: Design) -> None:

@@ -35,7 +35,7 @@ from orishell.structure.mesh.boards import HingedPlates, mesh_boards
 from orishell.structure.mesh.edge_forces import find_edge_forces
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
+from orishell.structure.mesh.sheet import SheetMesh, crease_places, points_by_dofs
 from orishell.structure.model import Model
 from orishell.structure.settings import Structure, Support
 from orishell.structure.solve.active_set import respond
@@ -198,6 +198,26 @@ def test_joined_pieces_take_energy_to_move(net: Net) -> None:
     assert np.abs(moving[:7]).max() < 1e-14
     assert np.abs(found[:6]).max() < 1e-14
     assert found[6] > 0.01 * moving[7]
+
+
+def test_joints_are_on_the_faces_of_boards() -> None:
+    """6.5 mm from the middle of edges: half of the thickness, and half of a gap of 1 mm."""
+    design = shelter(4)
+    hinges, sheet = design.hinges, design.mechanism
+    assert hinges is not None
+    assert hinges.joints is not None
+    flat, positions = sheet.positions(0.0), sheet.positions(sheet.target_drive)
+    mesh = mesh_boards(hinged_plates(hinges, 0.001, flat, positions), sheet.grid, 3)
+    assert mesh.offsets is not None
+    edges, _, _ = crease_places(sheet.grid, 3)
+    count = sheet.grid.columns - 1
+    joined = np.isin(edges // count, [row + 1 for row in hinges.joints.rows])
+    joined &= edges < sheet.grid.rows * count
+    assert joined.sum() == 2 * count
+    assert not mesh.offsets.heights[joined].any()
+    assert mesh.offsets.heights.max() == pytest.approx(hinges.longest_arm)
+    away = np.linalg.norm(mesh.offsets.arms.reshape(2, -1, 3), axis=-1)
+    assert away[:, np.repeat(joined, 2)].max() < 0.007
 
 
 WIDTH, FIRST, SECOND = 0.5, 1.0, 0.7
@@ -490,6 +510,7 @@ def test_whole_boards_balance_their_loads(support: Support, arms: float | None) 
     )
     structure = STRUCTURE.having(supports=(support,), cases=cases, cells=3, arm_modulus=arms)
     found = analyse(design, structure, site)
+    assert any("taken as rigid" in each for each in found.warnings) == (arms is None)
     held = [case for case in found.cases if case.equilibrium is not None]
     assert len(held) >= 3
     for case in held:

@@ -3,7 +3,7 @@
 Derived in docs/theory/deviation.md.
 """
 
-from orishell.deviation.locked import locked_shell
+from orishell.deviation.locked import drawn_shell, locked_shell
 from orishell.deviation.measure import (
     COARSE,
     SAMPLES,
@@ -22,6 +22,7 @@ __all__ = [
     "Deviation",
     "Distances",
     "SignedDistances",
+    "drawn_shell",
     "find_excess",
     "locked_shell",
     "measure_approach",

@@ -20,6 +20,14 @@ def locked_shell(design: Design) -> Array:
     return mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
 
 
+def drawn_shell(design: Design) -> Array:
+    """Vertices (rows, n, 3) of the shell in pictures: of whole boards those between them."""
+    hinges, mechanism = design.hinges, design.mechanism
+    if hinges is None:
+        return locked_shell(design)
+    return hinges.vertices(mechanism.positions(mechanism.target_drive))
+
+
 def locked_boards(design: Design) -> Mesh | None:
     """Whole boards of the locked shell, half way up, where they lie beside its panels; or None."""
     if design.hinges is None:

@@ -17,7 +17,7 @@ Folded up further they are drawn apart.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import field
 from itertools import pairwise
 from typing import Any, Protocol, runtime_checkable
@@ -186,6 +186,15 @@ class Hinges:
         moved = self.drawn(listed) - self.shifts(listed)
         return self.boards(positions) + moved.reshape(*self.levels.shape, 1, 3)
 
+    def vertices(self, positions: Positions) -> Array:
+        """Means (rows, columns, 3) of the corners of boards, half way up, that meet at vertices."""
+        boards = self.boards(positions)
+        sums, counts = np.zeros_like(positions), np.zeros(positions.shape[:2])
+        for corner, part in enumerate(_at_corners(self.grid)):
+            sums[part] += boards[:, :, corner]
+            counts[part] += 1
+        return np.asarray(sums / counts[..., None])
+
     def lowest(self, positions: Positions) -> Array:
         """Heights (rows, columns) of the lowest corners of boards at the vertices of a state.
 
@@ -193,11 +202,9 @@ class Hinges:
         """
         over = 0.5 * self.thickness * np.abs(panel_normals(positions)[..., 2:])
         height = self.boards(positions)[..., 2] - over
-        # Corners of a panel: left above, left below, right below, right above.
         lowest = np.full(positions.shape[:2], np.inf)
-        for corner, (row, column) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
-            part = lowest[row : row + len(height), column : column + height.shape[1]]
-            np.minimum(part, height[..., corner], out=part)
+        for corner, part in enumerate(_at_corners(self.grid)):
+            np.minimum(lowest[part], height[..., corner], out=lowest[part])
         return lowest
 
     def _steps(self, n: Array) -> tuple[Array, Array]:
@@ -232,3 +239,9 @@ class Hinges:
         down, across = self._steps(panel_normals(positions))
         around = across[:-1] + down[:, 1:] - down[:, :-1] - across[1:]
         return float(np.sqrt((around**2).sum(axis=-1)).max(initial=0.0))
+
+
+def _at_corners(grid: Grid) -> Iterator[tuple[slice, slice]]:
+    """Which vertices are corners of panels: left above, left below, right below, right above."""
+    for row, column in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        yield slice(row, row + grid.rows - 1), slice(column, column + grid.columns - 1)

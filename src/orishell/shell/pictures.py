@@ -13,7 +13,7 @@ from orishell.deployment import FROM_FLAT
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, PiecedSurface
 from orishell.design_file import DesignFile
-from orishell.deviation import Deviation, locked_shell, measure_points, measure_signed
+from orishell.deviation import Deviation, drawn_shell, measure_points, measure_signed
 from orishell.document import Document
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
@@ -50,10 +50,10 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
         return document
     grid, inner = design.mechanism.grid, design.mechanism.inner_columns
     points = document.shell.positions
-    shell = points[: grid.vertex_count].reshape(grid.rows, grid.columns, 3)
+    shell = points[: grid.vertex_count].reshape(grid.rows, grid.columns, 3)[:, inner]
     distances = np.full(len(points), np.nan)
     own = distances[: grid.vertex_count].reshape(grid.rows, grid.columns)
-    own[:, inner] = measure_points(shell[:, inner], surface)
+    own[:, inner] = measure_points(drawn_shell(design) if design.hinges else shell, surface)
     return replace(document, distances=distances)
 
 
@@ -133,7 +133,7 @@ def _point(trial: Trial) -> tuple[int, float, str]:
 
 def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
     largest, rms = f"{plain(deviation.max, 3)} {unit}", f"{plain(deviation.rms, 3)} {unit}"
-    signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
+    signed = measure_signed(drawn_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
     note = "Shell at its target, flaps left out, coloured by its distance from "
     note += "f swept along g" if design.targets else _beside(design, unit)
     if design.tilted:
@@ -166,7 +166,10 @@ def _offset_section(design: Design) -> OffsetSection | None:
     offset, surface = design.parameters.get("offset"), design.swept
     if not isinstance(offset, float) or not isinstance(surface, PiecedSurface):
         return None
-    sheet = design.mechanism.positions(design.mechanism.target_drive)
+    mechanism = design.mechanism
+    sheet = mechanism.positions(mechanism.target_drive)
+    if design.hinges is not None:
+        sheet = drawn_shell(design)
     return find_offset_section(sheet[:, sheet.shape[1] // 2], surface.piece, offset)
 
 

@@ -18,9 +18,8 @@ from orishell.structure.loaded import loaded_shell
 from orishell.structure.model import Model, Stiffness
 from orishell.structure.plausibility import doubts
 from orishell.structure.point_supports import warn_of_points
-from orishell.structure.verdict import (
-    misleads,
-)
+from orishell.structure.verdict import misleads
+from orishell.structure.whole_boards import arm_warnings
 
 LINEAR = "large displacements: all is linear, from the shape as it was designed"
 FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
@@ -150,12 +149,13 @@ class Analysis:
     def _warnings(self) -> Iterator[str]:
         yield from ground_warnings(self)
         yield from refinement_warnings(self.model.change, self.model.stopped)
+        yield from arm_warnings(self.model.structure, self.model.mesh)
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
-            yield (
-                f"linear theory may mislead under {few(far)}: large displacements are "
-                "followed with nonlinear = true in [structure]"
-            )
+            text = f"linear theory may mislead under {few(far)}"
+            if self.model.mesh.offsets is None:  # of whole boards they are not
+                text += ": large displacements are followed with nonlinear = true in [structure]"
+            yield text
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
         said: dict[str, dict[str, None]] = {}
         for case in self.cases:

@@ -5,6 +5,8 @@ Where pieces are joined, hinges are along the edges in which their boards meet.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from orishell.conventions.errors import InputError
@@ -68,6 +70,16 @@ def corners_at_vertices(plates: HingedPlates, mesh: SheetMesh, grid: Grid) -> Ar
     found = np.empty((grid.vertex_count, 3))
     found[number[at]] = plates.corners[at]
     return found
+
+
+def arm_warnings(structure: Structure, mesh: SheetMesh) -> Iterator[str]:
+    """What an engineer should read of arms."""
+    hinges = mesh.offsets
+    if hinges is not None and hinges.heights.any() and structure.arm_modulus is None:
+        yield (
+            "arms of hinges are taken as rigid, so they draw more of the moments than fins that "
+            "bend: give arm_modulus in [structure]"
+        )
 
 
 def hinged_plates(
