@@ -247,10 +247,10 @@ export interface DeploymentReport {
   largest_thickness: number | null;
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. Pieces that are joined have no motion left. */
-  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | "joints" | null;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. Pieces that are joined have no motion left. */
-  opening: "ties" | "joints" | null;
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  opening: "ties" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
   /** Of each piece, where there are pieces. */

@@ -33,10 +33,9 @@ class DeploymentReport:
     thickness: float
     largest_thickness: float | None
     end_drive: Angle  # as far as it closes, proved if its path was examined
-    # what keeps it from closing, and from opening, beyond its target; None if nothing does. Pieces
-    # that are joined have no motion left.
-    closing: Cause | Literal["clipped flaps", "joints"] | None
-    opening: Literal["ties", "joints"] | None
+    # what keeps it from closing, and from opening, beyond its target; None if nothing does
+    closing: Cause | Literal["clipped flaps"] | None
+    opening: Literal["ties"] | None
     # the state that packs smallest, of the largest piece where there are pieces; None if that was
     # not asked for
     packed: Pack | None
@@ -55,7 +54,6 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
     clipped, folded = design.clipped is not None, has_flaps(mechanism)
     ties = find_ties(mechanism, site.ties, lock.closes_to, design.hinges)
     caught = lock.cause if lock.closes_to <= lock.target_drive else None
-    joined = design.hinges is not None and design.hinges.joints is not None
     return DeploymentReport(
         start=start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
@@ -63,8 +61,8 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
         thickness=thickness,
         largest_thickness=None,
         end_drive=lock.closes_to,
-        closing="joints" if joined else "clipped flaps" if clipped else caught,
-        opening="ties" if ties else "joints" if joined else None,
+        closing="clipped flaps" if clipped else caught,
+        opening="ties" if ties else None,
         packed=None,
         pieces=(),
         ties=ties,

@@ -11,7 +11,7 @@ from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.deployment.feet import find_feet
 from orishell.deployment.pieces import choose_pieces
-from orishell.design import Design, PanelSpec, warn_of_no_lock
+from orishell.design import Design, PanelSpec
 from orishell.design.panel import HINGED_ONLY
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
@@ -157,10 +157,6 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
             error.candidates = [other] if closing is None else [closing, other]
         raise
     design = replace(design, mechanism=mechanism, panel=panel, grounded=None)
-    if hinges.joints is not None:  # pieces that are joined have no motion left
-        loose = warn_of_no_lock(0.0)
-        warnings = tuple(each for each in design.warnings if each not in loose)
-        design = replace(design, warnings=warnings)
     if design.swept is None:
         return replace(design, hinges=hinges)
     return _with_boards_at_target(design, hinges)

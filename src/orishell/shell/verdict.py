@@ -21,7 +21,6 @@ SLIM = 0.03
 CLOSING = {
     "flaps": "its flaps stop it closing",
     "clipped flaps": "flaps clipped on stop it closing",
-    "joints": "the joints of its pieces stop it closing",
     "crease": "a crease folded flat stops it closing",
     "clash": "panels that meet stop it closing",
     "hinges": "its hinges stop it closing",
@@ -123,8 +122,6 @@ def _held(report: Report) -> Iterator[Row]:
         if held.opening == "ties"
         else "only its supports stop it opening"
     )
-    if held.opening == "joints":
-        opening = "so do they opening"
     push = 0.0 if held.weight is None else held.weight.at_feet
     loose = (push > 0 and held.opening is None) or (push < 0 and held.closing is None)
     both = held.closing is not None and held.opening is not None
