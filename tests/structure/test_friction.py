@@ -22,6 +22,7 @@ from orishell.structure.solve.bearing import driven_motion, needed_friction, wit
 from orishell.structure.solve.conditions import on_ground
 from orishell.structure.solve.factorised import GIVE, Factorised
 from orishell.structure.verdict import against_motion
+from samples import thorough
 from structure.rough_shells import loaded_shells, missing, rough_shell
 from structure.test_one_sided import CORNERS, load, middle, slab
 
@@ -98,7 +99,7 @@ def test_random_shells_keep_to_coulombs_law() -> None:
     assert ends["holds"] >= 8
 
 
-@pytest.mark.slow
+@thorough
 @pytest.mark.parametrize("first", range(0, 400, 40))
 def test_three_hundred_random_shells_keep_to_coulombs_law(first: int) -> None:
     assert survey(range(first, first + 40))["holds"] >= 10

@@ -74,14 +74,25 @@ def test_of_curves_the_best_is_shown_and_another_can_be_taken(page: Page) -> Non
     assert state(page, "trials.value.family") == trials["family"]
 
 
-def test_of_a_surface_all_are_tried_and_the_trial_can_be_stopped(page: Page) -> None:
-    any_family(page)
+def stopped(page: Page) -> None:
+    """A trial on a surface, stopped after the first family."""
     page.evaluate(SURFACE)
     wait_until(page, f"{STORE}.trials.value?.tried.length > 0")
     assert page.get_by_test_id("fit-work").is_visible()
     page.get_by_test_id("fit-work-stop").click()
+
+
+def test_a_trial_on_a_surface_can_be_stopped(page: Page) -> None:
+    any_family(page)
+    stopped(page)
     assert state(page, "freshness.value") == "outdated"
     assert "families was stopped" in page.locator(".fit-bar").inner_text()
+
+
+@thorough
+def test_of_a_surface_all_are_tried_after_one_was_stopped(page: Page) -> None:
+    any_family(page)
+    stopped(page)
     page.get_by_test_id("fit-again").click()
     settle(page)
     assert state(page, "freshness.value") == "current"
