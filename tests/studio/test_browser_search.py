@@ -27,9 +27,15 @@ def design(page: Page) -> dict[str, Any]:
     return found
 
 
+def open_section(page: Page) -> None:
+    """Open the section, if it is not: the page keeps what another test has opened."""
+    if not page.evaluate("document.querySelector('[data-testid=search]').open"):
+        page.locator("[data-testid=search] summary").click()
+
+
 def ask(page: Page) -> None:
     """Open the section, and ask for twelve designs."""
-    page.locator("[data-testid=search] summary").click()
+    open_section(page)
     for name, ends in SIZE_RANGES.items():
         for end, value in zip(("low", "high"), ends, strict=True):
             page.get_by_test_id(f"search-{end}-pattern.{name}").fill(str(value))
@@ -102,6 +108,7 @@ def test_the_front_grows_and_a_point_of_it_is_the_open_design(page: Page) -> Non
 def test_a_search_is_stopped_and_keeps_what_there_is(page: Page) -> None:
     choose(page, "parallel-repeating")
     settle(page)
+    open_section(page)
     page.get_by_test_id("search-go").click()
     wait_until(page, f"{POINTS} > 0")
     page.get_by_test_id("search-work-stop").click()
@@ -120,6 +127,7 @@ def test_a_search_is_stopped_and_keeps_what_there_is(page: Page) -> None:
 def test_what_may_change_is_added_turned_and_removed(page: Page) -> None:
     choose(page, "orthodiagonal")
     settle(page)
+    open_section(page)
     page.get_by_test_id("search-add").select_option("pattern.heading_deg")
     page.get_by_test_id("search-add").select_option("pattern.placement")
     table = design(page)["search"]
@@ -163,6 +171,7 @@ def test_what_may_change_is_added_turned_and_removed(page: Page) -> None:
 def test_axes_are_chosen_among_three_figures(page: Page) -> None:
     choose(page, "parallel-repeating")
     settle(page)
+    open_section(page)
     page.get_by_test_id("search-high-pattern.columns").fill("9")
     page.get_by_test_id("search-high-pattern.rows").fill("7")
     page.get_by_test_id("search-small-cut_length").check()

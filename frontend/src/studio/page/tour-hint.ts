@@ -32,7 +32,7 @@ export function tourHint(store: Store, show: () => void): HTMLElement | null {
         show();
       },
     }),
-    button({ label: "No, thanks", text: "No, thanks", testid: "tour-no", act: answered }),
+    button({ label: "No, thanks", text: "No", testid: "tour-no", act: answered }),
   );
   return element;
 }
