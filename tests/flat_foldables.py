@@ -6,12 +6,29 @@ import numpy as np
 
 from mechanisms import flat_foldable, parallel, random_net, upright
 from orishell.conventions.errors import OrishellError
+from orishell.design import Design, PanelSpec
 from orishell.families.flat_foldable.named import graded_net
 from orishell.families.flat_foldable.net import Net
 from orishell.families.flat_foldable.refusal import find_fault
 from orishell.motion import Mechanism
+from orishell.motion.hinges import Hinges
 
 LARGEST = 12
+
+
+def boarded(mechanism: Mechanism, build: PanelSpec, hinges: Hinges | None = None) -> Design:
+    """A design of whole boards without a target, for the way from its pack."""
+    return Design(
+        mechanism=mechanism,
+        parameters={},
+        targets={},
+        closeness={},
+        swept=None,
+        warnings=(),
+        panel=build,
+        hinges=hinges,
+        opens_from_pack=True,
+    )
 
 
 def random_sheet(seed: int) -> Mechanism:

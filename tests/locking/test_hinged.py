@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from flat_foldables import random_sheet
+from flat_foldables import boarded, random_sheet
 from mechanisms import flat_foldable, miura_net, parallel
 from orishell.clash import find_first_contact
 from orishell.clash.bodies import Bodies
@@ -28,16 +28,7 @@ TOLERANCE = 1e-9
 def design_of(mechanism: Mechanism, thickness: float, gap: float, knuckle: float = 0.0) -> Design:
     hinge = HingeSpec(knuckle=knuckle)
     build = PanelSpec(thickness=thickness, construction="hinged", gap=gap, hinge=hinge)
-    return Design(
-        mechanism=mechanism,
-        parameters={},
-        targets={},
-        closeness={},
-        swept=None,
-        warnings=(),
-        panel=build,
-        opens_from_pack=True,
-    )
+    return boarded(mechanism, build)
 
 
 def small_sheet(seed: int) -> Mechanism:

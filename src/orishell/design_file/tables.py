@@ -173,6 +173,17 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
                 )
 
 
+ONLY_WITH = (
+    (
+        "sandwich",
+        ("membrane_modulus", "membrane_strength"),
+        "there is no membrane between boards",
+    ),
+    ("hinged", ("arm_modulus", "arm_strength"), "there are no arms that hinges stand on"),
+)
+"""Constructions, the keys of [structure] that go with them alone, and what others lack."""
+
+
 def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
     if panel is None and table.thickness is None:
         raise InputError(
@@ -187,24 +198,17 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
             got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
             remedy="remove it here",
         )
-    if panel is None or panel.construction != "sandwich":
-        for key in ("membrane_modulus", "membrane_strength"):
+    for construction, keys, problem in ONLY_WITH:
+        if panel is not None and panel.construction == construction:
+            continue
+        for key in keys:
             if value := getattr(table, key):
                 raise InputError(
-                    "there is no membrane between boards",
+                    problem,
                     keys=(f"structure.{key}",),
                     got=f"{value:g}",
-                    expected='a table [panel] with a thickness and construction = "sandwich"',
-                    remedy="remove it",
-                )
-    if panel is None or panel.construction != "hinged":
-        for key in ("arm_modulus", "arm_strength"):
-            if value := getattr(table, key):
-                raise InputError(
-                    "there are no arms that hinges stand on",
-                    keys=(f"structure.{key}",),
-                    got=f"{value:g}",
-                    expected='a table [panel] with a thickness and construction = "hinged"',
+                    expected="a table [panel] with a thickness and construction = "
+                    f'"{construction}"',
                     remedy="remove it",
                 )
 

@@ -57,6 +57,14 @@ class Met:
     contact: PathContact | None
     depth: float
 
+    @classmethod
+    def of(cls, deepest: tuple[tuple[int, int], float] | None, drive: float, bodies: Bodies) -> Met:
+        """Of the pair of bodies that reach deepest into each other in a state, if any do."""
+        if deepest is None:
+            return cls(None, 0.0)
+        pair, depth = deepest
+        return cls(PathContact(drive, drive, bodies.carriers(pair), pair), depth)
+
 
 @record
 class Corners:

@@ -110,11 +110,7 @@ def clip_boards(
         found = deepest_contact(
             bodies, points, tolerance, only=layout.flaps, settled=apart, hinged=layout.hinges
         )
-        if found is None:
-            return Met(None, 0.0)
-        pair, depth = found
-        ends = sheet.target, sheet.target
-        return Met(PathContact(*ends, bodies.carriers(pair), pair), depth)
+        return Met.of(found, sheet.target, bodies)
 
     built, met = cut_corners(design, built, tolerance, look, lambda _: corners)
     if met.contact is None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash import PathContact
 from orishell.clash.body_path import opposite_panels
 from orishell.clash.state import deepest_between
 from orishell.conventions.errors import DesignError, Remedy
@@ -47,11 +46,7 @@ def join_pieces(design: Design, built: BuiltPanels, tolerance: float) -> BuiltPa
     def look(built: BuiltPanels) -> Met:
         bodies = corners.bodies(built)
         found = deepest_between(bodies, points, tolerance, piece_numbers(built.boards))
-        if found is None:
-            return Met(None, 0.0)
-        pair, depth = found
-        ends = sheet.target, sheet.target
-        return Met(PathContact(*ends, bodies.carriers(pair), pair), depth)
+        return Met.of(found, sheet.target, bodies)
 
     built, met = cut_corners(design, built, tolerance, look, lambda _: corners)
     if met.contact is not None and met.depth > tolerance:

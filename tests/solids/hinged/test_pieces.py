@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from board_tree import Tree
-from flat_foldables import random_sheet
+from flat_foldables import boarded, random_sheet
 from mechanisms import flat_foldable, miura_net
 from orishell.conventions.errors import DesignError
 from orishell.deployment.pieces import choose_pieces
-from orishell.design import Design, PanelSpec
+from orishell.design import PanelSpec
 from orishell.design_file import read_design_file
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
@@ -54,20 +54,6 @@ def in_pieces(seed: int) -> tuple[Mechanism, PanelSpec, Hinges, float]:
     return sheet, build, find_hinges(sheet, build), size
 
 
-def design_of(mechanism: Mechanism, build: PanelSpec, hinges: Hinges) -> Design:
-    return Design(
-        mechanism=mechanism,
-        parameters={},
-        targets={},
-        closeness={},
-        swept=None,
-        warnings=(),
-        panel=build,
-        hinges=hinges,
-        opens_from_pack=True,
-    )
-
-
 SEEDS = [*range(8), *(pytest.param(seed, marks=thorough) for seed in range(8, 80))]
 
 
@@ -95,7 +81,7 @@ def test_boards_meet_at_joints_but_for_a_step(seed: int) -> None:
     assert hinges.joints is not None
     parts = [SheetPiece(sheet, rows) for rows in hinges.pieces]
     own = [hinges.of_piece(rows) for rows in hinges.pieces]
-    found = joint_openings(sheet, build_panels(design_of(sheet, build, hinges), 1.0).boards)
+    found = joint_openings(sheet, build_panels(boarded(sheet, build, hinges), 1.0).boards)
     for joint, row in enumerate(hinges.joints.rows):
         sign = hinges.signs.row[row]
         fold = np.abs(sheet.fold_angles(sheet.target_drive).row[row])
@@ -134,7 +120,7 @@ def test_the_joints_of_the_report_are_those_of_the_boards() -> None:
     sheet, gap = flat_foldable(miura_net(5, 4)), 0.004
     build = BUILD.having(pieces=3, gap=gap)
     hinges = find_hinges(sheet, build)
-    built = build_panels(design_of(sheet, build, hinges), sheet.end_drive)
+    built = build_panels(boarded(sheet, build, hinges), sheet.end_drive)
     fold = np.abs(sheet.fold_angles(sheet.target_drive).row[2])
     assert joint_openings(sheet, built.boards)[0] == pytest.approx(gap * np.cos(0.5 * fold))
     assert hinges.joints is not None
@@ -176,7 +162,7 @@ def test_pieces_are_clear_on_their_way_and_where_they_are_joined(seed: int) -> N
     """manifold3d in five states of the proved path, and all boards at the target."""
     sheet, build, hinges, size = in_pieces(seed + 4)
     build = build.having(gap=1e-4 * size)
-    lock = find_lock(design_of(sheet, build, hinges))
+    lock = find_lock(boarded(sheet, build, hinges))
     assert lock.built is not None
     boards = lock.built.boards
     for piece in pieces_of(sheet, boards):
@@ -192,7 +178,7 @@ def test_boards_that_reach_into_another_piece_are_refused() -> None:
     hinges = find_hinges(sheet, build)
     assert hinges.joints is not None
     wrong = replace(hinges, joints=replace(hinges.joints, cuts=0.0 * hinges.joints.cuts))
-    design = design_of(sheet, build, wrong)
+    design = boarded(sheet, build, wrong)
     built = build_panels(design, sheet.target_drive)
     with pytest.raises(DesignError, match=r"where their pieces are joined, at the target: by 0\.0"):
         join_pieces(design, built, 1e-9)
@@ -212,7 +198,7 @@ def test_drawn_apart_pieces_are_rigid_and_clear_of_each_other_in_the_pack() -> N
             assert np.ptp(apart[rows], axis=(0, 1)).max() < 1e-15
         moved = np.linalg.norm(apart[4, 0] - apart[0, 0])
         assert (moved > 1e-3) == (drive > sheet.target_drive * (1 + 1e-9))
-    boards = build_panels(design_of(sheet, build, hinges), sheet.end_drive).boards
+    boards = build_panels(boarded(sheet, build, hinges), sheet.end_drive).boards
     faces, flat, folded = (
         sheet.grid.faces_vertices(),
         sheet.positions(0.0).reshape(-1, 3)[:, :2],

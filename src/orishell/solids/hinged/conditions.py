@@ -20,7 +20,6 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import DesignError
-from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -139,6 +138,6 @@ def _require_flat_foldable(sectors: Array) -> None:
         place=f"at vertex [{row + 1}, {column + 1}]",
         keys=("panel.construction",),
         size="opposite sectors miss 180 degrees together by "
-        f"{in_degrees(float(away.max()))} degrees",
+        f"{np.rad2deg(away.max()):.3g} degrees",
         excess=float(away.max()) / np.pi,
     )
