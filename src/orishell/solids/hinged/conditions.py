@@ -137,7 +137,6 @@ def _require_flat_foldable(sectors: Array) -> None:
         "whole boards on hinges need a sheet that folds flat",
         place=f"at vertex [{row + 1}, {column + 1}]",
         keys=("panel.construction",),
-        size="opposite sectors miss 180 degrees together by "
-        f"{np.rad2deg(away.max()):.3g} degrees",
+        size=f"opposite sectors miss 180 degrees together by {np.rad2deg(away.max()):.3g} degrees",
         excess=float(away.max()) / np.pi,
     )
