@@ -40,7 +40,7 @@ class CreasePattern:
     @property
     def crease(self) -> Booleans:
         """Which edges (E,) join two panels."""
-        return (self.edge_faces >= 0).all(axis=1) & (self.letters != "C")
+        return np.asarray((self.edge_faces >= 0).all(axis=1) & (self.letters != "C"))
 
     @property
     def signs(self) -> Array:
