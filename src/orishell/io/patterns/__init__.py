@@ -1,0 +1,1 @@
+"""Crease patterns in files of other programs: FOLD, SVG and DXF."""
