@@ -185,10 +185,11 @@ class Element:
 
     def style(self, name: str) -> str:
         """A property, from ``style`` or from the attribute; empty if it is not set."""
-        for declaration in self.attributes.get("style", "").split(";"):
-            key, _, value = declaration.partition(":")
-            if key.strip() == name:
-                return value.strip()
+        if "style" in self.attributes:
+            for declaration in self.attributes["style"].split(";"):
+                key, _, value = declaration.partition(":")
+                if key.strip() == name:
+                    return value.strip()
         return self.attributes.get(name, "").strip()
 
 

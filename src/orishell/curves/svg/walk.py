@@ -85,9 +85,9 @@ class Walk:
         """The context, given the element's own visibility and whether it is chosen."""
         if element.attributes.get("id") == self.chosen is not None and not context.uses:
             return replace(context, wanted=True, hidden=False)
-        visibility = element.style("visibility")
-        hidden = context.hidden or element.style("display") == "none"
-        return replace(context, hidden=hidden or visibility in {"hidden", "collapse"})
+        hidden = element.style("display") == "none"
+        hidden |= element.style("visibility") in {"hidden", "collapse"}
+        return replace(context, hidden=True) if hidden else context
 
     def _element(self, element: Element, context: Context) -> Iterator[tuple[Element, Context]]:
         self.visited += 1
@@ -117,6 +117,8 @@ class Walk:
 
     def _placed(self, element: Element, context: Context) -> Context:
         """The context inside an element that moves or scales its content."""
+        if element.tag in SHAPES and not {"transform", "style"} & element.attributes.keys():
+            return context
         if element.style("transform") != element.attributes.get("transform", "").strip():
             raise InputError(
                 "transform in a style is not read", remedy="write it as an attribute of its own"

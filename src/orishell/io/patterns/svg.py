@@ -23,6 +23,10 @@ _RULE = re.compile(r"([^{}]{1,500})\{([^{}]{0,5000})\}")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _SELECTOR = re.compile(r"[.#]?[A-Za-z_][\w-]*")
 _SHARE = re.compile(rf"({NUMBER})(%?)")
+LOOKS = ("stroke", "style", "class", "id", "label", "opacity", "stroke-opacity", "color")
+"""Attributes that the look of an element depends on."""
+Look = tuple[str | None, float]
+"""Letter, or None for a look of no known meaning, and fold angle (radians)."""
 DOWNWARDS = np.array([1.0, -1.0])
 
 
@@ -52,10 +56,11 @@ def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
     for number, (element, context) in enumerate(
         Walk(root, None, MOST_ELEMENTS).shapes(whole=not physical), start=1
     ):
-        if looks.property("stroke", element, context) in {"", "none", "transparent"}:
+        look = looks.of(element, context)
+        if look is None:
             unseen += 1
             continue
-        letter = looks.letter(element, context)
+        letter, angle = look
         if letter == IGNORED:
             continue
         if element.tag in {"circle", "ellipse"}:
@@ -66,7 +71,6 @@ def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
             ends = _straight(element, context)
         except InputError as error:
             raise error.located(name) from None
-        angle = looks.angle(letter, element, context)
         strokes.append(Stroke(name, ends * DOWNWARDS, letter, angle))
     lines, notes = lines_of(strokes, downwards=True)
     for count, what in ((unseen, "shapes without a stroke"), (circles, "circles")):
@@ -100,21 +104,33 @@ class _Looks:
                     for selector in selectors.split(","):
                         if _SELECTOR.fullmatch(selector.strip()):
                             self.rules.setdefault(selector.strip(), {}).update(found)
-        self.inherited: dict[tuple[int, str], str] = {}
-        self.layers: dict[int, str | None] = {}
+        self.known: dict[tuple[object, ...], Look | None] = {}
         self.kept: list[tuple[Element, ...]] = []  # so that no id is used twice
 
-    def property(self, name: str, element: Element, context: Context) -> str:
-        """A property of an element, inherited if it has none of its own; empty if it has none."""
-        own = self._own(name, element)
-        if own not in {"", "inherit"}:
-            return own
-        key = id(context.parents), name
-        if key not in self.inherited:
+    def of(self, element: Element, context: Context) -> Look | None:
+        """Letter and fold angle of an element; None if it draws no line."""
+        key = (id(context.parents), element.tag, *map(element.attributes.get, LOOKS))
+        if key not in self.known:
             self.kept.append(context.parents)
-            values = (self._own(name, parent) for parent in reversed(context.parents))
-            self.inherited[key] = next((each for each in values if each not in {"", "inherit"}), "")
-        return self.inherited[key]
+            self.known[key] = self._look((*context.parents, element))
+        return self.known[key]
+
+    def _look(self, line: tuple[Element, ...]) -> Look | None:
+        stroke = self._property("stroke", line)
+        if stroke == "currentColor":
+            stroke = self._property("color", line) or "black"
+        if stroke in {"", "none", "transparent"}:
+            return None
+        letter = next(filter(None, map(_layer, reversed(line))), None)
+        if letter is None:
+            colour = parse_colour(stroke)
+            letter = None if colour is None else letter_of_colour(colour)
+        return letter, self._angle(letter, line)
+
+    def _property(self, name: str, line: tuple[Element, ...]) -> str:
+        """A property of the last element, inherited if it has none of its own; empty if unset."""
+        values = (self._own(name, element) for element in reversed(line))
+        return next((each for each in values if each not in {"", "inherit"}), "")
 
     def _own(self, name: str, element: Element) -> str:
         attributes = element.attributes
@@ -126,32 +142,12 @@ class _Looks:
         found = [self.rules[each][name] for each in selectors if name in self.rules.get(each, {})]
         return found[-1] if found else styled
 
-    def letter(self, element: Element, context: Context) -> str | None:
-        """By the nearest layer with a name that is known, or else by the colour."""
-        own = _layer(element)
-        if own is None:
-            key = id(context.parents)
-            if key not in self.layers:
-                self.kept.append(context.parents)
-                names = (_layer(parent) for parent in reversed(context.parents))
-                self.layers[key] = next((each for each in names if each), None)
-            own = self.layers[key]
-        if own is not None:
-            return own
-        stroke = self.property("stroke", element, context)
-        if stroke == "currentColor":
-            stroke = self.property("color", element, context) or "black"
-        colour = parse_colour(stroke)
-        return None if colour is None else letter_of_colour(colour)
-
-    def angle(self, letter: str | None, element: Element, context: Context) -> float:
+    def _angle(self, letter: str | None, line: tuple[Element, ...]) -> float:
         """The fold angle that the opacity stands for (radians); NaN if none is given."""
         sign = SENSE.get(letter or "", 0.0)
-        if not sign:
-            return np.nan
-        given = (self.property(each, element, context) for each in ("opacity", "stroke-opacity"))
+        given = (self._property(each, line) for each in ("opacity", "stroke-opacity"))
         share = _SHARE.fullmatch(next(filter(None, given), ""))
-        if share is None:
+        if not sign or share is None:
             return np.nan
         value = float(share[1]) / (100 if share[2] else 1)
         return float(sign * np.pi * min(max(value, 0.0), 1.0))
