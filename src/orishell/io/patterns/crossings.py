@@ -36,7 +36,7 @@ def split_lines(lines: Lines, weld: float) -> Split:
     # A point on a line: the line, the point, and the share of the way along the line.
     found = [(whole, ends[:, 0], np.zeros(len(ends))), (whole, ends[:, 1], np.ones(len(ends)))]
     crossings: list[tuple[Integers, Integers, Array]] = []
-    for one, two in _near_pairs(points[ends], weld):
+    for one, two in near_pairs(points[ends], weld):
         touch = np.zeros(len(one), dtype=np.bool_)
         for line, other in ((one, two), (two, one)):
             for point in ends[other].T:
@@ -47,13 +47,13 @@ def split_lines(lines: Lines, weld: float) -> Split:
                 on = (off <= weld * length[line]) & (share > 0) & (share < 1) & ~own
                 found.append((line[on], point[on], share[on]))
                 touch |= on | own
-        turn = _cross(way[one], way[two])
+        turn = cross(way[one], way[two])
         between = start[two] - start[one]
         with np.errstate(divide="ignore", invalid="ignore"):
-            first = _cross(between, way[two]) / turn
-            second = _cross(between, way[one]) / turn
-        cross = (first > 0) & (first < 1) & (second > 0) & (second < 1) & ~touch
-        crossings.append((one[cross], two[cross], first[cross]))
+            first = cross(between, way[two]) / turn
+            second = cross(between, way[one]) / turn
+        crossed = (first > 0) & (first < 1) & (second > 0) & (second < 1) & ~touch
+        crossings.append((one[crossed], two[crossed], first[crossed]))
     one, two = (np.concatenate([each[k] for each in crossings]) for k in (0, 1))
     share = np.concatenate([each[2] for each in crossings])
     new = start[one] + share[:, None] * way[one]
@@ -74,8 +74,11 @@ def split_lines(lines: Lines, weld: float) -> Split:
     return Split(together[used], numbers.reshape(-1, 2), line[1:][part])
 
 
-def _near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
-    """Pairs of lines (S, 2, 2) whose boxes are near each other, the smaller number first."""
+def near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
+    """Pairs of lines (S, 2, 2) whose boxes are near each other, the smaller number first.
+
+    Raises InputError: If there are too many.
+    """
     import shapely
 
     low, high = ends.min(axis=1) - weld, ends.max(axis=1) + weld
@@ -94,5 +97,6 @@ def _near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]
         yield one[first], two[first]
 
 
-def _cross(a: Array, b: Array) -> Array:
+def cross(a: Array, b: Array) -> Array:
+    """Cross products (N,) of vectors (N, 2)."""
     return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])

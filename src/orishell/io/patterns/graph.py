@@ -94,7 +94,7 @@ def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:
         graph = graph.chosen(~mark)
     if before > len(graph.edges):
         dropped = before - len(graph.edges)
-        notes.append(f"{counted(dropped, 'line')} that stays flat ends inside a panel: left out")
+        notes.append(f"{counted(dropped, 'mark')} inside panels, which no crease ends at: left out")
     if loose.any():
         raise _gap(graph, lines)
     if not len(graph.edges):
@@ -181,6 +181,6 @@ def _distance(points: Array, a: Array, b: Array) -> Array:
     return np.asarray(np.abs(way[:, 0] * apart[:, 1] - way[:, 1] * apart[:, 0]) / length)
 
 
-def counted(number: int, word: str) -> str:
-    """A number of things, in words of messages."""
-    return f"{number} {word}{'' if number == 1 else 's'}"
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number of things as sentences have it; ``many`` is their plural if it has more than an s."""
+    return f"{number} {one if number == 1 else many or one + 's'}"
