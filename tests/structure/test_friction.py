@@ -111,7 +111,9 @@ CASES = sorted(path.stem for path in (Path(__file__).parent / "rough").glob("*.t
 @pytest.mark.parametrize("name", led_by(CASES, 3))
 def test_shells_that_had_no_answer_have_one(name: str) -> None:
     """Designs for which the sets of who acts went round in circles."""
-    shell = make_shell(read_design_file(Path(__file__).parent / "rough" / f"{name}.toml"), clash="unexamined")
+    shell = make_shell(
+        read_design_file(Path(__file__).parent / "rough" / f"{name}.toml"), clash="unexamined"
+    )
     assert shell.analysis is not None
     (case,) = shell.analysis.cases
     if name == "all_22":  # forces of 0.0999 could bear it, and nothing makes its feet press so
