@@ -5,13 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.verification.findings import Check, Names, Worst
 from orishell.verification.residuals import SignsSeen, meets_maekawa, turn_between
 from orishell.verification.sheet import Sheet, State
-
-SENSE = {"V": 1.0, "M": -1.0, "F": 0.0, "J": 0.0}
-"""Sign of the fold angle that a letter asks for; other letters ask for none."""
 
 
 class FoldAngleTest:
