@@ -59,9 +59,10 @@ def require_one_piece(joined: Integers, count: int) -> None:
     """
     pieces = find_components(joined, count)
     if pieces.any():
+        other = int(np.argmax(pieces > 0))
         raise PiecesError(
             "the pattern is not one piece",
-            got=f"{pieces.max() + 1} pieces; panel {int(np.argmax(pieces > 0))} is not in that of 0",
+            got=f"{pieces.max() + 1} pieces, panels 0 and {other} in different ones",
             remedy="write each piece to a file of its own",
         )
 

@@ -33,17 +33,25 @@ class ReadPattern:
     unit: str  # unit of length: mm, cm, m, in, ft; "unit" if the file names none of these
     flat: CreasePattern | None  # the flat sheet; None if there is none
     not_flat: str  # why there is none, in a sentence; empty if there is one
-    # panels, edges and letters as a CreasePattern has them; those of ``flat`` if there is one
-    faces: Integers
-    edges: Integers
-    edge_faces: Integers
-    letters: NDArray[np.str_]
+    # What a CreasePattern has beside its vertices, whether there is a flat sheet or not.
+    faces: Integers  # vertices (F, K) around every panel, -1 behind the last
+    edges: Integers  # vertices (E, 2) of every edge
+    edge_faces: Integers  # panels (E, 2) to the left and to the right of every edge, or -1
+    letters: NDArray[np.str_]  # letter (E,) of every edge
     fold_angles: Array  # fold angles (E,) that the file asks for (radians); NaN where for none
     states: tuple[PatternState, ...]  # folded states
     notes: tuple[str, ...]  # what was mended or assumed, in sentences
 
     def scaled(self, scale: float, unit: str | None = None) -> ReadPattern:
-        """All lengths times a number, in a unit (the same if None)."""
+        """All lengths times a number.
+
+        Parameters
+        ----------
+        scale
+            The number.
+        unit
+            What the unit is then; None if it stays.
+        """
         flat = self.flat
         if flat is not None and scale != 1:
             flat = CreasePattern(

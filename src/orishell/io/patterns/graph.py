@@ -182,5 +182,5 @@ def _distance(points: Array, a: Array, b: Array) -> Array:
 
 
 def counted(number: int, one: str, many: str = "") -> str:
-    """A number of things as sentences have it; ``many`` is their plural if it has more than an s."""
+    """A number of things; ``many`` is their plural if it has more than an s."""
     return f"{number} {one if number == 1 else many or one + 's'}"
