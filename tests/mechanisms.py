@@ -14,6 +14,8 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from orishell.design import Design
+from orishell.families.drawn.mechanism import DrawnSheet
+from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.flat_foldable.locks.columns import FlapColumns
 from orishell.families.flat_foldable.locks.straight import straight_bordered, with_parallel_borders
 from orishell.families.flat_foldable.mechanism import FlatFoldable
@@ -37,7 +39,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
-from orishell.motion import Mechanism
+from orishell.motion import Mechanism, find_assignment
 from orishell.motion.grid import Grid
 from strategies import Request, graph, orthodiagonal_requests, requests
 from toy_family import Miura
@@ -196,6 +198,21 @@ def miura_net(rows: int = 5, columns: int = 6) -> Net:
     return graded_net(rows, columns, folds=[np.deg2rad(80)], sectors=[np.deg2rad(60)])
 
 
+def drawn_from(sheet: Mechanism, share: float, scale: float = 1.0) -> DrawnSheet:
+    """The flat sheet of a mechanism, folded to a share of the way to where a crease closes."""
+    flat = scale * sheet.positions(0.0)[..., :2]
+    return drawn_sheet(flat, find_assignment(sheet), share * np.pi)
+
+
+def of_drawn(sheet: Callable[[], Mechanism], share: float, **options: Any) -> Sample:
+    return Sample(
+        lambda: drawn_from(sheet(), share),
+        lambda scale: drawn_from(sheet(), share, scale),
+        rounding=(1e-14, 1e-15),
+        **options,
+    )
+
+
 @dataclass(frozen=True)
 class Sample:
     """A sheet that keeps the contract, by the same curves or sectors at any scale."""
@@ -256,6 +273,9 @@ SAMPLES: dict[str, Sample] = {
         rounding=(1e-14, 1e-15),
     ),
     "flat-foldable, one row with flaps": Sample(lambda: with_flap_columns(random_net(1, 3, 4))),
+    "drawn, parallel repeating": of_drawn(parallel, 0.8),
+    "drawn, longitudinal": of_drawn(longitudinal, 0.9),
+    "drawn, flat-foldable": of_drawn(lambda: flat_foldable(random_net(6, 5, 2)), 0.9),
     "toy": Sample(lambda: Miura(Grid(5, 6), np.deg2rad(60), np.deg2rad(50))),
 }
 """Of every family the kinds of sheets that its closed form tells apart."""

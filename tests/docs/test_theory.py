@@ -27,6 +27,7 @@ LINKED = {
     "families/orthodiagonal/__init__.py": "orthodiagonal",
     "families/longitudinal_linear_repeating/__init__.py": "longitudinal-linear-repeating",
     "families/flat_foldable/__init__.py": "flat-foldable",
+    "families/drawn/__init__.py": "vertex",
 }
 
 

@@ -19,7 +19,7 @@ from orishell.motion import Mechanism, diagonal, find_assignment
 from orishell.motion.boards import ARM, KNUCKLE, Boards
 from orishell.solids import build_panels
 from overlaps import NOTHING, overlap
-from samples import thorough
+from samples import led_by, thorough
 
 STATES = 40
 TOLERANCE = 1e-9
@@ -151,7 +151,7 @@ def test_a_board_and_its_neighbours_are_settled_but_for_arms_that_reach_beyond()
     assert boards.sum() == 2 * (sheet.grid.rows - 2) * (sheet.grid.columns - 2)
 
 
-@pytest.mark.parametrize("size", [12, pytest.param(30, marks=thorough)])
+@pytest.mark.parametrize("size", led_by([8, 12, 30]))
 def test_the_proof_takes_few_more_looks_than_that_of_panels(size: int) -> None:
     """Pairs looked at, which no other work on the machine changes: 1.6 times as many at 30 x 30,
     in 2.6 times as long.

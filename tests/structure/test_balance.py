@@ -78,7 +78,7 @@ def analysed(
     ],
 )
 @pytest.mark.parametrize("stiffness", [(0.0, np.inf), (20.0, 20.0)])
-@pytest.mark.parametrize("shell", [("figure1", 3, 4), ("figure2", 7, 9)])
+@pytest.mark.parametrize("shell", [("figure1", 3, 4), ("figure2", 5, 6)])
 def test_reactions_balance_loads(
     shell: tuple[str, int, int], stiffness: tuple[float, float], support: Support, tied: bool
 ) -> None:

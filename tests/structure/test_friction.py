@@ -22,7 +22,7 @@ from orishell.structure.solve.bearing import driven_motion, needed_friction, wit
 from orishell.structure.solve.conditions import on_ground
 from orishell.structure.solve.factorised import GIVE, Factorised
 from orishell.structure.verdict import against_motion
-from samples import thorough
+from samples import led_by, thorough
 from structure.rough_shells import loaded_shells, missing, rough_shell
 from structure.test_one_sided import CORNERS, load, middle, slab
 
@@ -105,16 +105,18 @@ def test_three_hundred_random_shells_keep_to_coulombs_law(first: int) -> None:
     assert survey(range(first, first + 40))["holds"] >= 10
 
 
-CASES = sorted((Path(__file__).parent / "rough").glob("*.toml"))
+CASES = sorted(path.stem for path in (Path(__file__).parent / "rough").glob("*.toml"))
 
 
-@pytest.mark.parametrize("path", CASES, ids=lambda each: each.stem)
-def test_shells_that_had_no_answer_have_one(path: Path) -> None:
+@pytest.mark.parametrize("name", led_by(CASES, 3))
+def test_shells_that_had_no_answer_have_one(name: str) -> None:
     """Designs for which the sets of who acts went round in circles."""
-    shell = make_shell(read_design_file(path), clash="unexamined")
+    shell = make_shell(
+        read_design_file(Path(__file__).parent / "rough" / f"{name}.toml"), clash="unexamined"
+    )
     assert shell.analysis is not None
     (case,) = shell.analysis.cases
-    if path.stem == "all_22":  # forces of 0.0999 could bear it, and nothing makes its feet press so
+    if name == "all_22":  # forces of 0.0999 could bear it, and nothing makes its feet press so
         assert case.motion is not None
         assert case.motion.ground == "slips"
         return

@@ -21,6 +21,7 @@ from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import DOFS, Facets
 from orishell.structure.solve.moving import Moving
 from orishell.structure.solve.path import Point, trace
+from samples import thorough
 
 
 def lattice(
@@ -148,7 +149,7 @@ def test_a_cantilever_under_an_end_moment(share: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("cells", "margin"), [((6, 40), 0.03), pytest.param((10, 80), 0.01, marks=pytest.mark.slow)]
+    ("cells", "margin"), [((6, 40), 0.03), pytest.param((10, 80), 0.01, marks=thorough)]
 )
 def test_a_slit_ring(cells: tuple[int, int], margin: float) -> None:
     """Radii 6 and 10, h 0.03, E 21e6, nu 0, 0.8 per length: 13.891 and 17.528 (their table 3).
@@ -170,9 +171,7 @@ def test_a_slit_ring(cells: tuple[int, int], margin: float) -> None:
     np.testing.assert_allclose(found, [13.891, 17.528], rtol=margin)
 
 
-@pytest.mark.parametrize(
-    ("cells", "margin"), [(16, 0.09), pytest.param(32, 0.015, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize(("cells", "margin"), [(16, 0.09), pytest.param(32, 0.015, marks=thorough)])
 def test_a_pinched_hemisphere(cells: int, margin: float) -> None:
     """Hole of 18 degrees, R 10, h 0.04, E 6.825e7, nu 0.3, P 400: 4.067 and 8.178 (their table 6).
 

@@ -17,6 +17,7 @@ from orishell.structure import Analysis, LoadCase, Structure, Support
 from orishell.structure.analyse import analyse
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.point_supports import buckles_at_points
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 OWN = (LoadCase(name="own weight", self_weight=True),)
@@ -77,7 +78,7 @@ def test_reactions_of_edges_and_patches_are_summed_at_feet(strip: Design) -> Non
         assert not found.model.supports.points.size
 
 
-@pytest.mark.slow
+@thorough
 def test_feet_along_edges_converge(strip: Design) -> None:
     """221.4 by a p-version shell of ours: 223 where 8 and 12 cells go to, by the square of sizes.
 

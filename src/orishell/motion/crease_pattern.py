@@ -11,8 +11,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.motion.panel_sides import join_loops
 from orishell.numerics.arrays import Array, Booleans, Integers
+
+SLIM = 1e-12
+"""A panel whose area is below this share of its longest diagonal's square has none."""
 
 SENSE = {"V": 1.0, "M": -1.0, "F": 0.0, "J": 0.0}
 """Sign of the fold angle that a letter asks for; other letters ask for none."""
@@ -86,3 +91,61 @@ class CreasePattern:
         after = np.take_along_axis(angle, (np.arange(angle.shape[1]) + 1) % count, axis=1)
         turn = np.mod(after - angle, 2 * np.pi)
         return np.where(creases >= 0, turn, np.nan)
+
+
+def pattern_of_panels(
+    vertices: Array,
+    faces: Integers,
+    edges: Integers | None = None,
+    letters: NDArray[np.str_] | None = None,
+) -> CreasePattern:
+    """The pattern that panels make; those that go clockwise are turned.
+
+    Parameters
+    ----------
+    vertices
+        Vertices (V, 2).
+    faces
+        Vertices (F, K) around every panel, either way round, -1 behind the last.
+    edges
+        Vertices (E, 2) of every edge; None to number the panels' sides by their vertices.
+    letters
+        Letter (E,) of every edge; None for U. Edges with a panel on one side get B.
+
+    Raises
+    ------
+    InputError
+        If a panel has no area, a side of a panel is not among the edges, or panels lie on the
+        same side of an edge.
+    """
+    areas = signed_areas(vertices, faces)
+    reach = np.ptp(np.where((faces >= 0)[..., None], vertices[faces], vertices[faces[:, :1]]), 1)
+    slim = ~(np.abs(areas) > SLIM * (reach**2).sum(axis=1))
+    if slim.any():
+        panel = int(np.argmax(slim))
+        raise InputError(
+            f"panel {panel} has no area",
+            got="vertices " + ", ".join(map(str, faces[panel][faces[panel] >= 0])),
+        )
+    cut = None if letters is None else letters == "C"
+    joined = join_loops(faces, len(vertices), edges, cut, turned=areas < 0)
+    count = (joined.edge_faces >= 0).sum(axis=1)
+    known = np.full(len(count), "U") if letters is None else letters
+    return CreasePattern(
+        vertices,
+        joined.edges,
+        np.where(count == 1, "B", known),
+        joined.loops,
+        joined.edge_faces,
+    )
+
+
+def signed_areas(vertices: Array, faces: Integers) -> Array:
+    """Areas (F,) of panels (F, K) between vertices (V, 2), negative of those that go clockwise."""
+    first = vertices[faces[:, 0]]
+    around = np.where(faces < 0, faces[:, :1], faces)
+    here = vertices[around] - first[:, None]
+    after = np.roll(here, -1, axis=1)
+    return np.asarray(
+        0.5 * (here[..., 0] * after[..., 1] - here[..., 1] * after[..., 0]).sum(axis=1)
+    )

@@ -11,6 +11,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.motion.panel_sides import find_edges, join_loops, pair_keys, sides_of
 from orishell.motion.quads import sector_angles, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -39,9 +40,9 @@ class QuadMesh:
     def loops_edges(self) -> Integers:
         """Numbers (F, K) of every panel's edges: each from one of ``loops`` on; -1 beyond."""
         found = np.full(self.loops.shape, -1)
-        sides, owners = _sides(self.loops)
-        keys = _keys(sides, self.vertex_count)
-        found[self.loops >= 0] = _find_edges(keys, owners, self.edges, self.vertex_count)
+        sides, owners = sides_of(self.loops)
+        keys = pair_keys(sides, self.vertex_count)
+        found[self.loops >= 0] = find_edges(keys, owners, self.edges, self.vertex_count)
         return found
 
     def faces_edges(self) -> Integers:
@@ -106,34 +107,21 @@ def build_mesh(
         panels, or if the sheet has only one side (a Moebius strip).
     """
     _require_corners(faces)
-    loops = faces if loops is None else loops
-    sides, owners = _sides(loops)
-    keys = _keys(sides, vertex_count)
-    if edges is None:
-        found = np.unique(keys)
-        edges = np.stack(np.divmod(found, vertex_count), axis=-1)
-    else:
-        edges = edges.copy()
-    face_edges = _find_edges(keys, owners, edges, vertex_count)
-    count = np.bincount(face_edges, minlength=len(edges))
-    if (count > 2).any():
-        edge = int(np.argmax(count > 2))
-        raise InputError(
-            f"edge {_pair(edges[edge])} has more than two panels",
-            got="panels " + ", ".join(map(str, owners[face_edges == edge])),
-            expected="one or two",
-        )
-    crease = count == 2 if cut is None else (count == 2) & ~cut
-    forward = sides[:, 0] == edges[face_edges, 0]
-    pieces, turned = _orient(face_edges, forward, crease, owners)
-    forward ^= turned[owners]
-    edge_faces = np.full((len(edges), 2), -1)
-    edge_faces[face_edges, np.where(forward, 0, 1)] = owners
-    oriented = np.where(turned[:, None], faces[:, REVERSED], faces)
-    around = oriented if loops is faces else np.where(turned[:, None], _reversed(loops), loops)
-    for array in (oriented, around, edges, edge_faces, crease, pieces, turned):
-        array.flags.writeable = False
-    return QuadMesh(vertex_count, oriented, around, edges, edge_faces, crease, pieces, turned)
+    joined = join_loops(faces if loops is None else loops, vertex_count, edges, cut)
+    turned, oriented = joined.turned, joined.loops
+    if loops is not None:
+        oriented = np.where(turned[:, None], faces[:, REVERSED], faces)
+        oriented.flags.writeable = False
+    return QuadMesh(
+        vertex_count,
+        oriented,
+        joined.loops,
+        joined.edges,
+        joined.edge_faces,
+        joined.crease,
+        joined.pieces,
+        turned,
+    )
 
 
 def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
@@ -180,25 +168,11 @@ def measure_sector_sums(mesh: QuadMesh, positions: Array, reflex: Booleans) -> A
     return np.asarray(sums + np.pi * (around - corners), dtype=np.float64)
 
 
-def _sides(loops: Integers) -> tuple[Integers, Integers]:
-    """Vertices (S, 2) of all sides of panels, panel by panel, and the panel (S,) of each."""
-    after = np.roll(np.where(loops < 0, loops[:, :1], loops), -1, axis=1)
-    there = loops >= 0
-    return np.stack([loops[there], after[there]], axis=-1), np.nonzero(there)[0]
-
-
 def _ragged(loops: Integers) -> Integers | list[list[int]]:
     """Rows (F, K) without what is -1 at their ends."""
     if (loops >= 0).all():
         return loops
     return [row[row >= 0].tolist() for row in loops]
-
-
-def _reversed(loops: Integers) -> Integers:
-    """Loops (F, K) the other way round, the same vertex first."""
-    count = (loops >= 0).sum(axis=1)[:, None]
-    place = np.arange(loops.shape[1])[None]
-    return np.take_along_axis(loops, np.where(place < count, -place % count, place), axis=1)
 
 
 def _require_corners(faces: Integers) -> None:
@@ -211,68 +185,3 @@ def _require_corners(faces: Integers) -> None:
             got=str(faces[face].tolist()),
             expected="four different vertices",
         )
-
-
-def _keys(pairs: Integers, vertex_count: int) -> Integers:
-    """One number for each pair of vertices (..., 2), in either order."""
-    return np.asarray(pairs.min(axis=-1) * np.int64(vertex_count) + pairs.max(axis=-1))
-
-
-def _find_edges(keys: Integers, owners: Integers, edges: Integers, vertex_count: int) -> Integers:
-    """Numbers (S,) of the edges that are sides of panels (S,)."""
-    listed = _keys(edges, vertex_count)
-    order = np.argsort(listed, kind="stable")
-    ordered = listed[order]
-    twice = np.flatnonzero(ordered[1:] == ordered[:-1])
-    if len(twice):
-        raise InputError(f"edge {_pair(edges[order[twice[0]]])} is listed twice")
-    place = np.minimum(np.searchsorted(ordered, keys), len(ordered) - 1)
-    missing = ordered[place] != keys
-    if missing.any():
-        side = int(missing.argmax())
-        raise InputError(
-            f"a side of panel {owners[side]} is not among the edges",
-            got=_pair(np.array(divmod(keys[side], vertex_count))),
-            remedy="list all edges, or none",
-        )
-    return order[place]
-
-
-def _orient(
-    face_edges: Integers, forward: Booleans, crease: Booleans, owners: Integers
-) -> tuple[Integers, Booleans]:
-    """Connected pieces (F,) of panels, and which panels (F,) must be turned to agree.
-
-    Sides (S,) of panels, ``owners``, are given by their edges and by whether they go along them.
-    Every panel stands for two nodes of a graph, as listed and turned; creases join the nodes
-    that agree. The sheet has two sides if no panel is connected with itself turned.
-    """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    faces = int(owners[-1]) + 1
-    slots = np.argsort(face_edges, kind="stable")
-    slots = slots[crease[face_edges[slots]]].reshape(-1, 2)
-    first, second = owners[slots].T
-    opposed = forward[slots[:, 0]] == forward[slots[:, 1]]
-    one = np.concatenate([first, first + faces])
-    two = np.concatenate([second + faces * opposed, second + faces * ~opposed])
-    graph = coo_array((np.ones(len(one), dtype=np.int8), (one, two)), shape=(2 * faces, 2 * faces))
-    labels = connected_components(graph, directed=False)[1]
-    one_sided = labels[:faces] == labels[faces:]
-    if one_sided.any():
-        raise InputError(
-            "the sheet has only one side, so that no fold is a mountain or a valley",
-            got=f"panels that cannot all go round the same way, panel {np.argmax(one_sided)} "
-            "among them",
-        )
-    _, start, pieces = np.unique(
-        np.minimum(labels[:faces], labels[faces:]), return_index=True, return_inverse=True
-    )
-    turned = labels[:faces] != labels[start][pieces]
-    most = np.bincount(pieces, turned) > 0.5 * np.bincount(pieces)
-    return pieces, turned ^ most[pieces]
-
-
-def _pair(vertices: Integers) -> str:
-    return f"{vertices[0]}-{vertices[1]}"

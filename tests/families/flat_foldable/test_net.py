@@ -12,9 +12,9 @@ import pytest
 from accelerations import shares_of_bounds
 from fitted_shells import fitted
 from mechanisms import TURNED, flat_foldable, miura_net, random_net
-from orishell.families.flat_foldable.folding import HalfFolds, fold
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.net import Net
+from orishell.families.shared.folding import HalfFolds, fold
 from orishell.motion import measure_fold_angles
 from samples import thorough
 

@@ -13,6 +13,13 @@ from orishell.design_file.file import check_design
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SHELTER = (EXAMPLES / "shelter_hinged.toml").read_text()
+for whole, third in {
+    "range = [0, 6]": "range = [0, 2]",
+    "columns = 13 ": "columns = 5 ",
+    "[workshop]\nstock = [2.44, 1.22]": "",
+}.items():
+    assert whole in SHELTER
+    SHELTER = SHELTER.replace(whole, third)  # a third of its length: as high, with the same arms
 PANEL = SHELTER[SHELTER.index("[panel]") : SHELTER.index("[deployment]")]
 HINGED = 'construction = "hinged"\nthickness = 0.01\n'
 
@@ -106,8 +113,8 @@ WHOLE = {
     "no thickness": (PANEL, '[panel]\nconstruction = "hinged"\n', 2, "a thickness above 0"),
     "flaps": ("flap = 0  ", "flap = 0.25", 1, "a flap folds flat before the sheet does"),
     "a sheet that does not fold flat": (
-        'spacing = "equal"',
-        'spacing = "curvature"',
+        "columns = 5 ",
+        "columns = 6 ",  # beside the crests of g
         1,
         "need a sheet that folds flat",
     ),

@@ -14,16 +14,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.net import Sheet
-from orishell.families.flat_foldable.rates import Chains, Rates
+from orishell.families.flat_foldable.rates import tangent_rates
+from orishell.families.shared.chains import Chains
+from orishell.families.shared.folding import HalfFolds, fold, turned
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
-
-SMALL = 1e-7
-"""Squares of angles below this are so small that two terms of a series are exact (radians)."""
 
 LENGTHS = "row_lengths", "column_lengths", "top", "bottom", "left", "right"
 """Lengths of a net that are free."""
@@ -152,34 +150,16 @@ class FlatFoldable:
         return CreaseValues(row=row, column=column)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Bounds of the accelerations of edges: see the module ``rates``."""
+        """Bounds of the accelerations of edges: see the module ``chains``."""
         spin = float(np.linalg.norm(self.turn)) / self.target_drive
         rows, columns = (np.abs(each) for each in (self._shares[0][:, 0], self._shares[1][0]))
-        of_rows, of_columns = (Rates.of(each[:, 0], start, stop) for each in (rows, columns))
+        of_rows, of_columns = (tangent_rates(each[:, 0], start, stop) for each in (rows, columns))
         return self._chains.bounds(of_rows, of_columns, spin)
 
     @cached_property
     def _chains(self) -> Chains:
         row, column = (each[..., 0] for each in self._shares)
         return Chains.of(self.flat[..., 0], row, column, self.sheet.net.middle)
-
-
-def turned(places: Numbers, by: Numbers) -> Numbers:
-    """Places (3, ..., B) turned by rotation vectors (3, B) (radians): Rodrigues' formula."""
-    square = (by * by).sum(axis=0)
-    small = np.abs(square) < SMALL
-    angle = np.sqrt(np.where(small, 1.0, square))
-    sine = np.where(small, 1 - square / 6, np.sin(angle) / angle)
-    versine = np.where(small, 0.5 - square / 24, (1 - np.cos(angle)) / angle**2)
-    w = by.reshape(3, *(1,) * (places.ndim - 2), -1)
-    across = _cross(w, places)
-    return np.asarray(places + sine * across + versine * _cross(w, across))
-
-
-def _cross(u: Numbers, v: Numbers) -> Numbers:
-    return np.stack(
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    )
 
 
 def _cosine(theta: Array) -> Array:

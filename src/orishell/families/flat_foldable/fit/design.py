@@ -21,8 +21,9 @@ from orishell.families.flat_foldable.fit.starts import Fit, Task
 from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT
 from orishell.families.flat_foldable.ground import Ground, grounded
 from orishell.families.flat_foldable.lists import describe
-from orishell.families.flat_foldable.mechanism import FlatFoldable, turned
+from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.placement import posed
+from orishell.families.shared.folding import turned
 from orishell.polylines import Closeness
 
 LOOSE = 0.01

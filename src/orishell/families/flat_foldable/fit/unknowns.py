@@ -8,11 +8,10 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design.piece import Piece
-from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.locks.straight import straight_bordered
-from orishell.families.flat_foldable.mechanism import turned
 from orishell.families.flat_foldable.named import graded_net
 from orishell.families.flat_foldable.net import CORNERS, Net, Sheet
+from orishell.families.shared.folding import HalfFolds, Numbers, fold, turned
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array
 

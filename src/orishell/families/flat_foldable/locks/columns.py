@@ -17,11 +17,12 @@ from numpy.typing import ArrayLike
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between
 from orishell.conventions.record import record
-from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.locks.border import Border
 from orishell.families.flat_foldable.locks.locked import Locked, sine_rates
 from orishell.families.flat_foldable.mechanism import FlatFoldable
-from orishell.families.flat_foldable.rates import Chains, Rates
+from orishell.families.flat_foldable.rates import tangent_rates
+from orishell.families.shared.chains import Chains, Rates
+from orishell.families.shared.folding import HalfFolds, Numbers, fold
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
@@ -81,7 +82,7 @@ class FlapColumns(Locked):
         return CreaseValues(row=row, column=column)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Bounds of the accelerations of edges: see :class:`~.rates.Chains`."""
+        """Bounds of the accelerations of edges: see :class:`~.chains.Chains`."""
         row, column = (np.abs(each[..., 0]) for each in self._tangents)
         columns = [sine_rates(column[0], start, stop)]
         if self.widths[0]:
@@ -151,7 +152,7 @@ class FlapColumns(Locked):
 
     def _hinge_rates(self, side: int, start: Array, stop: Array) -> Rates:
         """Of 2 arctan(m tan(rho/4)): as of a sheet without flaps, half as fast."""
-        found = Rates.of(np.abs(self._hinge(side)[0]), 0.5 * start, 0.5 * stop)
+        found = tangent_rates(np.abs(self._hinge(side)[0]), 0.5 * start, 0.5 * stop)
         return Rates(0.5 * found.low, 0.5 * found.high, 0.25 * found.second)
 
 
@@ -184,8 +185,9 @@ def with_flaps(bare: FlatFoldable, width: float | None) -> FlapColumns:
 
 
 def _joined(rates: list[Rates]) -> Rates:
-    return Rates(*(np.concatenate([getattr(each, name) for each in rates])
-                   for name in ("low", "high", "second")))  # fmt: skip
+    parts = ((each.low, each.high, each.second) for each in rates)
+    low, high, second = map(np.concatenate, zip(*parts, strict=True))
+    return Rates(low, high, second)
 
 
 def _as_column(pair: tuple[Numbers, Numbers]) -> tuple[Numbers, Numbers]:

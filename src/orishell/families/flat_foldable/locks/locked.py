@@ -27,8 +27,8 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from orishell.families.flat_foldable.mechanism import FlatFoldable
-from orishell.families.flat_foldable.rates import Rates
 from orishell.families.shared.candidates import refuse_stop
+from orishell.families.shared.chains import Rates
 from orishell.numerics.arrays import Array
 
 

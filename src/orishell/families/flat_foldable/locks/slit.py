@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.families.flat_foldable.folding import HalfFolds, fold
 from orishell.families.flat_foldable.locks.locked import Locked, sine_rates
 from orishell.families.flat_foldable.locks.vertices import FlapVertices
 from orishell.families.flat_foldable.mechanism import FlatFoldable
-from orishell.families.flat_foldable.rates import Chains
+from orishell.families.shared.chains import Chains
+from orishell.families.shared.folding import HalfFolds, fold
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import Layout
 from orishell.motion.mechanism import mechanism_in_one_line
@@ -168,7 +168,7 @@ class SlitFlaps(Locked):
         return np.concatenate(folds).T.reshape(*phi.shape, -1)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Bounds of the accelerations of edges: see :class:`~.rates.Chains`.
+        """Bounds of the accelerations of edges: see :class:`~.chains.Chains`.
 
         Two more columns of flaps have the bound of any vector from a border vertex to its flaps,
         which turn with the border's panel and about their hinge.

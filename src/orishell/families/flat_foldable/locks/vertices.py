@@ -25,7 +25,7 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.record import record
-from orishell.families.flat_foldable.rates import Rates
+from orishell.families.shared.chains import Rates
 from orishell.numerics.arrays import Array
 
 FULL = 0.49

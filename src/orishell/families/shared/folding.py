@@ -17,6 +17,9 @@ from orishell.conventions.record import record
 
 Numbers = NDArray[Any]
 
+SMALL = 1e-7
+"""Squares of angles below this are so small that two terms of a series are exact (radians)."""
+
 
 @record
 class HalfFolds:
@@ -114,3 +117,21 @@ def _turned(turn: Numbers, flat: Numbers) -> Numbers:
 
 def _unit(flat: Numbers) -> Numbers:
     return np.asarray(flat / np.sqrt((flat * flat).sum(axis=0)))
+
+
+def turned(places: Numbers, by: Numbers) -> Numbers:
+    """Places (3, ..., B) turned by rotation vectors (3, B) (radians): Rodrigues' formula."""
+    square = (by * by).sum(axis=0)
+    small = np.abs(square) < SMALL
+    angle = np.sqrt(np.where(small, 1.0, square))
+    sine = np.where(small, 1 - square / 6, np.sin(angle) / angle)
+    versine = np.where(small, 0.5 - square / 24, (1 - np.cos(angle)) / angle**2)
+    w = by.reshape(3, *(1,) * (places.ndim - 2), -1)
+    across = _cross(w, places)
+    return np.asarray(places + sine * across + versine * _cross(w, across))
+
+
+def _cross(u: Numbers, v: Numbers) -> Numbers:
+    return np.stack(
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    )
