@@ -25,6 +25,8 @@ SHORTEST = 1e-5
 """Below this length of a step (radians) nothing is found any more."""
 ASTRAY = 0.1
 """A step is taken again, shorter, if it is corrected by more than this share of it."""
+OTHERS = 4
+"""So many of the largest fold angles are tried as the one that is the largest at the end."""
 NEARLY_FLAT = 0.02
 """At the end creases that lack so much to 180 degrees are folded flat, if that closes (radians)."""
 
@@ -114,12 +116,13 @@ def _at_largest(
     Creases that are nearly folded flat are folded flat together if that closes and changes none by
     more than allowed: equations about such a state determine it to half the digits only.
     """
-    first = np.arange(len(folds)) == np.abs(folds).argmax()
-    near = first | (np.abs(folds) >= np.pi - NEARLY_FLAT)
-    for fixed in [near, first] if largest >= np.pi else [first]:
+    near = np.abs(folds) >= np.pi - NEARLY_FLAT
+    largest_of = [np.arange(len(folds)) == each for each in np.argsort(-np.abs(folds))[:OTHERS]]
+    for fixed in [near, *largest_of] if largest >= np.pi and near.any() else largest_of:
         size = np.where(fixed, largest * np.sign(folds), folds)
         found, residual = corrected(closure, size, np.zeros(len(folds)), fixed)
-        if residual <= CLOSED and np.abs(found - folds).max() <= allowed:
+        beyond = np.abs(found).max() - largest
+        if residual <= CLOSED and np.abs(found - folds).max() <= allowed and beyond < CLOSED:
             break
     return found, residual
 

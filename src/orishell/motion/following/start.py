@@ -19,6 +19,10 @@ MOUNTAINS = 0.8
 """At the first start mountains are folded by this share of valleys: no sheet is halfway then."""
 SPREAD = 0.5
 """At further starts fold angles are of different sizes: the deviation of their logarithms."""
+PUSHES = 10
+"""So many starts in turn begin where the last one came to, creases that fold the wrong way turned
+to where they should: by this share of the mean fold angle."""
+PUSH = 0.5
 TRIES = 40
 """Starts that are tried, at most."""
 ENOUGH = 40_000
@@ -69,14 +73,19 @@ def find_start(closure: Closure, signs: Array) -> Start:
         Signs (N,) of the unknowns: +1 valley, -1 mountain, NaN where none is asked for.
     """
     best: Start | None = None
+    here: Start | None = None
     asked = ~np.isnan(signs)
     tries = int(np.clip(ENOUGH // max(len(signs), 1), 4, TRIES))
     for number in range(tries):
-        rng = np.random.default_rng(number)
-        first = np.where(asked, signs, rng.choice([-1.0, 1.0], len(signs)))
-        first = first * np.where(first > 0, 1.0, MOUNTAINS)
-        if number > 0:
-            first = first * np.exp(rng.normal(0, SPREAD, len(signs)))
+        if here is not None and here.closed and here.against.any() and number % PUSHES:
+            pushed = signs * PUSH * np.abs(here.folds).mean()
+            first = np.where(here.against, pushed, here.folds)
+        else:
+            rng = np.random.default_rng(number)
+            first = np.where(asked, signs, rng.choice([-1.0, 1.0], len(signs)))
+            first = first * np.where(first > 0, 1.0, MOUNTAINS)
+            if number > 0:
+                first = first * np.exp(rng.normal(0, SPREAD, len(signs)))
         folds, residual = _closed_near(closure, first)
         unfolded = np.abs(folds) <= UNFOLDED * SIZE
         against = asked & (unfolded | (np.sign(folds) != signs))
