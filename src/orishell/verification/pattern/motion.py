@@ -49,26 +49,33 @@ class FoldingMotion:
     reached: Angle  # the driving fold angle at the end
     ends: str  # why it ends there
     freedom: tuple[Freedom, ...]  # degrees of freedom in states on the way
-    play: float  # how far rigid panels part at creases in these states, at most (length)
+    plays: Array  # how far rigid panels part at creases in each state (S,), at most (length)
     # the first contact of panels, if it was looked for and there is one
     contact: PathContact | None
     clear_until: Angle | None  # up to here no panels touch, proved; None if not looked at
+
+    @property
+    def play(self) -> float:
+        """How far panels part in any state: the play that hinges need (length)."""
+        return float(self.plays.max(initial=0.0))
 
     @property
     def miss(self) -> float:
         """That of the worst vertex in the worst state."""
         return float(self.misses.max(initial=0.0))
 
-    def closed_states(self, limits: Array) -> int:
-        """How many states, from flat on, close to limits (I,) at the pattern's inner vertices.
+    def closed_states(self, limits: Array, play: float) -> int:
+        """How many states, from flat on, close: vertices, and creases round holes.
 
         Parameters
         ----------
         limits
-            In the order of ``vertices`` (radians).
+            Allowed misses (I,) in the order of ``vertices`` (radians).
+        play
+            How far panels may part (length).
         """
-        closed = (self.misses <= limits).all(axis=1)
-        return len(closed) if closed.all() else int(closed.argmin())
+        open_states = (self.misses > limits).any(axis=1) | ~(self.plays <= play)
+        return int(np.append(open_states, True).argmax())
 
     @property
     def worst_vertex(self) -> int:
@@ -164,7 +171,7 @@ def _in_closed_form(
         freedom=_freedom(closure, grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT))))
         if closes
         else (),
-        play=_play(pattern, folds),
+        plays=_plays(pattern, folds),
         contact=found,
         clear_until=clear_until,
     )
@@ -184,14 +191,14 @@ def _followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion:
     return FoldingMotion(
         way="followed",
         letters=found.letters,
-        drives=found.drives,
+        drives=np.minimum(found.drives, np.pi),
         folds=found.folds,
         misses=_misses(closure, found.folds),
         vertices=closure.vertices,
         reached=min(found.reached, float(np.pi)),
         ends=ENDS[found.end],
         freedom=found.freedom,
-        play=_play(pattern, found.folds),
+        plays=_plays(pattern, found.folds),
         contact=None,
         clear_until=None,
     )
@@ -207,7 +214,9 @@ def _freedom(closure: Closure, folds: Array) -> tuple[Freedom, ...]:
     return tuple(find_freedom(closure, each[closure.edges]) for each in folds)
 
 
-def _play(pattern: CreasePattern, folds: Array) -> float:
+def _plays(pattern: CreasePattern, folds: Array) -> Array:
     """How far panels part in states (S, E), at most; infinite where there is no state."""
     placing = Placing(pattern)
-    return max(placing.placed(each)[1] if np.isfinite(each).all() else np.inf for each in folds)
+    return np.array(
+        [placing.placed(each)[1] if np.isfinite(each).all() else np.inf for each in folds]
+    )

@@ -21,7 +21,7 @@ from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.vertices import VertexConditions, find_conditions
 
 ROUNDING = 64 * np.finfo(float).eps
-"""What is left of a condition that holds, in angles of edges as long as the sheet (radians)."""
+"""What the last digits of coordinates may leave, relative to the sheet's diagonal."""
 LISTED = 100
 """Vertices that a report lists, at most."""
 
@@ -107,16 +107,16 @@ def judge_pattern(
         Allowed error of lengths relative to the sheet's diagonal; an angle may be wrong by as much
         as that over the shortest crease at its vertex.
     """
-    shortest = _shortest_creases(pattern)
+    shortest = shortest_creases(pattern)
     size = float(np.linalg.norm(np.ptp(pattern.vertices, axis=0)))
-    limits, digits = tolerance * size / shortest, ROUNDING * size / shortest
+    limits = tolerance * size / shortest
     conditions = find_conditions(pattern, limits)
     grid = OnGrid.of(pattern)
     motion = find_motion(pattern, grid, float(limits.max(initial=0.0)), progress)
     known = None
     if grid is not None:
         known = recognise(grid.flat, grid.signs, float(limits.max()))
-    judged = _Judged(pattern, unit, conditions, known, motion, limits, digits)
+    judged = _Judged(pattern, unit, conditions, known, motion, tolerance * size, ROUNDING * size)
     rows = sorted(judged.rows(), key=lambda row: ORDER.index(row.sign))
     return PatternVerdict(
         panels=len(pattern.faces),
@@ -141,8 +141,8 @@ class _Judged:
     conditions: VertexConditions
     known: Recognised | None
     motion: FoldingMotion | Still
-    limits: Array  # allowed misses (I,) of angles at inner vertices (radians)
-    digits: Array  # what rounding of coordinates leaves of them (I,) (radians)
+    tolerance: float  # allowed error of lengths (length)
+    rounding: float  # what the last digits of coordinates leave of it (length)
 
     def rows(self) -> Iterator[Row]:
         """All rows."""
@@ -162,7 +162,7 @@ class _Judged:
         if found:
             letters = f"{found} creases fold that had no letter: one way of several, perhaps"
             yield Row("says", "letters", letters)
-        if motion.closed_states(self._at(motion, self.limits)) > 1:
+        if self._closed(motion, self.tolerance) > 1:
             yield _of_freedom(motion.freedom)
             yield self._reaches(motion)
 
@@ -208,23 +208,28 @@ class _Judged:
             finding = f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}"
             yield Row("says", "family", finding)
 
-    def _at(self, motion: FoldingMotion, figures: Array) -> Array:
-        """Figures (I,) of inner vertices in the order of a motion's vertices."""
-        return np.asarray(figures[np.searchsorted(self.pattern.inner, motion.vertices)])
+    def _closed(self, motion: FoldingMotion, error: float) -> int:
+        """How many states close to an error of lengths."""
+        at = np.searchsorted(self.pattern.inner, motion.vertices)
+        return motion.closed_states(error / shortest_creases(self.pattern)[at], error)
 
     def _folds(self, motion: FoldingMotion) -> Row:
         states = len(motion.drives)
         closed = f"vertices close to {motion.miss:.1g} rad in {states} states"
-        if motion.closed_states(self._at(motion, self.digits)) == states:
+        if self._closed(motion, self.rounding) == states:
             whole = self.known is not None and not any(self.known.beside)
             if motion.way == "followed":
                 said = f"as far as numbers tell: {closed}, followed"
-            elif whole and self.known is not None and self.known.miss <= self.digits.max():
+            elif (
+                whole
+                and self.known is not None
+                and self.known.miss <= self.rounding / float(shortest_creases(self.pattern).min())
+            ):
                 said = f"exactly as {self.known.family} sheets do: {closed}"
             else:
                 said = f"to rounding: {closed}, by a closed form"
             return Row("holds", "folds", f"rigidly, {said}")
-        count = motion.closed_states(self._at(motion, self.limits))
+        count = self._closed(motion, self.tolerance)
         if count == states:
             play = quantity(motion.play, self.unit)
             said = f"{closed}; hinges need a play of {play}"
@@ -242,7 +247,7 @@ class _Judged:
         return Row("fails", "folds", f"not with these letters: {beyond}, {at_half}")
 
     def _reaches(self, motion: FoldingMotion) -> Row:
-        count = motion.closed_states(self._at(motion, self.limits))
+        count = self._closed(motion, self.tolerance)
         reached = f"{in_degrees(motion.drives[count - 1])} degrees"
         ends = motion.ends if count == len(motion.drives) else "beyond it does not close"
         if motion.clear_until is None:
@@ -258,7 +263,7 @@ class _Judged:
         )
 
 
-def _shortest_creases(pattern: CreasePattern) -> Array:
+def shortest_creases(pattern: CreasePattern) -> Array:
     """The shortest crease (I,) at every inner vertex."""
     creases, ends = pattern.fans
     if not creases.size:
