@@ -78,6 +78,12 @@ class FoldingMotion:
         return int(np.append(open_states, True).argmax())
 
     @property
+    def degrees_of_freedom(self) -> int | None:
+        """That of all states looked at; None if they differ, or no gap tells, or there are none."""
+        counts = {each.count for each in self.freedom}
+        return counts.pop() if len(counts) == 1 else None
+
+    @property
     def worst_vertex(self) -> int:
         """The number of the vertex that misses most."""
         return int(self.vertices[self.misses.max(axis=0).argmax()])

@@ -56,3 +56,13 @@ def find_conditions(pattern: CreasePattern, limits: Array) -> VertexConditions:
     return VertexConditions(
         pattern.inner[here], kawasaki[here], -signs.sum(axis=1)[here], limits[here]
     )
+
+
+def shortest_creases(pattern: CreasePattern) -> Array:
+    """The shortest crease (I,) at every inner vertex of a pattern."""
+    creases, ends = pattern.fans
+    if not creases.size:
+        return np.zeros(len(creases))
+    way = pattern.vertices[ends] - pattern.vertices[pattern.inner][:, None]
+    lengths = np.where(creases >= 0, np.linalg.norm(way, axis=-1), np.inf)
+    return np.asarray(lengths.min(axis=1))
