@@ -21,8 +21,6 @@ from patterns import (
     jittered,
     mirrored,
     miura,
-    of_mechanism,
-    parallel,
     scaled,
     shuffled,
     square_twist,
@@ -155,7 +153,7 @@ def test_all_mountains_are_proved_not_to_fold(tmp_path: Path) -> None:
 
 
 def test_what_meets_on_the_way_is_named(tmp_path: Path) -> None:
-    """Without flaps the sheet of figure 1 goes on to where panels meet, or a crease closes."""
+    """A column rolls up until its rims meet (docs/guide); figure 1 locks at 180 degrees."""
     verdict = judged(SAMPLES["longitudinal"].make(), tmp_path)
     assert verdict.findings is not None
     motion = verdict.findings.motion
@@ -164,5 +162,5 @@ def test_what_meets_on_the_way_is_named(tmp_path: Path) -> None:
     assert motion.clear_until is not None
     assert 0 < motion.clear_until <= motion.contact.drive < np.pi
     assert "meet there" in said(verdict)["reaches"][1]
-    clear = judged(of_mechanism(parallel()), tmp_path)
+    clear = judged(SAMPLES["parallel repeating"].make(), tmp_path)
     assert said(clear)["reaches"][0] == "holds"
