@@ -28,10 +28,11 @@ def fold(
         typer.Option(help="Unit of length, if the file names none or a wrong one."),
     ] = None,
 ) -> None:
-    """Fold a crease pattern with any panels, and write its states as FOLD, glTF and a page.
+    """Fold a crease pattern, and write its states.
 
-    Mountains and valleys fold as their letters or colours say; where they are missing they are
-    found.
+    They are written as FOLD, as glTF and as a page that shows the motion. Panels may have any
+    number of corners. Mountains and valleys fold as their letters or colours say; where they are
+    missing they are found.
     """
     from orishell.io import OutputDirectory
     from orishell.shell.folded import fold_pattern, write_folded
