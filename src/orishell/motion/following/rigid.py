@@ -14,7 +14,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.numerics.arrays import Booleans, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 EXACT = 1e-9
 """Sectors nearer to pi prove nothing (radians)."""
@@ -28,28 +28,51 @@ class Rigid:
     one_sided: Integers  # vertices at which all creases are asked to fold to one side
 
 
-def find_rigid(pattern: CreasePattern) -> Rigid:
-    """Find the creases that cannot fold, one after another, as those beside them cannot."""
+def find_rigid(pattern: CreasePattern, exact: float = EXACT) -> Rigid:
+    """Find the creases that cannot fold, one after another, as those beside them cannot.
+
+    Parameters
+    ----------
+    exact
+        Sectors nearer to pi than that prove nothing (radians).
+    """
+    creases, _ = pattern.fans
+    folds = pattern.crease & (pattern.signs != 0)
+    while True:
+        between, count = sectors_between(pattern, folds)
+        widest = between.max(axis=1, initial=0.0)
+        stuck = (count == 1) | (widest > np.pi + exact)
+        stuck |= (count <= 3) & (widest < np.pi - exact)
+        caught = creases[stuck & (count > 0)]
+        if not caught.size:
+            break
+        folds[caught[caught >= 0]] = False
+    signs = np.append(np.where(folds, pattern.signs, 0.0), 0.0)[creases]
+    alike = (count >= 3) & (np.abs(np.nansum(signs, axis=1)) == count)
+    flat = pattern.crease & (pattern.signs != 0) & ~folds
+    return Rigid(flat, pattern.inner[alike])
+
+
+def sectors_between(pattern: CreasePattern, folds: Booleans) -> tuple[Array, Integers]:
+    """Angles (I, D) at inner vertices from each crease that folds to the next; how many (I,) do.
+
+    Parameters
+    ----------
+    folds
+        Which edges (E,) fold.
+
+    Returns
+    -------
+    Angles, 0 behind the last (radians), and numbers of creases.
+    """
     creases, _ = pattern.fans
     sectors = np.nan_to_num(pattern.sectors)
     angles = np.cumsum(sectors, axis=1) - sectors
-    folds = np.append(pattern.crease & (pattern.signs != 0), False)
-    while True:
-        live = folds[creases]
-        order = np.argsort(~live, axis=1, kind="stable")
-        count = live.sum(axis=1)[:, None]
-        here = np.take_along_axis(angles, order, axis=1)
-        place = np.arange(live.shape[1])[None]
-        after = np.take_along_axis(here, (place + 1) % np.maximum(count, 1), axis=1)
-        between = np.where(place < count, np.mod(after - here, 2 * np.pi), 0.0)
-        widest = between.max(axis=1, initial=0.0)
-        stuck = (count[:, 0] == 1) | (widest > np.pi + EXACT)
-        stuck |= (count[:, 0] <= 3) & (widest < np.pi - EXACT)
-        caught = creases[stuck & live.any(axis=1)]
-        if not caught.size:
-            break
-        folds[caught] = False
-    signs = np.append(np.where(folds[:-1], pattern.signs, 0.0), 0.0)[creases]
-    alike = (count[:, 0] >= 3) & (np.abs(np.nansum(signs, axis=1)) == count[:, 0])
-    flat = pattern.crease & (pattern.signs != 0) & ~folds[:-1]
-    return Rigid(flat, pattern.inner[alike])
+    live = np.append(folds, False)[creases]
+    count = live.sum(axis=1)
+    order = np.argsort(~live, axis=1, kind="stable")
+    here = np.take_along_axis(angles, order, axis=1)
+    place = np.arange(live.shape[1])[None]
+    after = np.take_along_axis(here, (place + 1) % np.maximum(count, 1)[:, None], axis=1)
+    turn = np.where(place < count[:, None], np.mod(after - here, 2 * np.pi), 0.0)
+    return turn, count
