@@ -86,6 +86,10 @@ def for_pictures(pattern: CreasePattern, document: Document) -> Document:
     def on_halves(angles: Array) -> Array:
         return np.append(np.repeat(angles, 2), zero)
 
+    contact = document.contact
+    if contact is not None:
+        first, second = np.searchsorted(refined.panels, contact.panels).tolist()
+        contact = replace(contact, panels=(first, second))
     letters = np.repeat(np.array(document.assignment), 2)
     return replace(
         document,
@@ -107,6 +111,7 @@ def for_pictures(pattern: CreasePattern, document: Document) -> Document:
             for state in document.states
         ),
         names=tuple(map(str, refined.panels.tolist())),
+        contact=contact,
     )
 
 

@@ -60,7 +60,7 @@ class Refined:
     """
 
     faces: Integers  # corners (P, 4), counter-clockwise in the flat sheet
-    panels: Integers  # the panel (P,) that each is a part of
+    panels: Integers  # the panel (P,) that each is a part of, ascending
     sides: Integers  # vertices (S, 2) of all sides: those of the pattern's edges first
     halves: Integers  # halves (2 E, 2) of the pattern's edges, the two of one after the other
     loops: Integers  # vertices (C, K) of the polygons that have the centres, -1 behind the last
@@ -93,11 +93,13 @@ def refine(pattern: CreasePattern) -> Refined:
     before[:, 0] = middles[np.arange(len(loops)), last]
     centres = np.broadcast_to(size + len(all_keys) + np.arange(len(loops))[:, None], loops.shape)
     quads = np.stack([loops, middles, centres, before], axis=-1)[there]
+    owners = np.repeat(owners, there.sum(axis=1))
+    order_of = np.argsort(owners, kind="stable")
     edges = np.arange(len(pattern.edges)) + size
     halves = np.stack([pattern.edges[:, 0], edges, edges, pattern.edges[:, 1]], axis=1)
     return Refined(
-        quads,
-        np.repeat(owners, there.sum(axis=1)),
+        quads[order_of],
+        owners[order_of],
         np.stack(np.divmod(all_keys, size), axis=-1),
         halves.reshape(-1, 2),
         loops,

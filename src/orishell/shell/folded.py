@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from orishell.clash.sampled import SampledContact, look_for_contact
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.quantities import MILLIMETRES, Unit, plain
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
-from orishell.document import Document, DocumentState
+from orishell.document import Document, DocumentState, FirstContact
 from orishell.document.from_pattern import document_of_pattern, for_pictures
 from orishell.io import OutputDirectory, ReadPattern, read_pattern
 from orishell.io.format import DEFAULT_SETTINGS, Format
@@ -41,11 +43,18 @@ class Folded:
     motion: Followed
     document: Document  # all states, panels with all their corners
     play: float  # how far panels part at creases at most, in any state (length)
+    contact: SampledContact  # what was seen of contact
 
     def rows(self) -> list[Row]:
         """What was found, worst first."""
         return sorted(
-            [self._folds(), *self._freedom(), *self._letters(), *self._notes()],
+            [
+                self._folds(),
+                self._contact(),
+                *self._freedom(),
+                *self._letters(),
+                *self._notes(),
+            ],
             key=lambda row: row.sign != "warns",
         )
 
@@ -57,6 +66,18 @@ class Folded:
             f"{self.play:.0e} {self.source.unit} at creases"
         )
         return Row("holds" if motion.end in ("asked", "closed") else "warns", "folds", finding)
+
+    def _contact(self) -> Row:
+        seen = self.contact
+        looked = f"looked at every {plain(np.rad2deg(seen.apart))} degrees"
+        if seen.met is None or seen.panels is None:
+            return Row("says", "contact", f"none seen, {looked}; between that is not proved")
+        first, second = seen.panels
+        finding = (
+            f"panels {first} and {second} meet at {plain(np.rad2deg(seen.met))} degrees and pass "
+            f"through each other beyond; {looked}, so that others may touch before"
+        )
+        return Row("warns", "contact", finding)
 
     def _freedom(self) -> list[Row]:
         some = self.motion.freedom
@@ -154,17 +175,21 @@ def fold_pattern(
         play = max(play, part)
         degrees = np.rad2deg(motion.folds[number])
         states.append(DocumentState(positions, degrees, float(np.rad2deg(motion.drives[number]))))
-        progress(0.8 + 0.2 * (number + 1) / frames, "placing panels")
+        progress(0.7 + 0.1 * (number + 1) / frames, "placing panels")
     diagonal = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
     if play > TORN * diagonal:
         raise DesignError(
             "the sheet does not close round a hole as its vertices do",
             size=f"panels part by {plain(play)} {read.unit}",
         )
+    contact = look_for_contact(motion, stretch(progress, 0.8, 1.0))
     document = document_of_pattern(
         read.flat, motion.letters, states, title=read.title, unit=read.unit
     )
-    return Folded(read, motion, document, play)
+    if contact.met is not None and contact.panels is not None:
+        first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
+        document = replace(document, contact=first)
+    return Folded(read, motion, document, play, contact)
 
 
 def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:

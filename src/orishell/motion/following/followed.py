@@ -37,6 +37,8 @@ class Followed:
     reached: Angle  # the largest fold angle up to which it was followed
     freedom: tuple[Freedom, ...]  # degrees of freedom in some states on the way
     tries: int  # starts that were tried before a folded state was found
+    _closure: Closure
+    _path: Path
 
     @property
     def found(self) -> int:
@@ -53,6 +55,11 @@ class Followed:
     def placing(self) -> Placing:
         """How its states lie in space."""
         return Placing(self.pattern)
+
+    def at(self, drive: float) -> Array:
+        """Fold angles (E,) of the state with this largest fold angle, up to the one reached."""
+        folds, _ = states_at(self._closure, self._path, np.array([drive]))
+        return self._closure.on_edges(folds[0])
 
     def placed(self, state: int) -> tuple[Array, float]:
         """Vertices (V, 3) of a state, and the play that its hinges need (length)."""
@@ -124,6 +131,8 @@ def follow(
         reached=path.reached,
         freedom=freedom,
         tries=start.tries,
+        _closure=closure,
+        _path=path,
     )
 
 
