@@ -123,6 +123,20 @@ def test_a_folded_state_is_laid_out_flat(clockwise: bool, tmp_path: Path) -> Non
     np.testing.assert_array_equal(state.positions, np.array(keys["vertices_coords"]))
 
 
+def test_a_state_that_is_folded_flat_is_no_flat_sheet(tmp_path: Path) -> None:
+    """A square folded along its diagonal, in z = 0: both triangles lie on each other."""
+    keys = {
+        "frame_classes": ["foldedForm"],
+        "vertices_coords": [[0, 0], [1, 0], [0, 0], [0, 1]],
+        "faces_vertices": [[0, 1, 3], [1, 2, 3]],
+    }
+    found = read_pattern(fold_file(tmp_path, keys))
+    assert found.flat is not None
+    assert len(found.states) == 1
+    apart = found.flat.vertices[0] - found.flat.vertices[2]
+    np.testing.assert_allclose(np.hypot(*apart), np.sqrt(2), rtol=1e-15)
+
+
 def test_an_egg_box_has_no_flat_sheet_and_says_why(tmp_path: Path) -> None:
     positions, faces = egg_box()
     keys = {"vertices_coords": positions.tolist(), "faces_vertices": faces.tolist()}
