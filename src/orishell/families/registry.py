@@ -18,6 +18,7 @@ FOLDERS = (
     "orthodiagonal",
     "longitudinal_linear_repeating",
     "flat_foldable",
+    "drawn",
 )
 """Each has a module ``pattern`` with its FAMILY."""
 
