@@ -77,16 +77,25 @@ class DrawingTable(Table):
 
     def _made(self, directory: Path | None, unit: str) -> Drawing:
         if self.file is not None:
-            from orishell.io.patterns import read_pattern
-
-            found = read_pattern(beside(directory, self.file), unit=self.unit, weld=self.weld)
-            drawn = drawing_of(found.pattern)
-            factor = self.scale * conversion(found.unit, unit)
-            return Drawing(factor * drawn.flat, drawn.signs)
+            return self._read(beside(directory, self.file), unit)
         flat = self.scale * conversion(self.unit or unit, unit) * np.array(self.vertices)
         _require_panels(flat)
         rows, columns = (_signs(each) for each in (self.row_creases, self.column_creases))
         return Drawing(flat, CreaseValues(rows, columns.T))
+
+    def _read(self, path: Path, unit: str) -> Drawing:
+        from orishell.io.patterns import read_pattern
+
+        found = read_pattern(path, unit=self.unit, weld=self.weld)
+        if found.flat is None:
+            raise InputError(found.not_flat, where=str(path))
+        try:
+            drawn = drawing_of(found.flat)
+        except InputError as error:
+            raise error.located(f"{path}:") from None
+        # Without a unit of its own the file is in the design's.
+        factor = 1.0 if found.unit == "unit" else conversion(found.unit, unit)
+        return Drawing(self.scale * factor * drawn.flat, drawn.signs)
 
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
         """The table with the sheet itself, in ``unit``, in place of its file's name."""

@@ -30,6 +30,11 @@ FAMILIES: dict[str, Family] = {
 }
 
 
+TRIED = tuple(
+    name for name, each in FAMILIES.items() if {"curves", "surface"} & {*each.pattern.aims()}
+)
+"""Those that can follow curves or a surface, and are tried where the family is to be chosen."""
+
 AUTO = "auto"
 """What a design file calls the family that is to be chosen."""
 
