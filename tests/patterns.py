@@ -339,13 +339,10 @@ def svg_of(pattern: CreasePattern, *, width_mm: float | None = None) -> str:
             points[pattern.edges].tolist(), pattern.letters.tolist(), strict=True
         )
     )
-    page = (
-        ""
-        if width_mm is None
-        else f' width="{width_mm!r}mm" height="{width_mm / size[0] * size[1]!r}mm"'
-    )
+    width, height = size.tolist()
+    page = "" if width_mm is None else f' width="{width_mm!r}mm"'
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg"{page} viewBox="0 0 {size[0]!r} {size[1]!r}">\n'
+        f'<svg xmlns="http://www.w3.org/2000/svg"{page} viewBox="0 0 {width!r} {height!r}">\n'
         f"{lines}</svg>\n"
     )
 

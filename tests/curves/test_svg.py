@@ -414,7 +414,7 @@ UNSAFE = {
 def test_files_that_would_do_harm(
     tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("orishell.curves.svg.read.MAX_ELEMENTS", 4_000)  # 200,000 take seconds
+    monkeypatch.setattr("orishell.curves.svg.walk.MAX_ELEMENTS", 4_000)  # 200,000 take seconds
     content, says = UNSAFE[name]
     path = tmp_path / "file.svg"
     path.write_text(content, encoding="utf-8")

@@ -77,14 +77,14 @@ _DECIMAL_COMMA = re.compile(r"\d,\d")
 _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 
 
-def read_source(path: str | Path, kind: str) -> bytes:
+def read_source(path: str | Path, kind: str, most: int = MAX_BYTES) -> bytes:
     """The bytes of a file that messages call ``kind``; an InputError does not name it."""
     try:
         path = Path(path)
         if path.exists() and not path.is_file():
             raise InputError("this is not a file")
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"the {kind} is too large", expected=f"at most {MAX_BYTES} bytes")
+        if path.stat().st_size > most:
+            raise InputError(f"the {kind} is too large", expected=f"at most {most} bytes")
         return path.read_bytes()
     except FileNotFoundError:
         raise InputError(

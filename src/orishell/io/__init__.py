@@ -9,15 +9,19 @@ if TYPE_CHECKING:
     from orishell.io.fold_reader import FoldFile, FoldFrame, read_fold
     from orishell.io.format import DEFAULT_SETTINGS, Settings
     from orishell.io.output import OutputDirectory
+    from orishell.io.patterns import PatternState, ReadPattern, read_pattern
 
 __all__ = [
     "DEFAULT_SETTINGS",
     "FoldFile",
     "FoldFrame",
     "OutputDirectory",
+    "PatternState",
+    "ReadPattern",
     "Settings",
     "document_of_fold",
     "read_fold",
+    "read_pattern",
     "write_fold",
 ]
 
@@ -28,6 +32,7 @@ __getattr__, __dir__ = import_on_demand(
         "orishell.io.fold": ("document_of_fold", "write_fold"),
         "orishell.io.fold_reader": ("FoldFile", "FoldFrame", "read_fold"),
         "orishell.io.output": ("OutputDirectory",),
+        "orishell.io.patterns": ("PatternState", "ReadPattern", "read_pattern"),
         "orishell.io.format": ("DEFAULT_SETTINGS", "Settings"),
     },
 )

@@ -10,6 +10,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Booleans, Integers
+from orishell.numerics.components import find_components
 
 
 @record
@@ -138,9 +139,6 @@ def _orient(
     Every panel stands for two nodes of a graph, as listed and turned; creases join the nodes
     that agree. The sheet has two sides if no panel is connected with itself turned.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     faces = int(owners[-1]) + 1
     slots = np.argsort(face_edges, kind="stable")
     slots = slots[crease[face_edges[slots]]].reshape(-1, 2)
@@ -148,8 +146,7 @@ def _orient(
     opposed = forward[slots[:, 0]] == forward[slots[:, 1]]
     one = np.concatenate([first, first + faces])
     two = np.concatenate([second + faces * opposed, second + faces * ~opposed])
-    graph = coo_array((np.ones(len(one), dtype=np.int8), (one, two)), shape=(2 * faces, 2 * faces))
-    labels = connected_components(graph, directed=False)[1]
+    labels = find_components(np.stack([one, two], axis=-1), 2 * faces)
     one_sided = labels[:faces] == labels[faces:]
     if one_sided.any():
         raise InputError(

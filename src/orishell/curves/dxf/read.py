@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
-from orishell.curves.files import name_parts, read_source
+from orishell.curves.files import MAX_BYTES, name_parts, read_source
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Piece
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
     from ezdxf.entities.dxfentity import DXFEntity
+
+T = TypeVar("T")
 
 UNITS: Final[dict[int, tuple[str, float]]] = {
     1: ("in", 25.4),
@@ -85,14 +87,10 @@ def read_dxf(
     """
     choice = f" layer {layer!r}" if layer is not None else f" handle {handle}" if handle else ""
     try:
-        content = read_source(path, "DXF file")
-        _require_end(content)
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused when joined
-            stated, drawn = _read(path, layer, handle)
-        if b"$INSUNITS" not in content:  # then ezdxf says metres
-            stated = None
+            stated, drawn = read_entities(path, lambda document: _drawn(document, layer, handle))
         name, size = (unit, MILLIMETRES[unit]) if unit else stated or (into, MILLIMETRES[into])
-        _require_one_plane(drawn)
+        require_one_plane(drawn)
         pieces = [piece for each in drawn for piece in each.pieces]
         try:
             joined = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
@@ -128,12 +126,25 @@ def _require_end(content: bytes) -> None:
         )
 
 
-def _read(
-    path: Path, layer: str | None, handle: str | None
-) -> tuple[tuple[str, float] | None, list[Drawn]]:
-    """The unit that the file states, and what the chosen entities draw."""
+def read_entities(
+    path: Path, look: Callable[[Drawing], T], most: int = MAX_BYTES
+) -> tuple[tuple[str, float] | None, T]:
+    """The unit that a DXF file states, one of :data:`UNITS`, and what ``look`` finds in it.
+
+    Parameters
+    ----------
+    most
+        Size that the file may have (bytes).
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or is damaged.
+    """
     from ezdxf.filemanagement import readfile
 
+    content = read_source(path, "DXF file", most)
+    _require_end(content)
     log = logging.getLogger("ezdxf")
     if not log.handlers:  # otherwise what it remarks on goes to standard error
         log.addHandler(logging.NullHandler())
@@ -141,10 +152,7 @@ def _read(
         # Not ezdxf.recover: it drops what it cannot read, and half a profile looks like a whole.
         document = readfile(path)
         code = int(document.header.get("$INSUNITS", 0))
-        entities = _chosen(document, layer, handle)
-        return UNITS.get(code), [
-            replace(draw_entity(each), choices=_choices(each, on)) for each, on in entities
-        ]
+        found = look(document)
     except InputError:
         raise
     except Exception as error:  # in a damaged file ezdxf meets what it does not expect
@@ -154,6 +162,16 @@ def _read(
             got=f"{type(error).__name__}: {said[:120].rstrip('.')}",
             remedy="open it in a CAD program, repair it there and save it again",
         ) from None
+    # Where the file says nothing, ezdxf says metres.
+    return UNITS.get(code) if b"$INSUNITS" in content else None, found
+
+
+def _drawn(document: Drawing, layer: str | None, handle: str | None) -> list[Drawn]:
+    """What the chosen entities draw."""
+    return [
+        replace(draw_entity(each), choices=_choices(each, on))
+        for each, on in _chosen(document, layer, handle)
+    ]
 
 
 def _choices(entity: DXFEntity, on: str) -> tuple[str, ...]:
@@ -180,20 +198,29 @@ def _chosen(
                 expected="one of " + ", ".join(CURVE_TYPES),
             )
         return curves
-    unseen = {
-        each.dxf.name.casefold() for each in document.layers if each.is_off() or each.is_frozen()
-    }
-    curves = list(_exploded(space, None))
     if layer is None:
-        return [(entity, on) for entity, on in curves if on.casefold() not in unseen]
+        return visible_curves(document)
+    curves = list(_exploded(space, None))
     chosen = [(entity, on) for entity, on in curves if on.casefold() == layer.casefold()]
     if not chosen:
         raise _unknown("layer", layer, sorted({on for _, on in curves}))
     return chosen
 
 
+def visible_curves(document: Drawing, most: int = MAX_PIECES) -> list[tuple[DXFEntity, str]]:
+    """All curves of the modelspace that are not on a layer which is off, with their layers.
+
+    Raises InputError: If there are more than ``most``, or blocks inserted without end.
+    """
+    unseen = {
+        each.dxf.name.casefold() for each in document.layers if each.is_off() or each.is_frozen()
+    }
+    curves = _exploded(document.modelspace(), None, most=most)
+    return [(entity, on) for entity, on in curves if on.casefold() not in unseen]
+
+
 def _exploded(
-    entities: Iterable[DXFEntity], layer: str | None, depth: int = 0
+    entities: Iterable[DXFEntity], layer: str | None, depth: int = 0, most: int = MAX_PIECES
 ) -> Iterator[tuple[DXFEntity, str]]:
     """Visible curves and the layers that they count for, those in inserted blocks among them."""
     from ezdxf.entities.insert import Insert
@@ -211,25 +238,26 @@ def _exploded(
                     got=name_of(entity),
                     expected=f"at most {MAX_DEPTH} levels",
                 )
-            if entity.mcount > MAX_PIECES:
+            if entity.mcount > most:
                 raise InputError("a block is inserted too often", got=name_of(entity))
             inserts = entity.multi_insert() if entity.mcount > 1 else [entity]
             found: Iterator[tuple[DXFEntity, str]] = chain.from_iterable(
-                _exploded(insert.virtual_entities(), on, depth + 1) for insert in inserts
+                _exploded(insert.virtual_entities(), on, depth + 1, most) for insert in inserts
             )
         else:
             found = iter([(entity, on)])
         for each in found:
             count += 1
-            if count > MAX_PIECES:
-                raise InputError(
-                    "the drawing has too many entities", expected=f"at most {MAX_PIECES}"
-                )
+            if count > most:
+                raise InputError("the drawing has too many entities", expected=f"at most {most}")
             yield each
 
 
-def _require_one_plane(drawn: list[Drawn]) -> None:
-    """Refuse curves that lie above each other: seen from above they would seem to meet."""
+def require_one_plane(drawn: list[Drawn]) -> None:
+    """Refuse curves that lie above each other: seen from above they would seem to meet.
+
+    Raises InputError: Naming one that lies elsewhere than the first.
+    """
     if not drawn:
         return
     level = float(drawn[0].z[0])

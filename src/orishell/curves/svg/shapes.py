@@ -27,9 +27,12 @@ def length_of(element: Element, name: str, view: View, axis: str = "", default: 
         raise error.located(name) from None
 
 
-def _line(element: Element, view: View) -> list[Piece]:
-    ends = [[length_of(element, f"{axis}{k}", view, axis) for axis in "xy"] for k in (1, 2)]
-    return polyline(ends)
+def line_ends(element: Element, view: View) -> list[list[float]]:
+    """Both ends of a line, in user units.
+
+    Raises InputError: If a coordinate is no length.
+    """
+    return [[length_of(element, f"{axis}{k}", view, axis) for axis in "xy"] for k in (1, 2)]
 
 
 def _points(element: Element, *, closed: bool) -> list[Piece]:
@@ -89,7 +92,7 @@ def _ellipse(element: Element, view: View) -> list[Piece]:
 
 SHAPES: Final[dict[str, Callable[[Element, View], list[Piece]]]] = {
     "path": lambda element, _: parse_path(element.attributes.get("d", "")),
-    "line": _line,
+    "line": lambda element, view: polyline(line_ends(element, view)),
     "polyline": lambda element, _: _points(element, closed=False),
     "polygon": lambda element, _: _points(element, closed=True),
     "rect": _rectangle,

@@ -161,10 +161,16 @@ def fit_view_box(
 
 
 MAX_ELEMENTS = 200_000
+BYTES = 100
+"""What a file may have for every element that it may have."""
 MAX_DEPTH = 200
 
 SVG = "http://www.w3.org/2000/svg"
-XLINK = "http://www.w3.org/1999/xlink"
+LINKED = {
+    "http://www.w3.org/1999/xlink href": "href",
+    "http://www.inkscape.org/namespaces/inkscape label": "label",
+}
+"""Attributes with a namespace that are read, and what they are called then."""
 
 
 @dataclass(slots=True, eq=False)
@@ -172,28 +178,34 @@ class Element:
     """An element."""
 
     tag: str  # empty if it is not of SVG's namespace
-    # those without a namespace, and ``xlink:href`` as ``href`` if there is no other
+    # those without a namespace, and the :data:`LINKED` ones if there is no other of that name
     attributes: dict[str, str]
     children: list[Element] = field(default_factory=list)
+    text: str = ""  # of a style sheet
 
     def style(self, name: str) -> str:
         """A property, from ``style`` or from the attribute; empty if it is not set."""
-        for declaration in self.attributes.get("style", "").split(";"):
-            key, _, value = declaration.partition(":")
-            if key.strip() == name:
-                return value.strip()
+        if "style" in self.attributes:
+            for declaration in self.attributes["style"].split(";"):
+                key, _, value = declaration.partition(":")
+                if key.strip() == name:
+                    return value.strip()
         return self.attributes.get(name, "").strip()
 
 
-def read_tree(path: Path) -> Element:
-    """An SVG file's outermost element."""
+def read_tree(path: Path, most: int = MAX_ELEMENTS) -> Element:
+    """An SVG file's outermost element; it may have so many in all.
+
+    Raises InputError: If the file cannot be read, or is not SVG.
+    """
     from xml.parsers import expat
 
-    content = read_source(path, "SVG file")
+    content = read_source(path, "SVG file", BYTES * most)
     parser = expat.ParserCreate(namespace_separator=" ")
-    builder = _Builder()
+    builder = _Builder(most)
     parser.StartElementHandler = builder.start
     parser.EndElementHandler = builder.end
+    parser.CharacterDataHandler = builder.text
     parser.EntityDeclHandler = _refuse_entity
     parser.buffer_text = True
     try:
@@ -210,30 +222,35 @@ def read_tree(path: Path) -> Element:
 class _Builder:
     """Puts the elements together as the parser meets them."""
 
-    def __init__(self) -> None:
+    def __init__(self, most: int) -> None:
+        self.most = most
         self.root: Element | None = None
         self.open: list[Element] = []
         self.count = 0
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
         self.count += 1
-        if self.count > MAX_ELEMENTS:
-            raise InputError("the file has too many elements", expected=f"at most {MAX_ELEMENTS}")
+        if self.count > self.most:
+            raise InputError("the file has too many elements", expected=f"at most {self.most}")
         if len(self.open) >= MAX_DEPTH:
             raise InputError(
                 "the elements are nested too deeply", expected=f"at most {MAX_DEPTH} levels"
             )
         space, _, tag = name.rpartition(" ")
         own = {key: value for key, value in attributes.items() if " " not in key}
-        link = attributes.get(f"{XLINK} href")
-        if link is not None:
-            own.setdefault("href", link)
+        for key, known in LINKED.items():
+            if key in attributes:
+                own.setdefault(known, attributes[key])
         element = Element(tag if space in {"", SVG} else "", own)
         if self.open:
             self.open[-1].children.append(element)
         else:
             self.root = element
         self.open.append(element)
+
+    def text(self, text: str) -> None:
+        if self.open[-1].tag == "style":
+            self.open[-1].text += text
 
     def end(self, _: str) -> None:
         self.open.pop()

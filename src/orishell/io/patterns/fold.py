@@ -1,0 +1,307 @@
+"""Crease patterns in FOLD files: panels of any number of corners, or only edges."""
+
+from __future__ import annotations
+
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.conventions.errors import InputError, printable
+from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.record import record
+from orishell.io.fold_frames import (
+    misfit,
+    read_frames,
+    read_title,
+    read_unit,
+    require_vertices,
+)
+from orishell.io.fold_keys import (
+    read_assignment,
+    read_classes,
+    read_coordinates,
+    read_fold_angles,
+    read_vertex_numbers,
+)
+from orishell.io.format import plain_line
+from orishell.io.patterns.apart import PiecesError, require_apart, require_one_piece
+from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.found import PatternState, ReadPattern
+from orishell.io.patterns.graph import counted
+from orishell.io.patterns.layout import lay_out
+from orishell.io.patterns.lines import WELD, Lines, weld_points
+from orishell.io.patterns.rings import MOST_PLACES
+from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
+from orishell.motion.panel_sides import join_loops, pair_keys, sides_of
+from orishell.numerics.arrays import Array, Integers
+
+FACES = "faces_vertices"
+
+
+@record
+class _File:
+    """The arrays of a file."""
+
+    positions: dict[int, Array]  # vertices (V, 3) by frame
+    flat: int | None  # the frame of the flat sheet
+    edges: Integers | None  # vertices (E, 2)
+    letters: NDArray[np.str_] | None  # (E,)
+
+    @property
+    def first(self) -> Array:
+        """Vertices (V, 3) of the flat sheet, or else of the first frame that has any."""
+        return self.positions[next(iter(self.positions)) if self.flat is None else self.flat]
+
+
+@record
+class _Sheet:
+    """The pattern of a file, and what of the file it is made of."""
+
+    flat: CreasePattern | None
+    not_flat: str
+    faces: Integers
+    edges: Integers
+    edge_faces: Integers
+    letters: NDArray[np.str_]
+    vertices: Integers | None  # which of the file's vertices; None if it has others
+    chosen: Integers | None  # which of the file's edges; None if it has others
+    angles: Array | None = None  # fold angles (E,) where the edges are others (radians)
+
+
+def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
+    """The pattern of a FOLD file, and its folded states.
+
+    The flat sheet is the first frame that calls itself a crease pattern, or else the first that
+    lies in z = 0. If there is none it is laid out from the first state, if the panels allow that.
+
+    Parameters
+    ----------
+    weld
+        Vertices nearer to each other than this are one; None for those of the file.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or its panels are no sheet of one piece.
+    """
+    frames = read_frames(path)
+    positions = read_coordinates(frames)
+    count = len(next(iter(positions.values())))
+    edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, count)
+    letters = read_assignment(frames, edges)
+    faces = frames.common(FACES, lambda value, where: _read_polygons(value, where, count))
+    crease_patterns = [n for n in positions if "creasePattern" in read_classes(frames, n)]
+    level = [number for number, each in positions.items() if not each[:, 2].any()]
+    named = [number for number in level if number in crease_patterns]
+    file = _File(
+        positions,
+        next(iter(named or level), None),
+        edges,
+        None if letters is None else np.array(letters, dtype=np.str_),
+    )
+    degrees = {number: read_fold_angles(frames, number, edges) for number in positions}
+    notes: list[str] = []
+    if faces is None:
+        asked = None if file.flat is None else degrees[file.flat]
+        sheet = _of_edges(file, asked, weld, notes)
+    else:
+        sheet = _of_faces(file, faces, weld, notes)
+
+    def angles(number: int | None) -> Array | None:
+        given = None if number is None else degrees[number]
+        return None if given is None or sheet.chosen is None else np.deg2rad(given[sheet.chosen])
+
+    folded = [n for n in positions if n != file.flat and n not in crease_patterns]
+    if sheet.vertices is None and folded:
+        notes.append("lines cross where the file has no vertex: folded states are left out")
+    asked_angles = sheet.angles if sheet.angles is not None else angles(file.flat)
+    unit = read_unit(frames)
+    return ReadPattern(
+        path=path,
+        title=read_title(frames) or printable(path.stem),
+        unit=unit if unit in MILLIMETRES else "unit",
+        flat=sheet.flat,
+        not_flat=sheet.not_flat,
+        faces=sheet.faces,
+        edges=sheet.edges,
+        edge_faces=sheet.edge_faces,
+        letters=sheet.letters,
+        fold_angles=np.full(len(sheet.edges), np.nan) if asked_angles is None else asked_angles,
+        states=tuple(
+            PatternState(
+                plain_line(str(frames.raw[number].get("frame_title", ""))[:200]),
+                positions[number][sheet.vertices],
+                angles(number),
+            )
+            for number in folded
+            if sheet.vertices is not None
+        ),
+        notes=tuple(notes),
+    )
+
+
+def _read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
+    """Vertices (F, K) around every panel, -1 behind the last."""
+    if not isinstance(value, list) or not value:
+        raise misfit(value, where, "a list of panels")
+    for number, row in enumerate(value):
+        if not isinstance(row, list) or len(row) < 3 or any(type(each) is not int for each in row):
+            raise misfit(row, f"{where}[{number}]", "3 or more whole numbers for each panel")
+    size = np.array([len(row) for row in value])
+    if len(value) * int(size.max()) > MOST_PLACES:
+        raise InputError("a panel has too many corners", where=where, got=str(size.max()))
+    there = np.arange(int(size.max())) < size[:, None]
+    loops = np.full(there.shape, -1)
+    try:
+        loops[there] = np.fromiter(chain.from_iterable(value), np.int64, int(size.sum()))
+    except OverflowError:
+        raise InputError("a number is too large", where=where) from None
+    require_vertices(loops, vertex_count, where, count=size)
+    ordered = np.sort(loops, axis=1)
+    twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
+    if twice.any():
+        panel = int(np.argmax(twice))
+        raise InputError(
+            f"panel {panel} repeats a corner",
+            where=f"{where}[{panel}]",
+            got=str(value[panel])[:60],
+            expected="different vertices",
+        )
+    return loops
+
+
+def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: list[str]) -> _Sheet:
+    """The panels between the edges of a file that lists none."""
+    if file.edges is None or file.flat is None:
+        raise InputError(
+            "this key is missing",
+            where=FACES,
+            remedy=f"add {FACES}, or edges_vertices and flat vertices_coords",
+        )
+    count = len(file.edges)
+    points = file.first[:, :2]
+    lines = Lines(
+        points[file.edges],
+        np.full(count, "U") if file.letters is None else file.letters,
+        np.full(count, np.nan) if degrees is None else np.deg2rad(degrees),
+        np.arange(count),
+        tuple(f"edge {number}" for number in range(count)),
+    )
+    found = arrange(lines, weld)
+    notes += [f"the file has no {FACES}: panels were found between its edges", *found.notes]
+    pattern = found.pattern
+    both = np.concatenate([points, pattern.vertices])
+    _, first, place = np.unique(both, axis=0, return_index=True, return_inverse=True)
+    vertices = first[place.ravel()[len(points) :]]
+    return _Sheet(
+        pattern,
+        "",
+        pattern.faces,
+        pattern.edges,
+        pattern.edge_faces,
+        pattern.letters,
+        vertices if (vertices < len(points)).all() else None,
+        None,
+        found.angles,
+    )
+
+
+def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]) -> _Sheet:
+    """The panels that a file lists."""
+    try:
+        return _sheet(file, faces, weld, notes)
+    except PiecesError as error:
+        wider = float(f"{WELD * np.linalg.norm(np.ptp(file.first, axis=0)):.2g}")
+        if weld is None:
+            try:
+                _sheet(file, faces, wider, [])
+            except InputError:
+                pass
+            else:
+                error.remedy = f"weld = {wider:g}, which joins them"
+        raise
+
+
+def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -> _Sheet:
+    edges, letters = file.edges, file.letters
+    if weld is not None:
+        leader = weld_points(file.first, weld)
+        faces = np.where(faces < 0, -1, leader[faces])
+        edges = None if edges is None else leader[edges]
+    used = np.unique(faces[faces >= 0])
+    size = len(file.first)
+    place = np.full(size, -1)
+    place[used] = np.arange(len(used))
+    loops = np.where(faces < 0, -1, place[faces])
+    if len(used) < size:
+        notes.append(f"{counted(size - len(used), 'vertex', 'vertices')} of no panel: left out")
+    chosen = None
+    if edges is not None:
+        chosen, letters = _sides_among(
+            edges, letters, sides_of(faces)[0], size, welded=weld is not None, notes=notes
+        )
+        edges = place[edges[chosen]]
+    positions = file.first[used]
+    if file.flat is not None:
+        flat = pattern_of_panels(positions[:, :2], loops, edges, letters)
+        require_apart(flat)
+        return _Sheet(flat, "", flat.faces, flat.edges, flat.edge_faces, flat.letters, used, chosen)
+    joined = join_loops(loops, len(used), edges, None if letters is None else letters == "C")
+    require_one_piece(joined.edge_faces[joined.crease], len(loops))
+    laid = lay_out(positions, joined)
+    reason, found = laid.reason, None
+    if laid.vertices is not None:
+        found = pattern_of_panels(laid.vertices, joined.loops, joined.edges, letters)
+        try:
+            require_apart(found)
+            notes.append("the file has no flat sheet: it was laid out from the first state")
+        except InputError as error:
+            reason, found = f"laid out flat, {error.what}", None
+    known = np.full(len(joined.edges), "U") if letters is None else letters
+    letters = np.where((joined.edge_faces < 0).any(axis=1), "B", known)
+    return _Sheet(
+        found,
+        reason,
+        joined.loops,
+        joined.edges,
+        joined.edge_faces,
+        letters,
+        used,
+        chosen,
+    )
+
+
+def _sides_among(
+    edges: Integers,
+    letters: NDArray[np.str_] | None,
+    sides: Integers,
+    vertex_count: int,
+    *,
+    welded: bool,
+    notes: list[str],
+) -> tuple[Integers, NDArray[np.str_] | None]:
+    """Which edges are sides of panels, and their letters."""
+    known, count = np.unique(pair_keys(sides, vertex_count), return_counts=True)
+    keys = pair_keys(edges, vertex_count)
+    at = np.minimum(np.searchsorted(known, keys), len(known) - 1)
+    is_side = known[at] == keys
+    chosen = np.flatnonzero(is_side)
+    if not is_side.all():
+        notes.append(f"{counted(int((~is_side).sum()), 'edge')} of no panel: left out")
+    if welded:  # of edges that become one, a crease rather than a border
+        black = np.zeros(len(chosen)) if letters is None else letters[chosen] == "B"
+        order = chosen[np.lexsort((chosen, black))]
+        chosen = order[np.unique(keys[order], return_index=True)[1]]
+    if letters is None:
+        return chosen, None
+    letters = letters[chosen]
+    inner = (count[at[chosen]] > 1) & (letters == "B")
+    if inner.any():
+        unknown = bool(np.isin(letters, ["B", "C"]).all())
+        letters = np.where(inner, "U" if unknown else "C", letters)
+        what = "no crease is assigned" if unknown else "a cut"
+        notes.append(f"{counted(int(inner.sum()), 'border')} between two panels: {what}")
+    return chosen, letters

@@ -1,0 +1,186 @@
+"""A drawing as a graph in the plane: edges with letters, and the panels that they enclose."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.record import record
+from orishell.io.patterns.crossings import Split
+from orishell.io.patterns.lines import Lines
+from orishell.motion.panel_sides import pair_keys
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.components import find_components
+
+RANK = {"U": 0, "J": 1, "F": 1, "V": 2, "M": 2, "B": 3, "C": 4}
+"""Of lines on each other the one with the highest rank counts."""
+
+
+class GapError(InputError):
+    """Lines that do not meet; they might with a larger tolerance."""
+
+    gap: float = np.inf  # the tolerance with which they might
+
+
+@record
+class Graph:
+    """Points and edges between them that cross nowhere."""
+
+    points: Array  # (P, 2)
+    edges: Integers  # ends (E, 2)
+    letters: NDArray[np.str_]  # (E,)
+    angles: Array  # fold angles (E,) that are asked for (radians), or NaN
+    lines: Integers  # a line (E,) of the drawing that each is a part of
+
+    def chosen(self, kept: Booleans) -> Graph:
+        """The same with some of the edges."""
+        return Graph(
+            self.points,
+            self.edges[kept],
+            self.letters[kept],
+            self.angles[kept],
+            self.lines[kept],
+        )
+
+    @property
+    def degrees(self) -> Integers:
+        """Number (P,) of edges that end at each point."""
+        return np.bincount(self.edges.ravel(), minlength=len(self.points))
+
+
+def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
+    """One edge of all parts of lines that lie on each other.
+
+    Raises InputError: If one of them is a mountain and another a valley.
+    """
+    letters = lines.letters[split.lines]
+    keys, edge = np.unique(pair_keys(split.pairs, len(split.points)), return_inverse=True)
+    for letter in "MV":
+        has = np.zeros((2, len(keys)), dtype=np.bool_)
+        has[0, edge[letters == "M"]] = has[1, edge[letters == "V"]] = True
+        both = has.all(axis=0)
+        if letter == "M" and both.any():
+            which = np.flatnonzero(edge == np.argmax(both))
+            ends = split.points[split.pairs[which[0]]]
+            raise InputError(
+                "a mountain and a valley lie on each other",
+                where=f"from {lines.at(ends[0])} to {lines.at(ends[1])}",
+                got=" and ".join(dict.fromkeys(lines.name(n) for n in split.lines[which])),
+                remedy="remove one of them",
+            )
+    rank = np.array([RANK[letter] for letter in letters.tolist()])
+    order = np.lexsort((np.arange(len(edge)), -rank, edge))
+    best = order[np.unique(edge[order], return_index=True)[1]]
+    twice = len(edge) - len(keys)
+    if twice:
+        notes.append(f"{counted(twice, 'line')} drawn twice or on another one: read once")
+    chosen = split.lines[best]
+    edges = np.stack(np.divmod(keys, len(split.points)), axis=-1)
+    return Graph(split.points, edges, letters[best], lines.angles[chosen], chosen)
+
+
+def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:
+    """Leave out marks that end inside a panel: lines that stay flat.
+
+    Raises GapError: If another line does; with the tolerance that may close the gap.
+    """
+    before = len(graph.edges)
+    while True:
+        loose = (graph.degrees[graph.edges] == 1).any(axis=1)
+        mark = loose & (graph.letters == "F")
+        if not mark.any():
+            break
+        graph = graph.chosen(~mark)
+    if before > len(graph.edges):
+        dropped = before - len(graph.edges)
+        notes.append(f"{counted(dropped, 'mark')} inside panels, which no crease ends at: left out")
+    if loose.any():
+        raise _gap(graph, lines)
+    if not len(graph.edges):
+        raise InputError("the lines enclose no panel")
+    return graph
+
+
+def _gap(graph: Graph, lines: Lines) -> GapError:
+    """Where a line ends alone, and how far the next point or line is from there."""
+    import shapely
+    from scipy.spatial import KDTree
+
+    degrees = graph.degrees
+    alone = np.flatnonzero(degrees == 1)
+    ends = graph.points[alone]
+    gaps = np.asarray(KDTree(ends).query(ends, k=[2])[0], dtype=np.float64)[:, 0]
+    others = (degrees[graph.edges] > 1).all(axis=1)
+    if others.any():
+        tree = shapely.STRtree(np.asarray(shapely.linestrings(graph.points[graph.edges[others]])))
+        (which, _), apart = tree.query_nearest(
+            shapely.points(ends), all_matches=False, return_distance=True
+        )
+        gaps[which] = np.minimum(gaps[which], apart)
+    worst = int(np.argmin(gaps))
+    edge = int(np.argmax((graph.edges == alone[worst]).any(axis=1)))
+    no_border = len(alone) > 2 and not (graph.letters == "B").any()
+    error = GapError(
+        "a line ends where no other begins"
+        if len(alone) == 1
+        else f"{len(alone)} ends of lines lie where no other line begins",
+        where=f"{lines.name(graph.lines[edge])} at {lines.at(ends[worst])}",
+        got=f"{gaps[worst]:.3g} from the next line" if np.isfinite(gaps[worst]) else "",
+        remedy="draw the border of the sheet as well" if no_border else "",
+    )
+    error.gap = float(gaps.max())
+    return error
+
+
+def straighten(graph: Graph, weld: float, notes: list[str]) -> Graph:
+    """Leave out points where one straight line goes on as another with the same letter."""
+    two = np.flatnonzero(graph.degrees == 2)
+    order = np.argsort(graph.edges.ravel(), kind="stable")
+    begin = np.searchsorted(graph.edges.ravel()[order], two)
+    sides = order[begin[:, None] + [0, 1]] // 2  # the two edges at each
+    far = graph.edges[sides].sum(axis=-1) - two[:, None]
+    a, b = (graph.points[far[:, k]] for k in (0, 1))
+    on = _distance(graph.points[two], a, b) <= weld
+    on &= ((a - graph.points[two]) * (b - graph.points[two])).sum(axis=1) < 0
+    on &= graph.letters[sides[:, 0]] == graph.letters[sides[:, 1]]
+    same = graph.angles[sides]
+    on &= (same[:, 0] == same[:, 1]) | np.isnan(same).all(axis=1)
+    if not on.any():
+        return graph
+    chain = find_components(sides[on], len(graph.edges))
+    inside = np.zeros(len(graph.points), dtype=np.bool_)
+    inside[two[on]] = True
+    outer = np.flatnonzero(~inside[graph.edges].ravel())
+    pairs = np.full((int(chain.max()) + 1, 2), -1)
+    owner = chain[outer // 2]
+    by = np.argsort(owner, kind="stable")
+    pairs[owner[by[::2]], 0], pairs[owner[by[::2]], 1] = (
+        graph.edges.ravel()[outer[by[k::2]]] for k in (0, 1)
+    )
+    # A chain that turns little by little is no line: it stays as it is.
+    middle, its = two[on], chain[sides[on, 0]]
+    bent = _distance(graph.points[middle], *graph.points[pairs[its]].transpose(1, 0, 2)) > weld
+    stays = np.zeros(len(pairs), dtype=np.bool_)
+    stays[its[bent]] = True
+    first = np.unique(chain, return_index=True)[1]
+    kept = stays[chain]
+    joined = first[~stays]
+    left_out = int((~stays[its]).sum())
+    if left_out:
+        notes.append(f"{counted(left_out, 'point')} in the midst of a straight line: left out")
+    which = np.concatenate([np.flatnonzero(kept), joined])
+    edges = np.concatenate([graph.edges[kept], pairs[~stays]])
+    return Graph(graph.points, edges, graph.letters[which], graph.angles[which], graph.lines[which])
+
+
+def _distance(points: Array, a: Array, b: Array) -> Array:
+    """Distances of points from the lines through a and b (all N, 2)."""
+    way, apart = b - a, points - a
+    length = np.maximum(np.hypot(*way.T), np.finfo(float).tiny)
+    return np.asarray(np.abs(way[:, 0] * apart[:, 1] - way[:, 1] * apart[:, 0]) / length)
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number of things; ``many`` is their plural if it has more than an s."""
+    return f"{number} {one if number == 1 else many or one + 's'}"

@@ -1,0 +1,143 @@
+"""Crease patterns from files, whatever program wrote them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+
+from orishell.conventions.arguments import path_of
+from orishell.conventions.errors import InputError, printable
+from orishell.conventions.quantities import MILLIMETRES
+from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.dxf import read_dxf_lines
+from orishell.io.patterns.fold import read_fold_pattern
+from orishell.io.patterns.found import ReadPattern
+from orishell.io.patterns.lines import Lines
+from orishell.io.patterns.svg import read_svg_lines
+
+ENDINGS = (".fold", ".svg", ".dxf")
+BEGINNINGS = {
+    b"{": "FOLD",
+    b"<": "SVG",
+    b"0\n": "DXF",
+    b"0\r": "DXF",
+    b"999": "DXF",
+    b"AutoCAD Binary DXF": "DXF",
+    b"AC10": "DWG",
+    b"%PDF": "PDF",
+    b"\x89PNG": "PNG",
+    b"\xff\xd8": "JPEG",
+    b"PK": "ZIP",
+}
+"""How files begin, leading blanks aside."""
+
+
+def read_pattern(
+    path: str | Path,
+    *,
+    unit: str | None = None,
+    scale: float = 1.0,
+    weld: float | None = None,
+) -> ReadPattern:
+    """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG or DXF.
+
+    Drawings may have their lines in any order; they are split where they cross. A line is a
+    mountain, valley, border, cut or flat by its layer's name, or else by its colour: red mountain,
+    blue valley, black border, green cut, yellow flat, magenta not assigned.
+
+    Parameters
+    ----------
+    path
+        The file.
+    unit
+        The unit of the file's coordinates, whatever the file says: mm, cm, m, in, ft.
+    scale
+        What all lengths are multiplied with.
+    weld
+        Points nearer to each other than this are one, in the file's unit. None for 1e-5 of the
+        diagonal in drawings, and for the vertices as they are in FOLD.
+
+    Raises
+    ------
+    InputError
+        If the file is none of these, or draws no sheet; by place, with what would help.
+    """
+    path = path_of(path, "read_pattern: path")
+    if unit is not None and unit not in MILLIMETRES:
+        raise InputError("this is no unit", got=str(unit), expected=", ".join(MILLIMETRES))
+    for name, value in (("scale", scale), ("weld", weld)):
+        if value is not None and not (isfinite(value) and value > 0):
+            raise InputError("this is no number above 0", where=name, got=repr(value))
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+            found = _read(path, unit, weld)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+    return found.scaled(scale, unit)
+
+
+def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
+    ending = _require_kind(path)
+    if ending == ".fold":
+        return read_fold_pattern(path, weld)
+    if ending == ".svg":
+        lines, stated, notes = read_svg_lines(path, whole=unit is not None)
+    else:
+        lines, known, notes = read_dxf_lines(path)
+        stated, size = known or ("unit", 1.0)
+        if stated not in MILLIMETRES and known and unit is None:
+            lines, stated = replace(lines, ends=size * lines.ends), "mm"
+    if unit is None and stated == "unit":
+        notes.append("the drawing states no unit of length")
+    return _drawn(path, lines, weld, stated, notes)
+
+
+def _drawn(
+    path: Path, lines: Lines, weld: float | None, unit: str, notes: list[str]
+) -> ReadPattern:
+    found = arrange(lines, weld)
+    flat = found.pattern
+    return ReadPattern(
+        path=path,
+        title=printable(path.stem),
+        unit=unit,
+        flat=flat,
+        not_flat="",
+        faces=flat.faces,
+        edges=flat.edges,
+        edge_faces=flat.edge_faces,
+        letters=flat.letters,
+        fold_angles=found.angles,
+        states=(),
+        notes=(*notes, *found.notes),
+    )
+
+
+def _require_kind(path: Path) -> str:
+    """The ending of a file, if its content is of that kind."""
+    ending = path.suffix.lower()
+    try:
+        with path.open("rb") as file:
+            begin = file.read(1000).removeprefix(b"\xef\xbb\xbf").lstrip()
+    except FileNotFoundError:
+        raise InputError("the file does not exist") from None
+    except (OSError, ValueError) as error:
+        raise InputError("the file cannot be read", got=str(error)) from None
+    if not begin:
+        raise InputError("the file is empty")
+    kind = next((name for start, name in BEGINNINGS.items() if begin.startswith(start)), "")
+    wanted = ending[1:].upper() if ending in ENDINGS else ""
+    if not wanted or (kind and kind != wanted):
+        known = f".{kind.lower()}" in ENDINGS
+        raise InputError(
+            "the file is of another kind than its ending says"
+            if wanted
+            else "patterns are not read from such files",
+            got=f"{ending or 'no ending'}, and what looks like {kind or 'nothing that is known'}",
+            expected=", ".join(ENDINGS),
+            remedy=f"give it the ending .{kind.lower()}" if known else "",
+        )
+    return ending

@@ -1,0 +1,162 @@
+"""The lines of a crease pattern in an SVG file, by any drawing program."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from orishell.conventions.errors import InputError
+from orishell.curves.svg.shapes import draw_shape, line_ends
+from orishell.curves.svg.tree import NUMBER, Element, read_tree
+from orishell.curves.svg.walk import Context, Walk, name_of
+from orishell.io.patterns.lines import Lines
+from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer, parse_colour
+from orishell.io.patterns.strokes import Stroke, lines_of, straight_ends
+from orishell.motion.crease_pattern import SENSE
+from orishell.numerics.arrays import Array
+
+MOST_ELEMENTS = 1_000_000
+_PHYSICAL = re.compile(rf"{NUMBER}\s*(mm|cm|in|pt|pc|q)", re.IGNORECASE)
+_RULE = re.compile(r"([^{}]{1,500})\{([^{}]{0,5000})\}")
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_SELECTOR = re.compile(r"[.#]?[A-Za-z_][\w-]*")
+_SHARE = re.compile(rf"({NUMBER})(%?)")
+LOOKS = ("stroke", "style", "class", "id", "label", "opacity", "stroke-opacity", "color")
+"""Attributes that the look of an element depends on."""
+Look = tuple[str | None, float]
+"""Letter, or None for a look of no known meaning, and fold angle (radians)."""
+DOWNWARDS = np.array([1.0, -1.0])
+
+
+def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
+    """What an SVG file draws, y upwards, its unit, and what was assumed.
+
+    Lengths are millimetres where the page has a physical size, else user units ("unit"). Letters
+    are those of the layer (the name of a group or a class) or else of the stroke. Opacity is a fold
+    angle, in half turns, as Origami Simulator has it.
+
+    Parameters
+    ----------
+    whole
+        Whether coordinates are to stay as in the file, whatever its page's size.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or draws a curve.
+    """
+    root = read_tree(path, MOST_ELEMENTS)
+    physical = not whole and any(
+        _PHYSICAL.fullmatch(root.attributes.get(side, "").strip()) for side in ("width", "height")
+    )
+    looks = _Looks(root)
+    strokes, circles, unseen = [], 0, 0
+    for number, (element, context) in enumerate(
+        Walk(root, None, MOST_ELEMENTS).shapes(whole=not physical), start=1
+    ):
+        look = looks.of(element, context)
+        if look is None:
+            unseen += 1
+            continue
+        letter, angle = look
+        if letter == IGNORED:
+            continue
+        if element.tag in {"circle", "ellipse"}:
+            circles += 1
+            continue
+        name = f"{name_of(element)} number {number}"
+        try:
+            ends = _straight(element, context)
+        except InputError as error:
+            raise error.located(name) from None
+        strokes.append(Stroke(name, ends * DOWNWARDS, letter, angle))
+    lines, notes = lines_of(strokes, downwards=True)
+    for count, what in ((unseen, "shapes without a stroke"), (circles, "circles")):
+        if count:
+            notes.append(f"{what} are no creases: {count} left out")
+    return lines, "mm" if physical else "unit", notes
+
+
+def _straight(element: Element, context: Context) -> Array:
+    """Both ends (N, 2, 2) of the lines of a shape, on the page."""
+    if element.tag == "line":
+        ends = np.array([line_ends(element, context.view)])
+    else:
+        ends = straight_ends(draw_shape(element, context.view))
+    return ends @ context.affine.matrix + context.affine.offset
+
+
+class _Looks:
+    """How elements look: by their attributes, the style sheet, and what they are in."""
+
+    def __init__(self, root: Element) -> None:
+        self.rules: dict[str, dict[str, str]] = {}
+        stack = [root]
+        while stack:
+            element = stack.pop()
+            stack += element.children
+            if element.tag == "style":
+                for selectors, declarations in _RULE.findall(_COMMENT.sub("", element.text)):
+                    pairs = (each.partition(":") for each in declarations.split(";"))
+                    found = {key.strip(): value.strip() for key, _, value in pairs}
+                    for selector in selectors.split(","):
+                        if _SELECTOR.fullmatch(selector.strip()):
+                            self.rules.setdefault(selector.strip(), {}).update(found)
+        self.known: dict[tuple[object, ...], Look | None] = {}
+        self.kept: list[tuple[Element, ...]] = []  # so that no id is used twice
+
+    def of(self, element: Element, context: Context) -> Look | None:
+        """Letter and fold angle of an element; None if it draws no line."""
+        key = (id(context.parents), element.tag, *map(element.attributes.get, LOOKS))
+        if key not in self.known:
+            self.kept.append(context.parents)
+            self.known[key] = self._look((*context.parents, element))
+        return self.known[key]
+
+    def _look(self, line: tuple[Element, ...]) -> Look | None:
+        stroke = self._property("stroke", line)
+        if stroke == "currentColor":
+            stroke = self._property("color", line) or "black"
+        if stroke in {"", "none", "transparent"}:
+            return None
+        letter = next(filter(None, map(_layer, reversed(line))), None)
+        if letter is None:
+            colour = parse_colour(stroke)
+            letter = None if colour is None else letter_of_colour(colour)
+        return letter, self._angle(letter, line)
+
+    def _property(self, name: str, line: tuple[Element, ...]) -> str:
+        """A property of the last element, inherited if it has none of its own; empty if unset."""
+        values = (self._own(name, element) for element in reversed(line))
+        return next((each for each in values if each not in {"", "inherit"}), "")
+
+    def _own(self, name: str, element: Element) -> str:
+        attributes = element.attributes
+        styled = element.style(name)
+        if not self.rules or styled != attributes.get(name, "").strip():
+            return styled
+        selectors = [element.tag, *(f".{each}" for each in attributes.get("class", "").split())]
+        selectors.append(f"#{attributes.get('id', '')}")
+        found = [self.rules[each][name] for each in selectors if name in self.rules.get(each, {})]
+        return found[-1] if found else styled
+
+    def _angle(self, letter: str | None, line: tuple[Element, ...]) -> float:
+        """The fold angle that the opacity stands for (radians); NaN if none is given."""
+        sign = SENSE.get(letter or "", 0.0)
+        given = (self._property(each, line) for each in ("opacity", "stroke-opacity"))
+        share = _SHARE.fullmatch(next(filter(None, given), ""))
+        if not sign or share is None:
+            return np.nan
+        value = float(share[1]) / (100 if share[2] else 1)
+        return float(sign * np.pi * min(max(value, 0.0), 1.0))
+
+
+def _layer(element: Element) -> str | None:
+    """The letter of an element's name, as a layer has one."""
+    attributes = element.attributes
+    if not ("id" in attributes or "class" in attributes or "label" in attributes):
+        return None
+    names = (attributes.get(each, "") for each in ("label", "id", "class"))
+    return next(filter(None, map(letter_of_layer, names)), None)
