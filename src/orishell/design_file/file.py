@@ -122,7 +122,8 @@ class DesignFile:
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
-    drawing: Drawing | None = None  # the drawn sheet in place of f and g, or None
+    # the drawn sheet in place of f and g, or None
+    drawing: Drawing | None = field(default=None, repr=False)
 
     @property
     def panel_count(self) -> int:

@@ -14,6 +14,7 @@ from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.shared.axes import axes_of
+from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.drawing import Drawing
 from orishell.numerics.arrays import Array
 
@@ -29,8 +30,8 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     drawing
         The sheet.
     fold
-        Fold angle of the crease that closes first at the target, in (0, pi] (radians); None for as
-        far as the sheet folds.
+        The largest fold angle at the target, in (0, pi] (radians); None for as far as the sheet
+        folds.
     move
         How far vertices may be moved so that the sheet folds exactly (length); None for a
         thousandth of the shortest edge.
@@ -40,7 +41,7 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     DesignError
         If it does not fold: by how much, where, and how far vertices have to be moved.
     """
-    sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi if fold is None else fold)
+    sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi)
     moved = 0.0
     warnings: tuple[str, ...] = ()
     if disagreement(sheet.drive) >= FOLDS:
@@ -50,6 +51,8 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
             f"as drawn the sheet folds only nearly: vertices are moved by up to {plain(moved, 2)} "
             "so that it folds exactly",
         )
+    if fold is not None:
+        sheet = replace(sheet, fold=drive_at_fold(sheet, fold))
     return _design(sheet, moved, warnings, open_ended=fold is None)
 
 
@@ -82,7 +85,7 @@ def _design(
 ) -> Design:
     sheet = levelled(sheet)
     described: dict[str, Parameter] = {
-        "fold_deg": tidy_degrees(sheet.target_drive),
+        "fold_deg": tidy_degrees(float(largest_fold(sheet, np.array([sheet.fold]))[0])),
         "moved": moved,
         "flap": 0.0,
     }

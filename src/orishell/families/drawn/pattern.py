@@ -25,7 +25,7 @@ class DrawnPattern(Pattern):
     columns: RowCount
     fold_deg: Annotated[
         Annotated[Number, Field(gt=0, le=180)] | Auto,
-        Knob.angle("Fold", "Of the crease that closes first; as far as it goes", (5, 180), step=1),
+        Knob.angle("Fold", "Largest fold angle of the shell; as far as it goes", (5, 180), step=1),
     ] = 90.0
     move: Annotated[
         Width | Auto,
