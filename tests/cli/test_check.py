@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+import patterns
 from orishell.cli.main import run
 from sheets import miura, write
 
@@ -74,7 +75,7 @@ def test_the_summary_says_which_panels_were_turned(
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("", "this is not JSON"),
+        ("", "the file is empty"),
         ("[shell]\n", "this is not JSON"),
         ("[1, 2]", "this is not FOLD"),
         ("{}", "this key is missing"),
@@ -82,7 +83,10 @@ def test_the_summary_says_which_panels_were_turned(
         ('{"vertices_coords": [[0, 0], [1, 0]], "faces_vertices": [[0, 1, 2, 3]]}', "no such"),
         ('{"vertices_coords": [[0, NaN]], "faces_vertices": [[0, 1, 2, 3]]}', "not JSON"),
         ('{"vertices_coords": [[0, 0], [1]], "faces_vertices": [[0, 1, 2, 3]]}', "vertex 1"),
-        ('{"vertices_coords": [[0, 0]], "faces_vertices": [[0, 0, 0]]}', "panel 0 does not fit"),
+        (
+            '{"vertices_coords": [[0, 0]], "faces_vertices": [[0, 0, 0]]}',
+            "repeats a corner",
+        ),
         ('{"vertices_coords": [[0,0],[0,0],[0,0],[0,0]], "faces_vertices": [[0,1,2,3]]}', "size"),
         ('{"file_frames": [{"frame_inherit": true, "frame_parent": 1}]}', "another frame"),
         (
@@ -129,7 +133,7 @@ def test_paths_that_are_no_files(
     assert ran.status == 2
     assert "shell.fold: the file does not exist" in ran.err
     (tmp_path / "shell.fold").mkdir()
-    assert "this is not a file" in check(monkeypatch, capsys, tmp_path).err
+    assert "the file cannot be read" in check(monkeypatch, capsys, tmp_path).err
 
 
 def test_as_a_process(tmp_path: Path) -> None:
@@ -142,3 +146,36 @@ def test_as_a_process(tmp_path: Path) -> None:
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert json.loads(done.stdout)["passed"] is True
+
+
+@pytest.mark.parametrize("ending", [".svg", ".dxf"])
+def test_a_drawing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], ending: str
+) -> None:
+    path = patterns.write(tmp_path / f"miura{ending}", patterns.miura())
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.err) == (0, "")
+    assert "30 panels, 71 edges, 20 inner vertices" in ran.out
+    assert "rigidly, exactly as Miura sheets do" in ran.out
+    report = json.loads(check(monkeypatch, capsys, path, "--json").out)
+    assert report["degrees_of_freedom"] == 1
+    assert report["recognised"]["family"] == "Miura"
+
+
+def test_triangles_in_fold(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = patterns.write(tmp_path / "bomb.fold", patterns.waterbomb())
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.err) == (0, "")
+    assert "23 degrees in 3 folded states" in ran.out
+
+
+def test_a_flat_sheet_that_does_not_fold(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = patterns.write(tmp_path / "twist.fold", patterns.square_twist())
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.err) == (1, "")
+    assert "x folds     not with these letters" in ran.out
+    assert json.loads(check(monkeypatch, capsys, path, "--json").out)["pattern"]["passed"] is False

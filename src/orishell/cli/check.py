@@ -1,4 +1,4 @@
-"""Commands on FOLD files: ``orishell check`` and ``orishell convert``."""
+"""Commands on crease patterns: ``orishell check`` and ``orishell convert``."""
 
 from __future__ import annotations
 
@@ -9,22 +9,24 @@ from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
-from orishell.cli.files import FILE_HELP, STATE_HELP, bar, say, shortened, state_named
+from orishell.cli.files import FILE_HELP, STATE_HELP, bar, lines_of, say, shortened, state_named
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit, plain
 
 if TYPE_CHECKING:
+    from orishell.conventions.progress import Progress
     from orishell.verification import Inspection
+    from orishell.verification.pattern import PatternVerdict
+
+CHECKED_HELP = "A FOLD, SVG or DXF file, or the directory that `orishell design` wrote FOLD to."
+DRAWINGS = (".svg", ".dxf")
 
 TOLERANCE = 1e-6
 """The same as :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
 
 
 def check(
-    file: Annotated[
-        Path,
-        typer.Argument(help=FILE_HELP),
-    ],
+    file: Annotated[Path, typer.Argument(help=CHECKED_HELP)],
     tolerance: Annotated[
         float,
         typer.Option(help="Allowed error of lengths, relative to the diagonal of the flat sheet."),
@@ -33,35 +35,76 @@ def check(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
 ) -> None:
-    """Check a FOLD file: flat sheet, rigidity, creases, contact.
+    """Check a crease pattern and its folded states.
 
-    All its panels must be quadrilaterals; further vertices may lie on their sides.
+    Says whether it folds, in how many ways, how far, and what meets first. Folded states of a FOLD
+    file are examined if its panels are quadrilaterals; further vertices may lie on their sides.
     """
-    from orishell.io import read_fold
     from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.io.output import require_one_run
-    from orishell.verification import inspect_fold
 
     if os.path.isdir(file):  # a name that is too long is none
         file /= FOLD.file
     require_one_run(file)
-    pattern = read_fold(file)
     try:
         with bar() as progress:
-            inspection = inspect_fold(pattern, tolerance, progress)
+            inspection, verdict = _examined(file, tolerance, progress)
     except InputError as error:
         if "tolerance" in error.keys:
             error.where = "--tolerance"
         raise
     if json_report:
-        say(json.dumps(inspection.as_dict(), indent=2, allow_nan=False))
-    else:
-        _print_summary(inspection)
-    if not inspection.passed:
+        report = inspection.as_dict() if inspection else {}
+        if verdict is not None:
+            report = report | ({"pattern": verdict.as_dict()} if inspection else verdict.as_dict())
+        say(json.dumps(report, indent=2, allow_nan=False))
+    elif inspection is not None:
+        _print_summary(inspection, verdict)
+    elif verdict is not None:
+        _print_verdict(verdict)
+    if not all(each.passed for each in (inspection, verdict) if each is not None):
         raise typer.Exit(1)
 
 
-def _print_summary(inspection: Inspection) -> None:
+def _examined(
+    file: Path, tolerance: float, progress: Progress
+) -> tuple[Inspection | None, PatternVerdict | None]:
+    """What is found of the states of a file, if it has such panels, and of how its sheet folds.
+
+    The second is None where there are folded states to be examined instead.
+    """
+    from orishell.io import read_fold, read_pattern
+    from orishell.verification import inspect_fold, require_tolerance
+    from orishell.verification.pattern import judge_pattern
+
+    require_tolerance(tolerance)
+    if file.suffix.lower() in DRAWINGS:
+        return None, judge_pattern(read_pattern(file), tolerance=tolerance, progress=progress)
+    try:
+        states = read_fold(file)
+    except InputError:
+        return None, judge_pattern(read_pattern(file), tolerance=tolerance, progress=progress)
+    inspection = inspect_fold(states, tolerance, progress)
+    if inspection.folded:
+        return inspection, None
+    try:
+        pattern = read_pattern(file)
+    except InputError:  # what is wrong with it is said by the inspection
+        return inspection, None
+    return inspection, judge_pattern(pattern, tolerance=tolerance, progress=progress)
+
+
+def _print_verdict(verdict: PatternVerdict) -> None:
+    read, found = verdict.read, verdict.findings
+    inner = "" if found is None else f", {len(found.pattern.inner)} inner vertices"
+    say(f"{read.path}: {len(read.faces)} panels, {len(read.edges)} edges{inner}")
+    for row in verdict.rows:
+        say("\n".join(lines_of(row)))
+    for note in read.notes:
+        say(f"note: {note}")
+
+
+def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> None:
     report = inspection.as_dict()
     flat, frames = report["flat_frame"], len(report["frames"])
     say(
@@ -77,9 +120,11 @@ def _print_summary(inspection: Inspection) -> None:
         say(f"turned    {report['turned_panels']} panels listed the other way round")
     width = max(len(check.name) for check in inspection.checks)
     for each in inspection.checks:
-        verdict = "PASS" if each.passed else "FAIL"
+        outcome = "PASS" if each.passed else "FAIL"
         name = each.name.replace("_", " ")
-        say(f"{verdict}  {name:{width}}  {each.text}")
+        say(f"{outcome}  {name:{width}}  {each.text}")
+    for row in () if verdict is None else verdict.rows:
+        say("\n".join(lines_of(row)))
     for text in inspection.not_checked:
         say(f"not checked: {text}")
 

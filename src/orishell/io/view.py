@@ -142,12 +142,14 @@ def _arrays(
     mesh = document.mesh
     flat = np.zeros((0, 2)) if document.flat is None else document.flat
     positions = [placed(state.positions) for state in states]
+    letters = np.array(document.assignment)
+    shown = letters != "J"  # what is joined is one panel
     arrays: dict[str, NDArray[Any]] = {
         "flat": flat.astype("<f4"),
         "positions": np.array(positions, "<f4").reshape(len(states), mesh.vertex_count, 3),
-        "edges": mesh.edges.astype("<u4"),
-        "assignment": np.array([CODES.get(each, 3) for each in document.assignment], dtype="u1"),
-        "fold_angles_deg": document.fold_angles_deg.astype("<f4"),
+        "edges": mesh.edges[shown].astype("<u4"),
+        "assignment": np.array([CODES.get(each, 3) for each in letters[shown]], dtype="u1"),
+        "fold_angles_deg": document.fold_angles_deg[shown].astype("<f4"),
         "faces": mesh.faces.astype("<u4"),
     }
     if document.boards is not None:

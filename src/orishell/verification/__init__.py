@@ -2,7 +2,7 @@
 
 from orishell.verification.findings import Check, Contacts
 from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
-from orishell.verification.run import TOLERANCE, Inspection, inspect_fold
+from orishell.verification.run import TOLERANCE, Inspection, inspect_fold, require_tolerance
 
 __all__ = [
     "TOLERANCE",
@@ -13,4 +13,5 @@ __all__ = [
     "Residuals",
     "inspect_fold",
     "measure_residuals",
+    "require_tolerance",
 ]

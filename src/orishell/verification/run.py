@@ -46,6 +46,7 @@ class Inspection:
     tolerance: float  # allowed error of lengths relative to the sheet's diagonal
     checks: tuple[Check, ...]  # the outcome of every test that could be made
     not_checked: tuple[str, ...]  # what could not be tested
+    folded: bool  # whether there is a folded state among the frames
 
     @property
     def passed(self) -> bool:
@@ -92,14 +93,7 @@ def inspect_fold(
     InputError
         If the tolerance is not usable, or a panel has no area.
     """
-    if not (math.isfinite(tolerance) and tolerance > 0):
-        raise InputError(
-            "the tolerance is not usable",
-            where="tolerance",
-            keys=("tolerance",),
-            got=str(tolerance),
-            expected="a finite number greater than 0",
-        )
+    require_tolerance(tolerance)
     sheet, names = Sheet.of(file, tolerance), Names(file)
     letters = None if file.assignment is None else np.array(file.assignment)
     convex = ConvexTest(sheet, names)
@@ -158,8 +152,36 @@ def inspect_fold(
         (True, "contact between frames: only the states in the file are tested"),
     ]  # fmt: skip
     return Inspection(
-        file, sheet, tolerance, checks, tuple(text for applies, text in untested if applies)
+        file,
+        sheet,
+        tolerance,
+        checks,
+        tuple(text for applies, text in untested if applies),
+        folded,
     )
+
+
+def require_tolerance(tolerance: float) -> None:
+    """Refuse a tolerance that is not usable.
+
+    Parameters
+    ----------
+    tolerance
+        Allowed error of lengths relative to the sheet's diagonal.
+
+    Raises
+    ------
+    InputError
+        If it is not finite or not above 0.
+    """
+    if not (math.isfinite(tolerance) and tolerance > 0):
+        raise InputError(
+            "the tolerance is not usable",
+            where="tolerance",
+            keys=("tolerance",),
+            got=str(tolerance),
+            expected="a finite number greater than 0",
+        )
 
 
 def _frames(numbers: list[int]) -> str:

@@ -127,7 +127,9 @@ def _inks(document: Document) -> dict[str, Integers]:
     edges = mesh.faces_edges()
     drawn = mesh.edge_faces.max(axis=1)[edges] == np.arange(len(edges))[:, None]
     drawn &= edges >= 0  # hinges on a part of a side are drawn with what they carry
-    meanings = np.array([MEANINGS[letter] for letter in document.assignment])[edges]
+    letters = np.array(document.assignment)
+    drawn &= letters[edges] != "J"  # what is joined is one panel
+    meanings = np.array([MEANINGS[letter] for letter in letters.tolist()])[edges]
     found = {
         str(each): ((drawn & (meanings == each)) * [1, 2, 4, 8]).sum(axis=1)
         for each in np.unique(meanings)

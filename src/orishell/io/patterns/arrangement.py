@@ -6,6 +6,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.io.patterns.apart import require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import GapError, Graph, counted, prune, straighten, unite
 from orishell.io.patterns.lines import WELD, Lines, require_lines
@@ -126,6 +127,7 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> Arranged:
         numbers.reshape(-1, 2),
         letters[beside],
     )
+    require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
     return Arranged(pattern, graph.angles[beside], tuple(notes))
 
 

@@ -33,7 +33,6 @@ class ReadPattern:
     unit: str  # unit of length: mm, cm, m, in, ft; "unit" if the file names none of these
     flat: CreasePattern | None  # the flat sheet; None if there is none
     not_flat: str  # why there is none, in a sentence; empty if there is one
-    # What a CreasePattern has beside its vertices, whether there is a flat sheet or not.
     faces: Integers  # vertices (F, K) around every panel, -1 behind the last
     edges: Integers  # vertices (E, 2) of every edge
     edge_faces: Integers  # panels (E, 2) to the left and to the right of every edge, or -1

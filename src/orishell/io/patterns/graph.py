@@ -65,7 +65,7 @@ def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
             ends = split.points[split.pairs[which[0]]]
             raise InputError(
                 "a mountain and a valley lie on each other",
-                where=f"from {lines.at(ends[0])} to {lines.at(ends[1])}",
+                where=f"at {lines.at(ends.mean(axis=0))}",
                 got=" and ".join(dict.fromkeys(lines.name(n) for n in split.lines[which])),
                 remedy="remove one of them",
             )

@@ -1,0 +1,75 @@
+"""``orishell fold``: from a crease pattern to its folded states."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated, cast
+
+import typer
+
+from orishell.cli.files import bar, directory, lines_of, say, shortened
+from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import MILLIMETRES, Unit
+
+
+def fold(
+    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG or DXF).")],
+    out: Annotated[
+        Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
+    ],
+    angle: Annotated[
+        float | None,
+        typer.Option(help="Stop where the largest fold angle is this (degrees, up to 180)."),
+    ] = None,
+    frames: Annotated[int, typer.Option(help="States to write, the flat one included.")] = 25,
+    unit: Annotated[
+        str | None,
+        typer.Option(help="Unit of length, if the file names none or a wrong one."),
+    ] = None,
+) -> None:
+    """Fold a crease pattern, and write its states.
+
+    They are written as FOLD, as glTF and as a page that shows the motion. Panels may have any
+    number of corners. Mountains and valleys fold as their letters or colours say; where they are
+    missing they are found.
+    """
+    from orishell.io import OutputDirectory
+    from orishell.shell.folded import fold_pattern, write_folded
+
+    OutputDirectory(out).require_usable()
+    if unit is not None and unit not in MILLIMETRES:
+        raise InputError(
+            "this is no unit", where="--unit", got=repr(unit), expected=", ".join(MILLIMETRES)
+        )
+    if angle is not None and not 0 < angle <= 180:
+        raise InputError(
+            "this is no fold angle",
+            where="--angle",
+            got=f"{angle:g}",
+            expected="above 0 and at most 180 (degrees)",
+        )
+    if not 2 <= frames <= MOST:
+        raise InputError(
+            "these are no frames of a motion",
+            where="--frames",
+            got=str(frames),
+            expected=f"from 2 to {MOST}",
+        )
+    turned = None if angle is None else math.radians(angle)
+    with bar() as progress:
+        folded = fold_pattern(
+            file, angle=turned, frames=frames, unit=cast("Unit | None", unit), progress=progress
+        )
+    written, missing = write_folded(folded, out)
+    for each in missing:
+        say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
+    pattern = folded.motion.pattern
+    lines = [f"{file}: {len(pattern.faces)} panels, {int(pattern.crease.sum())} creases", ""]
+    for row in folded.rows():
+        lines += lines_of(row)
+    say("\n".join([*lines, "", "wrote " + ", ".join(shortened(written))]))
+
+
+MOST = 1000
+"""Frames, at most: each is a state of the whole sheet in files and memory."""

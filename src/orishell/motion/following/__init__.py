@@ -1,0 +1,5 @@
+"""The motion of any crease pattern, followed numerically: no closed form, residuals instead."""
+
+from orishell.motion.following.followed import Followed, follow
+
+__all__ = ["Followed", "follow"]

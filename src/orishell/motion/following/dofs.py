@@ -1,0 +1,74 @@
+"""Degrees of freedom of folded states: fold angles less what closure takes from them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion.following.system import Closure
+from orishell.numerics.arrays import Array
+
+DENSE = 1000
+"""Up to so many creases all singular values are found, beyond only the least."""
+BLOCK = 16
+"""Singular values that are found first of larger sheets; twice as many, until there is a gap."""
+ROUNDS = 12
+"""Steps of inverse iteration."""
+ZERO = 1e-8
+"""A singular value above this is none of a motion."""
+GAP = 1e3
+"""Singular values that are zero are less than others by this factor at least."""
+
+
+@record
+class Freedom:
+    """How many ways there are to go on from one folded state, to first order."""
+
+    drive: float  # the state's largest fold angle (radians)
+    # degrees of freedom: the singular values that are zero; None if no gap tells which these are
+    count: int | None
+    largest_zero: float  # the largest singular value that counts as zero; 0 if there is none
+    least_other: float  # the least that does not; infinite if there is none
+
+
+def find_freedom(closure: Closure, folds: Array) -> Freedom:
+    """Count the singular values of the equations' derivatives that are zero in a state.
+
+    In the flat state, and where creases are folded flat, there are more than the sheet has motions.
+
+    Parameters
+    ----------
+    folds
+        Fold angles (N,) of the unknowns in a closed state (radians).
+    """
+    drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
+    if not closure.fans:
+        return Freedom(drive, unknowns, 0.0, np.inf)
+    block = unknowns if unknowns <= DENSE else BLOCK
+    while True:
+        values = _least_values(closure, folds, min(block, unknowns))
+        zeros = int((values <= ZERO).sum())
+        if zeros < len(values) or len(values) == unknowns:
+            break
+        block *= 2
+    largest = float(values[zeros - 1]) if zeros else 0.0
+    other = float(values[zeros]) if zeros < len(values) else np.inf
+    clear = other >= GAP * max(largest, np.finfo(float).eps)
+    return Freedom(drive, zeros if clear else None, largest, other)
+
+
+def _least_values(closure: Closure, folds: Array, count: int) -> Array:
+    """The least singular values (count,), ascending."""
+    matrix = closure.matrix(closure.residuals(folds)[1])
+    if count == len(folds):
+        values = np.linalg.svd(matrix.toarray(), compute_uv=False)
+        return np.sort(np.append(values, np.zeros(len(folds) - len(values))))
+    from scipy.sparse import eye_array
+    from scipy.sparse.linalg import splu
+
+    normal = matrix.T @ matrix + 1e-13 * eye_array(len(folds))
+    factors = splu(normal.tocsc())
+    basis = np.random.default_rng(0).normal(size=(len(folds), count + 4))
+    for _ in range(ROUNDS):
+        basis = np.linalg.qr(factors.solve(basis))[0]
+    return np.sort(np.linalg.svd(matrix @ basis, compute_uv=False))[:count]

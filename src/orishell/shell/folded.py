@@ -1,0 +1,219 @@
+"""A crease pattern folded: the motion of any pattern, and files with its states."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from orishell.clash.sampled import SampledContact, look_for_contact
+from orishell.conventions.arguments import checked
+from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.quantities import MILLIMETRES, Unit, plain
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.document import Document, DocumentState, FirstContact
+from orishell.document.from_pattern import document_of_pattern, for_pictures
+from orishell.io import OutputDirectory, ReadPattern, read_pattern
+from orishell.io.format import DEFAULT_SETTINGS, Format
+from orishell.io.formats.fold import FORMAT as FOLD
+from orishell.io.formats.gltf import FORMAT as GLTF
+from orishell.io.formats.html import FORMAT as HTML
+from orishell.motion.following import Followed, follow
+
+FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
+ENDS = {
+    "asked": "as asked",
+    "closed": "where a crease is folded flat",
+    "turns back": "where its largest fold angle grows no further",
+    "lost": "where no closed state was found beyond, as at a branch of the motion",
+}
+TORN = 1e-6
+"""Panels that part by more than this share of the sheet's diagonal do not make one sheet."""
+
+
+@record
+class Folded:
+    """A crease pattern and its motion."""
+
+    source: ReadPattern
+    motion: Followed
+    document: Document  # all states, panels with all their corners
+    play: float  # how far panels part at creases at most, in any state (length)
+    contact: SampledContact  # what was seen of contact
+
+    def rows(self) -> list[Row]:
+        """What was found, worst first."""
+        return sorted(
+            [
+                self._folds(),
+                self._contact(),
+                *self._freedom(),
+                *self._letters(),
+                *self._notes(),
+            ],
+            key=lambda row: row.sign != "warns",
+        )
+
+    def _folds(self) -> Row:
+        motion = self.motion
+        finding = (
+            f"to {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}: followed "
+            f"numerically, vertices close to {motion.residuals.max():.0e} rad, panels part by "
+            f"{self.play:.0e} {self.source.unit} at creases"
+        )
+        return Row("holds" if motion.end in ("asked", "closed") else "warns", "folds", finding)
+
+    def _contact(self) -> Row:
+        seen = self.contact
+        looked = f"looked at every {plain(np.rad2deg(seen.apart))} degrees"
+        if seen.met is None or seen.panels is None:
+            return Row("says", "contact", f"none seen, {looked}; between that is not proved")
+        first, second = seen.panels
+        finding = (
+            f"panels {first} and {second} meet at {plain(np.rad2deg(seen.met))} degrees and pass "
+            f"through each other beyond; {looked}, so that others may touch before"
+        )
+        return Row("warns", "contact", finding)
+
+    def _freedom(self) -> list[Row]:
+        some = self.motion.freedom
+        least = min(each.least_other for each in some)
+        zero = max(each.largest_zero for each in some)
+        gap = f"(singular values {zero:.0e} and {least:.0e} in {len(some)} states)"
+        match self.motion.degrees_of_freedom:
+            case None:
+                counts = ", ".join(str(each.count or "unknown") for each in some)
+                return [Row("warns", "freedom", f"differs from state to state: {counts} {gap}")]
+            case 1:
+                return [Row("says", "freedom", f"one degree of freedom {gap}")]
+            case count:
+                finding = f"{count} degrees of freedom {gap}: this is one of many motions"
+                return [Row("says", "freedom", finding)]
+
+    def _letters(self) -> list[Row]:
+        if not self.motion.found:
+            return []
+        tries = self.motion.tries
+        finding = (
+            f"{self.motion.found} creases had none: folded as in the first of "
+            f"{'1 start' if tries == 1 else f'{tries} starts'} that does; there may be other ways"
+        )
+        return [Row("warns", "letters", finding)]
+
+    def _notes(self) -> list[Row]:
+        return [Row("says", "read", note) for note in self.source.notes]
+
+
+@checked()
+def fold_pattern(
+    source: str | Path,
+    *,
+    angle: float | None = None,
+    frames: int = 25,
+    unit: Unit | None = None,
+    progress: Progress = no_progress,
+) -> Folded:
+    """Fold a crease pattern from a FOLD, SVG or DXF file as its mountains and valleys ask.
+
+    Parameters
+    ----------
+    source
+        The file.
+    angle
+        The largest fold angle at which to stop, in (0, pi] (radians). None to go on until a crease
+        is folded flat, or as far as the motion is found.
+    frames
+        How many states there are, the flat one included, at least 2.
+    unit
+        Unit of length, where the source names none or a wrong one.
+
+    Raises
+    ------
+    InputError
+        If the source cannot be read, has no flat state, or names no unit.
+    DesignError
+        If no motion was found, or none up to the angle.
+    """
+    if angle is not None and not 0 < angle <= np.pi:
+        raise InputError(
+            "this is no fold angle",
+            where="fold_pattern: angle",
+            got=plain(angle),
+            expected="above 0 and at most pi",
+        )
+    if frames < 2:
+        raise InputError(
+            "these are no frames of a motion",
+            where="fold_pattern: frames",
+            got=str(frames),
+            expected="at least 2",
+        )
+    read = read_pattern(source, unit=unit)
+    if read.flat is None:
+        raise InputError(read.not_flat, where=f"{source}:")
+    if read.unit not in MILLIMETRES:
+        raise InputError(
+            "the pattern has no unit of length",
+            where=f"{source}:",
+            remedy="name that of its coordinates, for example --unit mm",
+        )
+    largest = np.pi if angle is None else angle
+    motion = follow(read.flat, largest=largest, states=frames, progress=stretch(progress, 0.0, 0.8))
+    if angle is not None and motion.end not in ("asked", "closed"):
+        raise DesignError(
+            f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
+            size=f"it ends at {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}",
+        )
+    states, play = [], 0.0
+    for number in range(frames):
+        positions, part = motion.placed(number)
+        positions.flags.writeable = False
+        play = max(play, part)
+        degrees = np.rad2deg(motion.folds[number])
+        states.append(DocumentState(positions, degrees, float(np.rad2deg(motion.drives[number]))))
+        progress(0.7 + 0.1 * (number + 1) / frames, "placing panels")
+    diagonal = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
+    if play > TORN * diagonal:
+        raise DesignError(
+            "the sheet does not close round a hole as its vertices do",
+            size=f"panels part by {plain(play)} {read.unit}",
+        )
+    contact = look_for_contact(motion, stretch(progress, 0.8, 1.0))
+    document = document_of_pattern(
+        read.flat, motion.letters, states, title=read.title, unit=read.unit
+    )
+    if contact.met is not None and contact.panels is not None:
+        first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
+        document = replace(document, contact=first)
+    return Folded(read, motion, document, play, contact)
+
+
+def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:
+    """Write a folded pattern as FOLD, glTF and a page: all or none; and what cannot be written.
+
+    Parameters
+    ----------
+    directory
+        Where to; made if needed. Files of an earlier run that this one does not write are removed,
+        unless somebody changed them; all others stay.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    directory = Path(directory)
+    pattern = folded.motion.pattern
+    pictures = for_pictures(pattern, folded.document)
+    missing = [each for each in FORMATS if not each.ready()]
+    with OutputDirectory(directory).replacing() as draft:
+        for each in FORMATS:
+            if each not in missing:
+                document = folded.document if each is FOLD else pictures
+                each.write(draft / each.file, document, DEFAULT_SETTINGS)
+        names = sorted(file.name for file in draft.iterdir())
+    return [directory / name for name in names], missing

@@ -1,0 +1,191 @@
+"""What was found of a crease pattern, said in rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees, tidy_degrees
+from orishell.conventions.quantities import quantity
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.families.recognised import Recognised
+from orishell.motion.crease_pattern import CreasePattern
+from orishell.verification.pattern.motion import FoldingMotion, Still
+from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
+
+
+@record
+class Judged:
+    """What was found, to be said in rows."""
+
+    pattern: CreasePattern
+    unit: str
+    conditions: VertexConditions
+    known: Recognised | None
+    motion: FoldingMotion | Still
+    tolerance: float  # allowed error of lengths (length)
+    rounding: float  # what the last digits of coordinates leave of it (length)
+
+    def rows(self) -> Iterator[Row]:
+        """All rows."""
+        count = len(self.pattern.inner)
+        yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
+        yield self._flat_folded()
+        yield from self._family()
+        if isinstance(self.motion, Still):
+            if self.motion.proved:
+                yield Row("fails", "folds", f"no: {self.motion.reason}")
+            else:
+                yield Row("warns", "folds", f"not known: {self.motion.reason}")
+            return
+        motion = self.motion
+        yield self._folds(motion)
+        found = int((motion.letters != self.pattern.letters).sum())
+        if found:
+            letters = f"{found} creases fold that had no letter: one way of several, perhaps"
+            yield Row("says", "letters", letters)
+        if self._closed(motion, self.tolerance) > 1:
+            yield _of_freedom(motion)
+            yield self._reaches(motion)
+
+    def _flat_folded(self) -> Row:
+        """Kawasaki's and Maekawa's conditions."""
+        conditions = self.conditions
+        count, faults = len(conditions.vertices), []
+        worst = conditions.not_kawasaki
+        if len(worst):
+            miss = float(conditions.kawasaki[conditions.vertices == worst[0]][0])
+            by = f"by {in_degrees(miss)} degrees" if np.isfinite(miss) else "an odd vertex"
+            faults.append(
+                f"Kawasaki's condition fails at {_of(len(worst), count)}, most at vertex "
+                f"{worst[0]} ({by})"
+            )
+        worst = conditions.not_maekawa
+        if len(worst):
+            faults.append(
+                f"Maekawa's condition fails at {_of(len(worst), count)}, for one at vertex "
+                f"{worst[0]}"
+            )
+        unknown = int(np.isnan(conditions.maekawa).sum())
+        if unknown:
+            faults.append(f"Maekawa's condition is not known at {_of(unknown, count)}")
+        if faults:
+            return Row("says", "vertices", "; ".join(faults))
+        return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
+
+    def _family(self) -> Iterator[Row]:
+        known = self.known
+        if known is not None:
+            also = f" (also {', '.join(known.also)})" if known.also else ""
+            sides = [
+                f"{number} {name}"
+                for number, name in zip(
+                    known.beside, ("above", "below", "left", "right"), strict=True
+                )
+                if number
+            ]
+            apart = (
+                f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
+            )
+            finding = f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}"
+            yield Row("says", "family", finding)
+
+    def _closed(self, motion: FoldingMotion, error: float) -> int:
+        """How many states close to an error of lengths."""
+        at = np.searchsorted(self.pattern.inner, motion.vertices)
+        return motion.closed_states(error / shortest_creases(self.pattern)[at], error)
+
+    def _folds(self, motion: FoldingMotion) -> Row:
+        states = len(motion.drives)
+        closed = f"vertices close to {motion.miss:.1g} rad in {states} states"
+        if self._closed(motion, self.rounding) == states:
+            whole = self.known is not None and not any(self.known.beside)
+            if motion.way == "followed":
+                said = f"as far as numbers tell: {closed}, followed"
+            elif (
+                whole
+                and self.known is not None
+                and self.known.miss <= self.rounding / float(shortest_creases(self.pattern).min())
+            ):
+                said = f"exactly as {self.known.family} sheets do: {closed}"
+            else:
+                said = f"to rounding: {closed}, by a closed form"
+            return Row("holds", "folds", f"rigidly, {said}")
+        count = self._closed(motion, self.tolerance)
+        if count == states:
+            play = quantity(motion.play, self.unit)
+            said = f"{closed}; hinges need a play of {play}"
+            return Row("holds", "folds", f"rigidly, to the tolerance: {said}")
+        beyond = (
+            f"vertices miss closing by {motion.misses[count].max():.1g} rad at "
+            f"{in_degrees(motion.drives[count])} degrees, most at vertex "
+            f"{motion.vertices[motion.misses[count].argmax()]}"
+        )
+        if count > 1:
+            upto = in_degrees(motion.drives[count - 1])
+            return Row("warns", "folds", f"to the tolerance up to {upto} degrees; there {beyond}")
+        half = int(np.abs(motion.drives - np.pi / 2).argmin())
+        at_half = f"{motion.misses[half].max():.1g} at {in_degrees(motion.drives[half])}"
+        return Row("fails", "folds", f"not with these letters: {beyond}, {at_half}")
+
+    def _reaches(self, motion: FoldingMotion) -> Row:
+        count = self._closed(motion, self.tolerance)
+        reached = f"{in_degrees(motion.drives[count - 1])} degrees"
+        ends = motion.ends if count == len(motion.drives) else "beyond it does not close"
+        if motion.clear_until is None:
+            return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
+        if motion.contact is None:
+            return Row("holds", "reaches", f"{reached}: {ends}; nothing meets before (proved)")
+        first, second = motion.contact.panels
+        return Row(
+            "warns",
+            "reaches",
+            f"{in_degrees(motion.contact.drive)} degrees: panels {first} and {second} meet there, "
+            f"counted row by row; nothing meets before (proved)",
+        )
+
+
+def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
+    """The figures of a motion, as reports have them."""
+    if isinstance(motion, Still):
+        return {"found": False, "proved": motion.proved, "reason": motion.reason}
+    clear = motion.clear_until
+    return {
+        "found": True,
+        "way": motion.way,
+        "letters": motion.letters.tolist(),
+        "miss": motion.miss if np.isfinite(motion.miss) else None,
+        "worst_vertex": motion.worst_vertex,
+        "play": motion.play if np.isfinite(motion.play) else None,
+        "reached_deg": tidy_degrees(motion.reached),
+        "ends": motion.ends,
+        "clear_until_deg": None if clear is None else tidy_degrees(clear),
+        "first_contact": None if motion.contact is None else list(motion.contact.panels),
+    }
+
+
+def _of_freedom(motion: FoldingMotion) -> Row:
+    """Degrees of freedom, and the gap that tells them."""
+    freedom, count = motion.freedom, motion.degrees_of_freedom
+    if not freedom:
+        return Row("warns", "freedom", "not known: what folds to a tolerance only has none")
+    if count is None:
+        said = "not known: states differ, or no gap of singular values tells it"
+        return Row("warns", "freedom", said)
+    zero = max(each.largest_zero for each in freedom)
+    other = min(each.least_other for each in freedom)
+    ways = "1 degree" if count == 1 else f"{count} degrees"
+    below = f"{zero:.1g} below" if zero > 0 else "none below,"
+    said = f"in {len(freedom)} folded states (singular values: {below} and {other:.1g} above)"
+    return Row("says", "freedom", f"{ways} {said}")
+
+
+def _all(count: int) -> str:
+    return "its inner vertex" if count == 1 else f"all {count} inner vertices"
+
+
+def _of(some: int, count: int) -> str:
+    return f"{some} of {count} inner vertices"

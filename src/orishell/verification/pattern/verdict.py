@@ -1,0 +1,128 @@
+"""What a crease pattern does, in rows that are independent, worst first."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.record import as_table, record
+from orishell.conventions.row import ORDER, Row
+from orishell.families.recognised import Recognised, recognise
+from orishell.io import ReadPattern
+from orishell.motion.crease_pattern import CreasePattern
+from orishell.verification.pattern.motion import FoldingMotion, Still, find_motion
+from orishell.verification.pattern.on_grid import OnGrid
+from orishell.verification.pattern.rows import Judged, said_of_motion
+from orishell.verification.pattern.vertices import (
+    VertexConditions,
+    find_conditions,
+    shortest_creases,
+)
+from orishell.verification.run import TOLERANCE
+
+ROUNDING = 64 * np.finfo(float).eps
+"""What the last digits of coordinates may leave, relative to the sheet's diagonal."""
+LISTED = 100
+"""Vertices that a report lists, at most."""
+
+
+@record
+class Findings:
+    """What was found of a flat sheet."""
+
+    pattern: CreasePattern
+    conditions: VertexConditions
+    recognised: Recognised | None  # the family of ours that it belongs to, or None
+    motion: FoldingMotion | Still
+
+
+@record
+class PatternVerdict:
+    """What was found of a pattern, and what is not known."""
+
+    read: ReadPattern  # the file
+    tolerance: float  # allowed error of lengths relative to the sheet's diagonal
+    findings: Findings | None  # None if there is no flat sheet
+    rows: tuple[Row, ...]  # the verdict, worst first
+
+    @property
+    def passed(self) -> bool:
+        """Whether nothing speaks against the pattern; what is not known does not."""
+        return all(row.sign != "fails" for row in self.rows)
+
+    @property
+    def degrees_of_freedom(self) -> int | None:
+        """That of all states looked at; None if they differ, or no gap tells, or there are none."""
+        motion = None if self.findings is None else self.findings.motion
+        return motion.degrees_of_freedom if isinstance(motion, FoldingMotion) else None
+
+    def as_dict(self) -> dict[str, Any]:
+        """The report that ``orishell check --json`` prints."""
+        read, found = self.read, self.findings
+        report: dict[str, Any] = {
+            "file": str(read.path),
+            "unit": read.unit,
+            "passed": self.passed,
+            "panels": len(read.faces),
+            "edges": len(read.edges),
+            "tolerance": self.tolerance,
+            "developable": found is not None,
+            "verdict": as_table(self.rows),
+            "notes": list(read.notes),
+        }
+        if found is None:
+            return report
+        return {
+            **report,
+            "vertices": len(found.pattern.vertices),
+            "inner_vertices": len(found.pattern.inner),
+            "not_kawasaki": found.conditions.not_kawasaki[:LISTED].tolist(),
+            "not_maekawa": found.conditions.not_maekawa[:LISTED].tolist(),
+            "recognised": as_table(found.recognised),
+            "degrees_of_freedom": self.degrees_of_freedom,
+            "motion": said_of_motion(found.motion),
+        }
+
+
+def judge_pattern(
+    read: ReadPattern, *, tolerance: float = TOLERANCE, progress: Progress = no_progress
+) -> PatternVerdict:
+    """Say of a crease pattern whether and how it folds.
+
+    Parameters
+    ----------
+    read
+        What :func:`~orishell.io.read_pattern` found in a file.
+    tolerance
+        Allowed error of lengths relative to the sheet's diagonal; an angle may be wrong by as much
+        as that over the shortest crease at its vertex.
+    progress
+        Is told the share that is done.
+    """
+    rows, findings = [], None
+    if read.flat is None:
+        rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
+    else:
+        size = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
+        findings = _find(read.flat, tolerance * size, progress)
+        judged = Judged(
+            findings.pattern, read.unit, findings.conditions, findings.recognised, findings.motion,
+            tolerance * size, ROUNDING * size,
+        )  # fmt: skip
+        rows += judged.rows()
+    if read.states:
+        rows.append(Row("warns", "states", f"{len(read.states)} folded states are not examined"))
+    rows.sort(key=lambda row: ORDER.index(row.sign))
+    return PatternVerdict(read, tolerance, findings, tuple(rows))
+
+
+def _find(pattern: CreasePattern, error: float, progress: Progress) -> Findings:
+    """What is found of a sheet whose lengths may be wrong by an error."""
+    limits = error / shortest_creases(pattern)
+    most = float(limits.max(initial=0.0))
+    grid = OnGrid.of(pattern)
+    known = None if grid is None else recognise(grid.flat, grid.signs, most)
+    motion = find_motion(pattern, grid, most, progress)
+    return Findings(pattern, find_conditions(pattern, limits), known, motion)

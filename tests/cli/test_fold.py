@@ -1,0 +1,106 @@
+"""``orishell fold``: any pattern becomes files with its states."""
+
+from __future__ import annotations
+
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import orishell
+from orishell.io import read_fold, read_pattern
+from orishell.motion.crease_pattern import CreasePattern
+from patterns import SAMPLES, fold_of, of_loops, write
+
+
+def folded(tmp_path: Path, pattern: CreasePattern, *arguments: str) -> tuple[str, Path]:
+    source = write(tmp_path / "mine.fold", pattern)
+    ran = orishell("fold", source, "--out", tmp_path / "out", *arguments)
+    assert (ran.returncode, ran.stderr) == (0, ""), ran.stderr
+    return ran.stdout, tmp_path / "out" / "shell.fold"
+
+
+def two_hexagons() -> CreasePattern:
+    """Two hexagons and a triangle between their sides, hinged at one side each."""
+    angles = np.deg2rad(60 * np.arange(6))
+    ring = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    other = ring[[0, 1, 2, 5]] + np.array([1.5, np.sqrt(0.75)])  # the ring's 1 and 0 are 3 and 4
+    vertices = np.vstack([ring, other, [1.5, -np.sqrt(0.75)]])
+    loops = [[0, 1, 2, 3, 4, 5], [0, 9, 6, 7, 8, 1], [0, 10, 9]]
+    return of_loops(vertices, loops, lambda a, b: "V")
+
+
+def test_quadrilaterals(tmp_path: Path) -> None:
+    """A Miura sheet: 7 frames up to 120 degrees, rigid by what ``check`` finds."""
+    said, path = folded(tmp_path, SAMPLES["Miura"].make(), "--frames", "7", "--angle", "120")
+    assert "v folds     to 120 degrees, as asked: followed numerically" in said
+    assert "one degree of freedom" in said
+    states = read_fold(path)
+    assert len(states.frames) == 1 + 7
+    degrees = states.frames[-1].fold_angles_deg
+    assert degrees is not None
+    assert np.abs(degrees).max() == pytest.approx(120, abs=1e-12)
+    checked = orishell("check", path)
+    assert checked.returncode == 0, checked.stdout
+
+
+def test_polygons_stay_polygons(tmp_path: Path) -> None:
+    """FOLD has hexagons and triangles as they were, and lengths stay in every state."""
+    pattern = two_hexagons()
+    _, path = folded(tmp_path, pattern, "--frames", "4")
+    file = json.loads(path.read_text())
+    assert sorted(map(len, file["faces_vertices"])) == [3, 6, 6]
+    again = read_pattern(path)
+    assert again.flat is not None
+    assert len(again.states) == 4
+    ends = pattern.edges
+    flat = np.linalg.norm(np.diff(pattern.vertices[ends], axis=1), axis=-1)
+    for state in again.states:
+        lengths = np.linalg.norm(np.diff(state.positions[ends], axis=1), axis=-1)
+        np.testing.assert_allclose(lengths, flat, rtol=1e-14)
+
+
+def test_pictures_have_whole_panels(tmp_path: Path) -> None:
+    """In glTF a hexagon is six quadrilaterals with one name, and its creases are drawn whole."""
+    folded(tmp_path, two_hexagons(), "--frames", "3")
+    data = (tmp_path / "out" / "shell.glb").read_bytes()
+    content = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])
+    names = [node["name"] for node in content["nodes"][1:]]
+    assert sorted(names) == sorted(["panel 0"] * 6 + ["panel 1"] * 6 + ["panel 2"] * 3)
+    assert {each["name"] for each in content["materials"]} == {
+        "panel-front",
+        "valley",
+        "border-crease",
+    }
+
+
+def test_many_motions_are_said(tmp_path: Path) -> None:
+    said, _ = folded(tmp_path, SAMPLES["Resch"].make(), "--frames", "3", "--angle", "30")
+    assert "19 degrees of freedom" in said
+    assert "one of many motions" in said
+
+
+def fault(tmp_path: Path, pattern: CreasePattern, *arguments: str, unit: str = "mm") -> str:
+    """The message, which is one line; nothing is written."""
+    source = tmp_path / "mine.fold"
+    source.write_text(json.dumps(fold_of(pattern, unit=unit)))
+    ran = orishell("fold", source, "--out", tmp_path / "out", *arguments)
+    assert ran.returncode in (1, 2)
+    assert ran.stderr.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+    return f"{ran.returncode} {ran.stderr}"
+
+
+def test_what_does_not_fold(tmp_path: Path) -> None:
+    assert "1 orishell: no folded state was found" in fault(
+        tmp_path, SAMPLES["square twist"].make()
+    )
+
+
+def test_odd_options(tmp_path: Path) -> None:
+    miura = SAMPLES["Miura"].make()
+    for option, value in [("--angle", "0"), ("--angle", "200"), ("--frames", "1"), ("--unit", "x")]:
+        assert f"2 orishell: {option}: " in fault(tmp_path, miura, option, value)
+    assert "--unit mm" in fault(tmp_path, miura, unit="unit")

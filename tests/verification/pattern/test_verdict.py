@@ -1,0 +1,166 @@
+"""What is said of patterns of other people, against what is known of them by hand."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from orishell.io import read_pattern
+from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
+from orishell.motion.grid import Grid
+from orishell.verification.pattern import FoldingMotion, PatternVerdict, Still, judge_pattern
+from patterns import (
+    SAMPLES,
+    egg_box,
+    graded_miura,
+    jittered,
+    mirrored,
+    miura,
+    scaled,
+    shuffled,
+    square_twist,
+    write,
+)
+from samples import thorough
+
+CHANGES: dict[str, Callable[[CreasePattern], CreasePattern]] = {
+    "as drawn": lambda pattern: pattern,
+    "shuffled": shuffled,
+    "mirrored": mirrored,
+    "in millimetres": scaled,
+}
+ENDINGS = (".svg", ".fold", ".dxf")
+KINDS = [
+    pytest.param(
+        name, change, ending, marks=[] if (k + i) % 4 == 0 and (k + j) % 3 == 0 else thorough
+    )
+    for k, name in enumerate(SAMPLES)
+    for i, change in enumerate(CHANGES)
+    for j, ending in enumerate(ENDINGS)
+]
+"""Each pattern in one way, and in all others in ``make thorough``."""
+
+
+def judged(pattern: CreasePattern, place: Path, ending: str = ".fold") -> PatternVerdict:
+    return judge_pattern(read_pattern(write(place / f"pattern{ending}", pattern)))
+
+
+def said(verdict: PatternVerdict) -> dict[str, tuple[str, str]]:
+    return {row.subject: (row.sign, row.finding) for row in verdict.rows}
+
+
+@pytest.mark.parametrize(("name", "change", "ending"), KINDS)
+def test_it_is_what_is_known_by_hand(name: str, change: str, ending: str, tmp_path: Path) -> None:
+    sample = SAMPLES[name]
+    verdict = judged(CHANGES[change](sample.make()), tmp_path, ending)
+    found, rows = verdict.findings, said(verdict)
+    assert found is not None
+    assert len(found.pattern.inner) == sample.inner
+    conditions = found.conditions
+    failing = {*conditions.not_kawasaki.tolist(), *conditions.not_maekawa.tolist()}
+    if sample.failing is not None:
+        assert len(failing) == sample.failing
+    if sample.folds:
+        assert rows["folds"][0] == "holds"
+        assert verdict.passed
+        if sample.freedom is not None:
+            assert verdict.degrees_of_freedom == sample.freedom
+    else:
+        assert rows["folds"][0] in ("fails", "warns")
+        assert "freedom" not in rows
+    json.dumps(verdict.as_dict(), allow_nan=False)
+
+
+def test_a_square_twist_that_no_letters_of_its_kind_fold_is_refused(tmp_path: Path) -> None:
+    """By hand p^4 = 1 round the square: it does not fold, though every vertex folds by itself."""
+    verdict = judged(square_twist(), tmp_path)
+    rows = said(verdict)
+    assert rows["vertices"][0] == "holds"
+    assert rows["folds"][0] == "fails"
+    assert not verdict.passed
+
+
+def test_an_egg_box_has_no_flat_sheet(tmp_path: Path) -> None:
+    """Four sectors of 60 degrees meet at its tops."""
+    positions, faces = egg_box()
+    path = tmp_path / "box.fold"
+    content = {
+        "vertices_coords": positions.tolist(),
+        "faces_vertices": faces.tolist(),
+        "edges_vertices": Grid(5, 6).edges_vertices().tolist(),
+    }
+    path.write_text(json.dumps(content))
+    verdict = judge_pattern(read_pattern(path))
+    assert said(verdict)["sheet"][0] == "fails"
+    assert verdict.findings is None
+    assert not verdict.passed
+    json.dumps(verdict.as_dict(), allow_nan=False)
+
+
+@pytest.mark.parametrize("share", [1e-6, 1e-4])
+def test_what_nearly_folds_is_told_by_how_much(share: float, tmp_path: Path) -> None:
+    """In proportion to how far its vertices were moved, at half the way."""
+    verdict = judged(jittered(graded_miura(), share), tmp_path)
+    assert verdict.findings is not None
+    motion = verdict.findings.motion
+    assert isinstance(motion, FoldingMotion)
+    half = motion.misses[12].max()
+    assert 0.1 * share < half < 30 * share
+    assert said(verdict)["folds"][0] in ("fails", "warns")
+    assert said(judge_pattern(verdict.read, tolerance=100 * share))["folds"][0] in (
+        "holds",
+        "warns",
+    )
+
+
+def test_the_worst_vertex_of_kawasakis_comes_first(tmp_path: Path) -> None:
+    pattern = miura()
+    vertices = pattern.vertices.copy()
+    for vertex, shift in ((9, 0.01), (25, 0.05)):
+        vertices[vertex] += [shift, 0.0]
+    moved = pattern_of_panels(vertices, pattern.faces, pattern.edges, pattern.letters)
+    verdict = judged(moved, tmp_path)
+    assert verdict.findings is not None
+    failing = verdict.findings.conditions.not_kawasaki.tolist()
+    assert set(failing) <= {25, 18, 24, 26, 32, 9, 8, 10, 16, 2}  # these and their neighbours
+    assert failing[0] in (25, 18, 24, 26, 32)
+
+
+def test_letters_that_are_missing_are_found_or_it_says_so(tmp_path: Path) -> None:
+    sheet = miura(3, 4)
+    verdict = judged(replace(sheet, letters=np.where(sheet.crease, "U", "B")), tmp_path)
+    assert verdict.findings is not None
+    rows = said(verdict)
+    assert "Maekawa's condition is not known at 6" in rows["vertices"][1]
+    assert rows["folds"][0] in ("holds", "warns")
+    if rows["folds"][0] == "holds":
+        assert "had no letter" in rows["letters"][1]
+
+
+def test_all_mountains_are_proved_not_to_fold(tmp_path: Path) -> None:
+    letters = np.where(miura().letters == "B", "B", "M")
+    verdict = judged(replace(miura(), letters=letters), tmp_path)
+    assert verdict.findings is not None
+    motion = verdict.findings.motion
+    assert isinstance(motion, Still)
+    assert motion.proved
+    assert said(verdict)["folds"][0] == "fails"
+
+
+def test_what_meets_on_the_way_is_named(tmp_path: Path) -> None:
+    """A column rolls up until its rims meet (docs/guide); figure 1 locks at 180 degrees."""
+    verdict = judged(SAMPLES["longitudinal"].make(), tmp_path)
+    assert verdict.findings is not None
+    motion = verdict.findings.motion
+    assert isinstance(motion, FoldingMotion)
+    assert motion.contact is not None
+    assert motion.clear_until is not None
+    assert 0 < motion.clear_until <= motion.contact.drive < np.pi
+    assert "meet there" in said(verdict)["reaches"][1]
+    clear = judged(SAMPLES["parallel repeating"].make(), tmp_path)
+    assert said(clear)["reaches"][0] == "holds"
