@@ -15,7 +15,9 @@ from orishell.design_file import DesignFile, check_design, read_design_file, sta
 from orishell.design_file.drawing import DrawingTable, table_of
 from orishell.families.drawn.nearest import FOLDS, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.motion import find_assignment, largest_fold
+from orishell.families.drawn.signs import MOST, find_signs
+from orishell.motion import Mechanism, find_assignment, largest_fold
+from orishell.motion.grid import CreaseValues
 from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
 from patterns import SAMPLES, jittered, mirrored, of_mechanism, shuffled, write
@@ -130,7 +132,9 @@ def test_what_folds_only_nearly_is_moved_and_said(tmp_path: Path) -> None:
     write(tmp_path / "near.fold", jittered(exact, 1e-4))
     near = designed(file_of(tmp_path, "near.fold", fold_deg=30))
     assert "vertices are moved by up to" in near.warnings[0]
-    assert near.parameters["moved"] > 0
+    moved = near.parameters["moved"]
+    assert isinstance(moved, float)
+    assert moved > 0
     assert disagreement(near.mechanism.drive) < FOLDS  # type: ignore[attr-defined]
     write(tmp_path / "far.fold", jittered(exact, 2e-2))
     file = file_of(tmp_path, "far.fold", fold_deg=30)
@@ -148,8 +152,44 @@ def test_what_does_not_fold_is_refused_with_how_far(tmp_path: Path) -> None:
     assert "disagree by" in caught.value.size
     assert caught.value.excess is not None
     write(tmp_path / "letters.fold", SAMPLES["not folding"].make())
-    with pytest.raises(DesignError, match="mountains or valleys"):
+    with pytest.raises(DesignError, match="no mountains and valleys were found"):
         make_shell(file_of(tmp_path, "letters.fold"))
+
+
+def without_letters(sheet: Mechanism) -> tuple[Array, CreaseValues, CreaseValues]:
+    """Its vertices, its signs, and none in their place."""
+    flat, signs = sheet.positions(0.0)[..., :2], find_assignment(sheet)
+    nothing = CreaseValues(np.full_like(signs.row, np.nan), np.full_like(signs.column, np.nan))
+    return flat, signs, nothing
+
+
+@pytest.mark.parametrize("name", [each for each in SHEETS if not each.startswith("drawn")])
+def test_mountains_and_valleys_are_found(name: str) -> None:
+    flat, signs, nothing = without_letters(SHEETS[name].make())
+    ways = find_signs(flat, nothing)
+    for each in ways:
+        assert disagreement(drawn_sheet(flat, each, 1.0).drive, np.array([0.2, 0.6])) < 1e-8
+    kept = [each.on_edges().tolist() for each in ways]
+    assert len({tuple(each) for each in kept}) == len(ways)
+    if len(ways) < MOST:  # else the sheet's own way may be one of those left out
+        own = signs.on_edges()
+        assert any(each in ((own + 0.0).tolist(), (0.0 - own).tolist()) for each in kept)
+
+
+def test_letters_that_are_given_are_kept() -> None:
+    # One crease tells which side is up, two which of the ways.
+    flat, signs, nothing = without_letters(SHEETS["longitudinal, 5 x 6 from F"].make())
+    nothing.row[0], nothing.column[:, 0] = signs.row[0], signs.column[:, 0]
+    for each in find_signs(flat, nothing):
+        np.testing.assert_array_equal(each.row[0], signs.row[0])
+        np.testing.assert_array_equal(each.column[:, 0], signs.column[:, 0])
+
+
+def test_letters_that_were_found_are_said() -> None:
+    unknown = starter(**{"target.pattern.row_creases": ["U" * 8] * 5, "pattern.fold_deg": 40})
+    found, given = designed(unknown), designed(starter(**{"pattern.fold_deg": 40}))
+    assert "40 of 82 creases have no letter: mountains and valleys were found" in found.warnings[0]
+    np.testing.assert_array_equal(found.mechanism.positions(0.5), given.mechanism.positions(0.5))
 
 
 FAULTS: dict[str, tuple[dict[str, Any], str]] = {

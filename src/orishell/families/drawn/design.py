@@ -13,6 +13,7 @@ from orishell.design import Design, Parameter
 from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
+from orishell.families.drawn.signs import MOST, find_signs
 from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.drawing import Drawing
@@ -41,19 +42,37 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     DesignError
         If it does not fold: by how much, where, and how far vertices have to be moved.
     """
+    drawing, warnings = _with_signs(drawing)
     sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi)
     moved = 0.0
-    warnings: tuple[str, ...] = ()
     if disagreement(sheet.drive) >= FOLDS:
         flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
         sheet = drawn_sheet(flat, drawing.signs, sheet.fold)
-        warnings = (
+        warnings += (
             f"as drawn the sheet folds only nearly: vertices are moved by up to {plain(moved, 2)} "
             "so that it folds exactly",
         )
     if fold is not None:
         sheet = replace(sheet, fold=drive_at_fold(sheet, fold))
     return _design(sheet, moved, warnings, open_ended=fold is None)
+
+
+def _with_signs(drawing: Drawing) -> tuple[Drawing, tuple[str, ...]]:
+    """The drawing with a sign for every crease, and what is to be said of those that were found."""
+    signs = drawing.signs
+    missing = int(np.isnan(signs.row).sum() + np.isnan(signs.column).sum())
+    if not missing:
+        return drawing, ()
+    ways = find_signs(drawing.flat, signs)
+    creases = f"{missing} of {signs.row.size + signs.column.size} creases have no letter"
+    if not ways:
+        raise DesignError(
+            "no mountains and valleys were found with which the sheet folds", size=creases
+        )
+    count = f"{len(ways)} ways" if len(ways) < MOST else f"{MOST} ways or more"
+    several = f" and the first of {count} to fold the sheet is taken" if len(ways) > 1 else ""
+    found = f"{creases}: mountains and valleys were found{several}"
+    return Drawing(drawing.flat, ways[0]), (found,)
 
 
 def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, float]:

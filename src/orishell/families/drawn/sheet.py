@@ -1,4 +1,7 @@
-"""A drawn sheet from its flat vertices and the signs of its creases, or why it is none."""
+"""A drawn sheet from its flat vertices and the signs of its creases, or why it is none.
+
+Not in the paper: docs/theory/vertex.md.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +57,6 @@ def find_cross(flat: Array, signs: CreaseValues) -> Cross:
 
     Raises DesignError if they cannot fold.
     """
-    _require_letters(signs)
     row, column = _whole_lines(signs.row, "row"), _whole_lines(signs.column.T, "column")
     mode = _modes(row, column)
     vertices = Vertices.of(flat, mode[..., None])
@@ -69,15 +71,6 @@ def find_cross(flat: Array, signs: CreaseValues) -> Cross:
         proportions(vertices.beyond_row, row[..., None]),
         proportions(vertices.beyond_column.swapaxes(0, 1), column[..., None]),
     )
-
-
-def _require_letters(signs: CreaseValues) -> None:
-    missing = int(np.isnan(signs.row).sum() + np.isnan(signs.column).sum())
-    if missing:
-        raise DesignError(
-            "it is not said whether creases are mountains or valleys",
-            size=f"{missing} of {signs.row.size + signs.column.size} creases have no letter",
-        )
 
 
 def _whole_lines(signs: Array, name: str) -> Array:
