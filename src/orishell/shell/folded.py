@@ -23,6 +23,7 @@ from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.io.formats.gltf import FORMAT as GLTF
 from orishell.io.formats.html import FORMAT as HTML
 from orishell.motion.following import Followed, follow
+from orishell.shell.closed_form import in_closed_form
 
 FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
 ENDS = {
@@ -44,6 +45,7 @@ class Folded:
     document: Document  # all states, panels with all their corners
     play: float  # how far panels part at creases at most, in any state (length)
     contact: SampledContact  # what was seen of contact
+    closed_form: bool  # whether fold angles are in closed form, or else followed numerically
 
     def rows(self) -> list[Row]:
         """What was found, worst first."""
@@ -61,9 +63,10 @@ class Folded:
     def _folds(self) -> Row:
         motion = self.motion
         finding = (
-            f"to {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}: followed "
-            f"numerically, vertices close to {motion.residuals.max():.0e} rad, panels part by "
-            f"{self.play:.0e} {self.source.unit} at creases"
+            f"to {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}: "
+            f"{'in closed form' if self.closed_form else 'followed numerically'}, vertices close "
+            f"to {motion.residuals.max():.0e} rad, panels part by {self.play:.0e} "
+            f"{self.source.unit} at creases"
         )
         return Row("holds" if motion.end in ("asked", "closed") else "warns", "folds", finding)
 
@@ -168,6 +171,8 @@ def fold_pattern(
             f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
             size=f"it ends at {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}",
         )
+    exact = in_closed_form(motion)
+    motion = exact or motion
     states, play = [], 0.0
     for number in range(frames):
         positions, part = motion.placed(number)
@@ -189,7 +194,7 @@ def fold_pattern(
     if contact.met is not None and contact.panels is not None:
         first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
         document = replace(document, contact=first)
-    return Folded(read, motion, document, play, contact)
+    return Folded(read, motion, document, play, contact, closed_form=exact is not None)
 
 
 def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:

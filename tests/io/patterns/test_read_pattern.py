@@ -15,6 +15,7 @@ from orishell.conventions.quantities import conversion
 from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import Grid
+from orishell.numerics.arrays import Array
 from patterns import CHANGES, SAMPLES, Sample, egg_box, fold_of, miura, scaled, write
 from samples import thorough
 from toy_family import Miura
@@ -121,6 +122,20 @@ def test_a_folded_state_is_laid_out_flat(clockwise: bool, tmp_path: Path) -> Non
     np.testing.assert_array_equal(found.flat.faces[others], wanted[others])
     (state,) = found.states
     np.testing.assert_array_equal(state.positions, np.array(keys["vertices_coords"]))
+
+
+def test_a_state_that_is_folded_flat_is_no_flat_sheet(tmp_path: Path) -> None:
+    """A square folded along its diagonal, in z = 0: both triangles lie on each other."""
+    keys = {
+        "frame_classes": ["foldedForm"],
+        "vertices_coords": [[0, 0], [1, 0], [0, 0], [0, 1]],
+        "faces_vertices": [[0, 1, 3], [1, 2, 3]],
+    }
+    found = read_pattern(fold_file(tmp_path, keys))
+    assert found.flat is not None
+    assert len(found.states) == 1
+    apart = found.flat.vertices[0] - found.flat.vertices[2]
+    np.testing.assert_allclose(np.hypot(*apart), np.sqrt(2), rtol=1e-15)
 
 
 def test_an_egg_box_has_no_flat_sheet_and_says_why(tmp_path: Path) -> None:
@@ -268,6 +283,26 @@ REFUSED: dict[str, tuple[dict[str, Any], str]] = {
         "faces_vertices.*missing",
     ),
 }
+
+
+def around(turns: Array) -> dict[str, Any]:
+    """Panels between two circles, from each angle to the next (degrees)."""
+    angle = np.deg2rad(turns)
+    inner = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * (1 + 1e-5 * turns[:, None])
+    n = len(turns)
+    return {
+        "vertices_coords": np.concatenate([inner, 2 * inner]).tolist(),
+        "faces_vertices": [[k, n + k, n + k + 1, k + 1] for k in range(n - 1)],
+    }
+
+
+@pytest.mark.parametrize("step", [40.0, 37.0])
+def test_a_strip_that_comes_round_onto_itself_is_refused(step: float, tmp_path: Path) -> None:
+    """No crease, side or vertex tells: with steps of 40 degrees its end lies along a crease."""
+    once = read_pattern(fold_file(tmp_path, around(np.arange(0, 350, step))))
+    assert once.flat is not None
+    with pytest.raises(InputError, match=r"panels 0 and \d+ lie on each other"):
+        read_pattern(fold_file(tmp_path, around(np.arange(0, 500, step))))
 
 
 @pytest.mark.parametrize("name", REFUSED)

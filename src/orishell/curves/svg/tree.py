@@ -237,10 +237,12 @@ class _Builder:
                 "the elements are nested too deeply", expected=f"at most {MAX_DEPTH} levels"
             )
         space, _, tag = name.rpartition(" ")
-        own = {key: value for key, value in attributes.items() if " " not in key}
-        for key, known in LINKED.items():
-            if key in attributes:
-                own.setdefault(known, attributes[key])
+        own = attributes
+        if any(" " in key for key in attributes):
+            own = {key: value for key, value in attributes.items() if " " not in key}
+            for key, known in LINKED.items():
+                if key in attributes:
+                    own.setdefault(known, attributes[key])
         element = Element(tag if space in {"", SVG} else "", own)
         if self.open:
             self.open[-1].children.append(element)

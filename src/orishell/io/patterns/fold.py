@@ -47,6 +47,7 @@ class _File:
 
     positions: dict[int, Array]  # vertices (V, 3) by frame
     flat: int | None  # the frame of the flat sheet
+    folded: bool  # whether that frame calls itself a folded form: it may be folded flat
     edges: Integers | None  # vertices (E, 2)
     letters: NDArray[np.str_] | None  # (E,)
 
@@ -66,6 +67,7 @@ class _Sheet:
     edges: Integers
     edge_faces: Integers
     letters: NDArray[np.str_]
+    frame: int | None  # the frame that the flat sheet is of; None if it was laid out
     vertices: Integers | None  # which of the file's vertices; None if it has others
     chosen: Integers | None  # which of the file's edges; None if it has others
     angles: Array | None = None  # fold angles (E,) where the edges are others (radians)
@@ -96,9 +98,11 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
     crease_patterns = [n for n in positions if "creasePattern" in read_classes(frames, n)]
     level = [number for number, each in positions.items() if not each[:, 2].any()]
     named = [number for number in level if number in crease_patterns]
+    flat = next(iter(named or level), None)
     file = _File(
         positions,
-        next(iter(named or level), None),
+        flat,
+        flat is not None and flat not in named and "foldedForm" in read_classes(frames, flat),
         edges,
         None if letters is None else np.array(letters, dtype=np.str_),
     )
@@ -114,10 +118,10 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
         given = None if number is None else degrees[number]
         return None if given is None or sheet.chosen is None else np.deg2rad(given[sheet.chosen])
 
-    folded = [n for n in positions if n != file.flat and n not in crease_patterns]
+    folded = [n for n in positions if n != sheet.frame and n not in crease_patterns]
     if sheet.vertices is None and folded:
         notes.append("lines cross where the file has no vertex: folded states are left out")
-    asked_angles = sheet.angles if sheet.angles is not None else angles(file.flat)
+    asked_angles = sheet.angles if sheet.angles is not None else angles(sheet.frame)
     unit = read_unit(frames)
     return ReadPattern(
         path=path,
@@ -203,6 +207,7 @@ def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: lis
         pattern.edges,
         pattern.edge_faces,
         pattern.letters,
+        file.flat,
         vertices if (vertices < len(points)).all() else None,
         None,
         found.angles,
@@ -246,9 +251,24 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
         edges = place[edges[chosen]]
     positions = file.first[used]
     if file.flat is not None:
-        flat = pattern_of_panels(positions[:, :2], loops, edges, letters)
-        require_apart(flat)
-        return _Sheet(flat, "", flat.faces, flat.edges, flat.edge_faces, flat.letters, used, chosen)
+        try:
+            flat = pattern_of_panels(positions[:, :2], loops, edges, letters)
+            require_apart(flat)
+        except InputError:
+            if not file.folded:
+                raise
+        else:
+            return _Sheet(
+                flat=flat,
+                not_flat="",
+                faces=flat.faces,
+                edges=flat.edges,
+                edge_faces=flat.edge_faces,
+                letters=flat.letters,
+                frame=file.flat,
+                vertices=used,
+                chosen=chosen,
+            )
     joined = join_loops(loops, len(used), edges, None if letters is None else letters == "C")
     require_one_piece(joined.edge_faces[joined.crease], len(loops))
     laid = lay_out(positions, joined)
@@ -269,6 +289,7 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
         joined.edges,
         joined.edge_faces,
         letters,
+        None,
         used,
         chosen,
     )

@@ -57,8 +57,9 @@ def read_pattern(
     scale
         What all lengths are multiplied with.
     weld
-        Points nearer to each other than this are one, in the file's unit. None for 1e-5 of the
-        diagonal in drawings, and for the vertices as they are in FOLD.
+        Points nearer to each other than this are one, before ``scale`` (millimetres in an SVG
+        file whose page has a physical size). None for 1e-5 of the diagonal in drawings, and for
+        the vertices as they are in FOLD.
 
     Raises
     ------

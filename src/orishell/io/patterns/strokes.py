@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -26,8 +26,8 @@ class Stroke:
     angle: float = np.nan  # the fold angle that it asks for (radians)
 
 
-def straight_ends(pieces: Iterable[Piece]) -> Array:
-    """Both ends (N, 2, 2) of pieces that are straight lines.
+def straight_ends(pieces: Sequence[Piece]) -> Array:
+    """Both ends (N, 2, 2) of pieces that are straight lines; without sides of no length.
 
     Raises InputError: If one is not.
     """
@@ -41,7 +41,8 @@ def straight_ends(pieces: Iterable[Piece]) -> Array:
             off = np.abs(apart[:, 0] * way[1] - apart[:, 1] * way[0])
             if not off.max() <= STRAIGHT * (way @ way):
                 raise _curved(f"from ({points[0, 0]:.6g}, {points[0, 1]:.6g})")
-        ends.append(points[[0, -1]])
+        if len(pieces) == 1 or (points[0] != points[-1]).any():
+            ends.append(points[[0, -1]])
     return np.array(ends).reshape(-1, 2, 2)
 
 

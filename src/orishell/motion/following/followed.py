@@ -56,6 +56,14 @@ class Followed:
         """How its states lie in space."""
         return Placing(self.pattern)
 
+    def with_folds(self, folds: Array) -> Followed:
+        """The same states with other fold angles (S, E) for them, and by how much these miss."""
+        misses = [
+            np.abs(self._closure.residuals(each)[0]) for each in folds[:, self._closure.edges]
+        ]
+        residuals = np.array([each.max(initial=0.0) for each in misses])
+        return replace(self, folds=folds, residuals=residuals)
+
     def at(self, drive: float) -> Array:
         """Fold angles (E,) of the state with this largest fold angle, up to the one reached."""
         folds, _ = states_at(self._closure, self._path, np.array([drive]))
