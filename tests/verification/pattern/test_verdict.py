@@ -158,9 +158,10 @@ def test_what_meets_on_the_way_is_named(tmp_path: Path) -> None:
     assert verdict.findings is not None
     motion = verdict.findings.motion
     assert isinstance(motion, FoldingMotion)
-    assert motion.contact is not None
-    assert motion.clear_until is not None
-    assert 0 < motion.clear_until <= motion.contact.drive < np.pi
+    assert motion.proof is not None
+    contact = motion.proof.contact
+    assert contact is not None
+    assert 0 < contact.clear_until <= contact.drive < np.pi
     assert "meet there" in said(verdict)["reaches"][1]
     clear = judged(SAMPLES["parallel repeating"].make(), tmp_path)
     assert said(clear)["reaches"][0] == "holds"
