@@ -15,6 +15,7 @@ from orishell.conventions.quantities import conversion
 from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import Grid
+from orishell.numerics.arrays import Array
 from patterns import CHANGES, SAMPLES, Sample, egg_box, fold_of, miura, scaled, write
 from samples import thorough
 from toy_family import Miura
@@ -282,6 +283,26 @@ REFUSED: dict[str, tuple[dict[str, Any], str]] = {
         "faces_vertices.*missing",
     ),
 }
+
+
+def around(turns: Array) -> dict[str, Any]:
+    """Panels between two circles, from each angle to the next (degrees)."""
+    angle = np.deg2rad(turns)
+    inner = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * (1 + 1e-5 * turns[:, None])
+    n = len(turns)
+    return {
+        "vertices_coords": np.concatenate([inner, 2 * inner]).tolist(),
+        "faces_vertices": [[k, n + k, n + k + 1, k + 1] for k in range(n - 1)],
+    }
+
+
+@pytest.mark.parametrize("step", [40.0, 37.0])
+def test_a_strip_that_comes_round_onto_itself_is_refused(step: float, tmp_path: Path) -> None:
+    """No crease, side or vertex tells: with steps of 40 degrees its end lies along a crease."""
+    once = read_pattern(fold_file(tmp_path, around(np.arange(0, 350, step))))
+    assert once.flat is not None
+    with pytest.raises(InputError, match=r"panels 0 and \d+ lie on each other"):
+        read_pattern(fold_file(tmp_path, around(np.arange(0, 500, step))))
 
 
 @pytest.mark.parametrize("name", REFUSED)

@@ -5,51 +5,54 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.io.patterns.crossings import cross, near_pairs
+from orishell.io.patterns.crossings import split_lines
+from orishell.io.patterns.lines import Lines
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.numerics.arrays import Integers
 from orishell.numerics.components import find_components
 
-INSIDE = 1e-9
-"""Border edges cross if they do so farther than this share from their ends."""
+TOUCHING = 1e-10
+"""Points of the border nearer to each other than this share of the diagonal are one."""
+BESIDE = 1e-6
+"""How far beside the border panels are counted, by the length of its part."""
+
+
+class PiecesError(InputError):
+    """Panels that do not hang together."""
 
 
 def require_apart(pattern: CreasePattern) -> None:
     """Refuse panels that cross themselves or lie on others, and sheets of several pieces.
 
-    Panels all go counter-clockwise. If none crosses itself, sectors go round every inner vertex
-    once and the border crosses nowhere, then no point of the plane has two of them.
+    Where two panels lie on each other one of them ends somewhere, at the border, within the other
+    or beside it. So panels are counted on the inner side of every part of the border.
 
     Raises InputError: Naming one of these places.
     """
-    _require_simple(pattern)
+    import shapely
+
+    panels = _polygons(pattern)
     require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
-    sums = np.nansum(pattern.sectors, axis=1)
-    if (sums > 3 * np.pi).any():
-        vertex = int(pattern.inner[np.argmax(sums)])
-        raise InputError(f"panels lie on each other around vertex {vertex}")
-    border = pattern.edges[~pattern.crease & (pattern.edge_faces >= 0).any(axis=1)]
-    ends = pattern.vertices[border]
-    start, way = ends[:, 0], ends[:, 1] - ends[:, 0]
-    length = np.hypot(*way.T)
-    for one, two in near_pairs(ends, 0.0):
-        turn = cross(way[one], way[two])
-        between = start[two] - start[one]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            shares = (cross(between, way[two]) / turn, cross(between, way[one]) / turn)
-        hit = np.abs(turn) > INSIDE * length[one] * length[two]
-        for share in shares:
-            hit &= (share > INSIDE) & (share < 1 - INSIDE)
-        if hit.any():
-            a, b = (border[each[np.argmax(hit)]] for each in (one, two))
-            raise InputError(
-                "panels lie on each other: the border crosses itself",
-                got=f"edges {a[0]}-{a[1]} and {b[0]}-{b[1]}",
-            )
-
-
-class PiecesError(InputError):
-    """Panels that do not hang together."""
+    # Edges with their panel on the left.
+    sides = [pattern.edges[~pattern.crease & (pattern.edge_faces[:, k] >= 0)] for k in (0, 1)]
+    ends = pattern.vertices[np.concatenate([sides[0], sides[1][:, ::-1]])]
+    touching = TOUCHING * float(np.hypot(*np.ptp(pattern.vertices, axis=0)))
+    ends = ends[np.hypot(*(ends[:, 1] - ends[:, 0]).T) > touching]
+    none = np.zeros(len(ends))
+    lines = Lines(ends, np.full(len(ends), "B"), none, none.astype(np.int64), ("the border",))
+    split = split_lines(lines, touching)
+    parts = split.points[split.pairs]
+    way = parts[:, 1] - parts[:, 0]
+    inside = parts.mean(axis=1) + BESIDE * np.stack([-way[:, 1], way[:, 0]], axis=-1)
+    point, panel = shapely.STRtree(panels).query(shapely.points(inside), predicate="intersects")
+    twice = np.bincount(point, minlength=len(inside)) > 1
+    if twice.any():
+        place = int(np.argmax(twice))
+        first, second = np.sort(panel[point == place])[:2]
+        raise InputError(
+            f"panels {first} and {second} lie on each other",
+            where=f"at ({inside[place, 0]:.6g}, {inside[place, 1]:.6g})",
+        )
 
 
 def require_one_piece(joined: Integers, count: int) -> None:
@@ -67,17 +70,20 @@ def require_one_piece(joined: Integers, count: int) -> None:
         )
 
 
-def _require_simple(pattern: CreasePattern) -> None:
+def _polygons(pattern: CreasePattern) -> np.ndarray:
+    """Panels (F,) as polygons, none of which crosses itself."""
     import shapely
 
     sizes = (pattern.faces >= 0).sum(axis=1)
-    for size in np.unique(sizes[sizes > 3]).tolist():
-        which = np.flatnonzero(sizes == size)
-        corners = pattern.vertices[pattern.faces[which, :size]]
-        good = shapely.is_valid(shapely.polygons(corners))
-        if not np.all(good):
-            panel = int(which[np.argmin(good)])
-            raise InputError(
-                f"panel {panel} crosses itself",
-                got="vertices " + ", ".join(map(str, pattern.faces[panel, :size])),
-            )
+    panels = np.empty(len(sizes), dtype=np.object_)
+    for size in np.unique(sizes).tolist():
+        which = sizes == size
+        panels[which] = shapely.polygons(pattern.vertices[pattern.faces[which, :size]])
+    good = np.asarray(shapely.is_valid(panels))
+    if not good.all():
+        panel = int(np.argmin(good))
+        raise InputError(
+            f"panel {panel} crosses itself",
+            got="vertices " + ", ".join(map(str, pattern.faces[panel, : sizes[panel]])),
+        )
+    return panels

@@ -1,0 +1,107 @@
+"""Panels between lines, against GEOS's own polygons and against patterns that are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.lines import Lines
+from orishell.motion.crease_pattern import CreasePattern, signed_areas
+from orishell.numerics.arrays import Array
+from patterns import SAMPLES, Sample
+from samples import examples
+
+BOX = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+
+
+def lines_of(ends: Array, letters: list[str] | None = None) -> Lines:
+    count = len(ends)
+    return Lines(
+        ends,
+        np.array(letters or ["U"] * count),
+        np.full(count, np.nan),
+        np.arange(count),
+        tuple(f"line {k}" for k in range(count)),
+    )
+
+
+def chords(rng: np.random.Generator, count: int) -> Array:
+    """Lines from side to side of the unit square: from random places on its border."""
+    place, side = rng.uniform(0.01, 0.99, (count, 2)), rng.integers(0, 4, (count, 2))
+    side[:, 1] = (side[:, 0] + 1 + rng.integers(0, 3, count)) % 4
+    start, way = BOX[side], BOX[(side + 1) % 4] - BOX[side]
+    return np.asarray(start + place[..., None] * way)
+
+
+def border() -> Array:
+    return np.stack([BOX, np.roll(BOX, -1, axis=0)], axis=1)
+
+
+@pytest.mark.parametrize("seed", range(examples(40)))
+def test_chords_of_a_square_part_it_as_geos_says(seed: int) -> None:
+    """And as Euler does: one panel more for every chord and every crossing."""
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(1, 40))
+    ends = chords(rng, count)
+    lines = lines_of(np.concatenate([border(), ends]), ["B"] * 4 + ["V"] * count)
+    found = arrange(lines, 1e-10)  # the usual weld joins crossings of one chord in some of these
+    crossings = sum(
+        shapely.LineString(ends[i]).intersects(shapely.LineString(ends[j]))
+        for i in range(count)
+        for j in range(i)
+    )
+    areas = signed_areas(found.pattern.vertices, found.pattern.faces)
+    network = shapely.unary_union(shapely.linestrings(np.concatenate([border(), ends])))
+    wanted = [each.area for each in shapely.polygonize([network]).geoms]
+    assert len(areas) == 1 + count + crossings
+    np.testing.assert_allclose(np.sort(areas), np.sort(wanted), atol=1e-9)  # welds move as much
+    assert areas.sum() == pytest.approx(1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3])
+@pytest.mark.parametrize("sample", SAMPLES.values(), ids=SAMPLES)
+def test_ends_may_miss_each_other_by_less_than_the_weld(sample: Sample, share: float) -> None:
+    """Every line with ends of its own, in any order and direction."""
+    pattern = sample.make()
+    rng = np.random.default_rng(1)
+    ends = pattern.vertices[pattern.edges]
+    weld = 1e-4 * float(np.ptp(ends.reshape(-1, 2), axis=0).max())
+    ends = ends + rng.uniform(-share, share, ends.shape) * weld
+    order = rng.permutation(len(ends))
+    ends = np.where(rng.integers(2, size=(len(ends), 1, 1)) == 1, ends, ends[:, ::-1])[order]
+    found = arrange(lines_of(ends, pattern.letters[order].tolist()), weld).pattern
+    assert counts(found) == counts(pattern)
+
+
+def counts(pattern: CreasePattern) -> tuple[object, ...]:
+    corners = np.sort((pattern.faces >= 0).sum(axis=1)).tolist()
+    letters = sorted(pattern.letters.tolist())
+    return len(pattern.vertices), len(pattern.inner), corners, letters
+
+
+def test_long_lines_are_parted_at_all_that_cross_them() -> None:
+    """As one draws a grid: 100 lines each way, ends of others on them, and diagonals."""
+    n = 100
+    k = np.arange(n + 1.0)
+    rows = np.stack([np.stack([0 * k, k], -1), np.stack([0 * k + n, k], -1)], axis=1)
+    columns = rows[..., ::-1]
+    diagonal = np.array([[[0.0, 0], [n, n]]])
+    letters = ["B"] + ["M"] * (n - 1) + ["B"]
+    found = arrange(lines_of(np.concatenate([rows, columns, diagonal]), [*letters, *letters, "V"]))
+    assert len(found.pattern.faces) == n**2 + n
+    assert len(found.pattern.inner) == (n - 1) ** 2
+    assert (found.pattern.letters == "V").sum() == n
+
+
+def test_overlapping_lines_are_one_and_the_higher_letter_counts() -> None:
+    """A crease drawn in parts that overlap, one without a letter; a valley along the border."""
+    ends = [[[0.5, 0], [0.5, 0.6]], [[0.5, 0.4], [0.5, 0.9]], [[0.5, 0.8], [0.5, 1]]]
+    along = [[[0.2, 0], [0.7, 0]]]
+    ends += [[[0.5, 0.2], [0.5, 0.5]]]
+    letters = ["B"] * 4 + ["M", "M", "M", "U", "V"]
+    found = arrange(lines_of(np.concatenate([border(), np.array(ends + along)]), letters))
+    pattern = found.pattern
+    assert len(pattern.faces) == 2
+    assert sorted(pattern.letters.tolist()) == ["B"] * 6 + ["M"]
