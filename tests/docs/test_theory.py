@@ -28,6 +28,7 @@ LINKED = {
     "families/longitudinal_linear_repeating/__init__.py": "longitudinal-linear-repeating",
     "families/flat_foldable/__init__.py": "flat-foldable",
     "families/drawn/__init__.py": "vertex",
+    "motion/following/__init__.py": "following",
 }
 
 

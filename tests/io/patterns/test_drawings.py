@@ -97,6 +97,8 @@ def test_opacity_is_a_fold_angle_as_origami_simulator_has_it(tmp_path: Path) -> 
     asked = {letter: np.unique(found.fold_angles[found.letters == letter]) for letter in "MV"}
     np.testing.assert_allclose(asked["M"], -np.pi / 2, rtol=1e-15)
     np.testing.assert_allclose(asked["V"], np.pi / 4, rtol=1e-15)
+    opaque = read_svg(tmp_path, content.replace(' opacity="0.5"', ""))
+    np.testing.assert_allclose(opaque.fold_angles[opaque.letters == "M"], -np.pi, rtol=1e-15)
     assert np.isnan(found.fold_angles[found.letters == "B"]).all()
 
 
@@ -165,6 +167,19 @@ def test_a_gap_is_refused_with_the_weld_that_closes_it(gap: float, tmp_path: Pat
     remedy = caught.value.remedy
     assert remedy.startswith("weld = ")
     assert letters(read_svg(tmp_path, content, weld=float(remedy.split()[2].strip(",")))) == WINDOW
+
+
+def test_creases_that_nearly_meet_in_a_point_are_told_with_the_weld_that_joins_them(
+    tmp_path: Path,
+) -> None:
+    """Three lines through the middle of a square, one of them 0.01 beside it."""
+    content = SQUARE + CROSS + '<path d="M0 0.01L3.99 4" stroke="red"/>'
+    found = read_svg(tmp_path, content)
+    note = next(each for each in found.notes if "long" in each)
+    weld = float(note.split("weld = ")[1].split()[0])
+    joined = read_svg(tmp_path, content, weld=weld)
+    assert len(joined.faces) == 6
+    assert len(found.faces) == 7
 
 
 def test_rounded_coordinates_of_a_drawing_program_are_welded(tmp_path: Path) -> None:

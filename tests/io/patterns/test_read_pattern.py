@@ -197,6 +197,17 @@ def test_frames_inherit_and_fold_angles_are_kept(tmp_path: Path) -> None:
     np.testing.assert_array_equal(state.positions, folded)
 
 
+def test_letters_are_those_of_fold_angles_where_there_are_none(tmp_path: Path) -> None:
+    pattern = miura()
+    keys = fold_of(pattern)
+    del keys["edges_assignment"]
+    degrees = np.where(pattern.crease, 30.0 * pattern.signs, 0.0)
+    keys["edges_foldAngle"] = degrees.tolist()
+    found = read_pattern(fold_file(tmp_path, keys))
+    np.testing.assert_array_equal(found.letters, pattern.letters)
+    assert "fold angles" in found.notes[0]
+
+
 def test_units(tmp_path: Path) -> None:
     pattern = miura()
     keys = fold_of(pattern, unit="cm")

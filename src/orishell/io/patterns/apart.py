@@ -48,7 +48,7 @@ def require_apart(pattern: CreasePattern) -> None:
     twice = np.bincount(point, minlength=len(inside)) > 1
     if twice.any():
         place = int(np.argmax(twice))
-        first, second = panel[point == place][:2]
+        first, second = np.sort(panel[point == place])[:2]
         raise InputError(
             f"panels {first} and {second} lie on each other",
             where=f"at ({inside[place, 0]:.6g}, {inside[place, 1]:.6g})",

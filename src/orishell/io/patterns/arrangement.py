@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.conventions.errors import InputError
@@ -15,6 +17,8 @@ from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.numerics.arrays import Array
 from orishell.numerics.components import find_components
 
+SHORT = 0.02
+"""An edge is short below this share of the median one."""
 WIDEST = 0.02
 """A tolerance is offered up to this share of the drawing's diagonal."""
 
@@ -48,17 +52,44 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
     require_lines(lines)
     tolerance = WELD * lines.diagonal if weld is None else weld
     try:
-        return _arranged(lines, tolerance)
+        found = _arranged(lines, tolerance)
     except GapError as error:
-        wider = float(f"{1.05 * error.gap:.2g}") if np.isfinite(error.gap) else np.inf
-        if tolerance < wider <= WIDEST * lines.diagonal:
-            try:
-                _arranged(lines, wider)
-            except InputError:
-                pass
-            else:
-                error.remedy = f"weld = {wider:g}, which joins them"
+        wider = _tried(lines, tolerance, error.gap)
+        if wider is not None:
+            error.remedy = f"weld = {wider:g}, which joins them"
         raise
+    return found if weld is not None else _with_short_edge(found, lines, tolerance)
+
+
+def _tried(lines: Lines, weld: float, gap: float) -> float | None:
+    """A tolerance that closes a gap and makes a pattern; None if none does."""
+    wider = float(f"{1.05 * gap:.2g}") if np.isfinite(gap) else np.inf
+    if not weld < wider <= WIDEST * lines.diagonal:
+        return None
+    try:
+        _arranged(lines, wider)
+    except InputError:
+        return None
+    return wider
+
+
+def _with_short_edge(found: Arranged, lines: Lines, weld: float) -> Arranged:
+    """The same with a note if an edge is so short that its ends may be meant to be one."""
+    pattern = found.pattern
+    ends = pattern.vertices[pattern.edges]
+    lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
+    shortest = int(np.argmin(lengths))
+    length = float(lengths[shortest])
+    wider = None
+    if length < SHORT * np.median(lengths):
+        wider = _tried(lines, weld, length)
+    if wider is None:
+        return found
+    note = (
+        f"an edge at {lines.at(ends[shortest].mean(axis=0))} is only {length:.3g} long: with "
+        f"weld = {wider:g} its ends are one"
+    )
+    return replace(found, notes=(*found.notes, note))
 
 
 def _arranged(lines: Lines, weld: float) -> Arranged:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import chain
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +11,9 @@ from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.io.fold_frames import (
-    misfit,
     read_frames,
     read_title,
     read_unit,
-    require_vertices,
 )
 from orishell.io.fold_keys import (
     read_assignment,
@@ -29,13 +25,13 @@ from orishell.io.fold_keys import (
 from orishell.io.format import plain_line
 from orishell.io.patterns.apart import PiecesError, require_apart, require_one_piece
 from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.fold_panels import read_polygons, sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.graph import counted
 from orishell.io.patterns.layout import lay_out
 from orishell.io.patterns.lines import WELD, Lines, weld_points
-from orishell.io.patterns.rings import MOST_PLACES
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
-from orishell.motion.panel_sides import join_loops, pair_keys, sides_of
+from orishell.motion.panel_sides import join_loops, sides_of
 from orishell.numerics.arrays import Array, Integers
 
 FACES = "faces_vertices"
@@ -89,12 +85,14 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
     InputError
         If the file cannot be read, or its panels are no sheet of one piece.
     """
+    notes: list[str] = []
     frames = read_frames(path)
     positions = read_coordinates(frames)
     count = len(next(iter(positions.values())))
     edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, count)
-    letters = read_assignment(frames, edges)
-    faces = frames.common(FACES, lambda value, where: _read_polygons(value, where, count))
+    degrees = {number: read_fold_angles(frames, number, edges) for number in positions}
+    letters = _letters(read_assignment(frames, edges), degrees, notes)
+    faces = frames.common(FACES, lambda value, where: read_polygons(value, where, count))
     crease_patterns = [n for n in positions if "creasePattern" in read_classes(frames, n)]
     level = [number for number, each in positions.items() if not each[:, 2].any()]
     named = [number for number in level if number in crease_patterns]
@@ -104,10 +102,8 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
         flat,
         flat is not None and flat not in named and "foldedForm" in read_classes(frames, flat),
         edges,
-        None if letters is None else np.array(letters, dtype=np.str_),
+        letters,
     )
-    degrees = {number: read_fold_angles(frames, number, edges) for number in positions}
-    notes: list[str] = []
     if faces is None:
         asked = None if file.flat is None else degrees[file.flat]
         sheet = _of_edges(file, asked, weld, notes)
@@ -147,34 +143,18 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
     )
 
 
-def _read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
-    """Vertices (F, K) around every panel, -1 behind the last."""
-    if not isinstance(value, list) or not value:
-        raise misfit(value, where, "a list of panels")
-    for number, row in enumerate(value):
-        if not isinstance(row, list) or len(row) < 3 or any(type(each) is not int for each in row):
-            raise misfit(row, f"{where}[{number}]", "3 or more whole numbers for each panel")
-    size = np.array([len(row) for row in value])
-    if len(value) * int(size.max()) > MOST_PLACES:
-        raise InputError("a panel has too many corners", where=where, got=str(size.max()))
-    there = np.arange(int(size.max())) < size[:, None]
-    loops = np.full(there.shape, -1)
-    try:
-        loops[there] = np.fromiter(chain.from_iterable(value), np.int64, int(size.sum()))
-    except OverflowError:
-        raise InputError("a number is too large", where=where) from None
-    require_vertices(loops, vertex_count, where, count=size)
-    ordered = np.sort(loops, axis=1)
-    twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
-    if twice.any():
-        panel = int(np.argmax(twice))
-        raise InputError(
-            f"panel {panel} repeats a corner",
-            where=f"{where}[{panel}]",
-            got=str(value[panel])[:60],
-            expected="different vertices",
-        )
-    return loops
+def _letters(
+    given: tuple[str, ...] | None, degrees: dict[int, Array | None], notes: list[str]
+) -> NDArray[np.str_] | None:
+    """Letter (E,) of every edge: by the first fold angles where the file gives none."""
+    if given is not None:
+        return np.array(given, dtype=np.str_)
+    angles = next((each for each in degrees.values() if each is not None and each.any()), None)
+    if angles is None:
+        return None
+    notes.append("the file has no edges_assignment: letters are those of its fold angles")
+    letters = np.array(["M", "F", "V"])[np.sign(np.nan_to_num(angles)).astype(np.int64) + 1]
+    return np.where(np.isnan(angles), "U", letters)
 
 
 def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: list[str]) -> _Sheet:
@@ -245,7 +225,7 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
         notes.append(f"{counted(size - len(used), 'vertex', 'vertices')} of no panel: left out")
     chosen = None
     if edges is not None:
-        chosen, letters = _sides_among(
+        chosen, letters = sides_among(
             edges, letters, sides_of(faces)[0], size, welded=weld is not None, notes=notes
         )
         edges = place[edges[chosen]]
@@ -293,36 +273,3 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
         used,
         chosen,
     )
-
-
-def _sides_among(
-    edges: Integers,
-    letters: NDArray[np.str_] | None,
-    sides: Integers,
-    vertex_count: int,
-    *,
-    welded: bool,
-    notes: list[str],
-) -> tuple[Integers, NDArray[np.str_] | None]:
-    """Which edges are sides of panels, and their letters."""
-    known, count = np.unique(pair_keys(sides, vertex_count), return_counts=True)
-    keys = pair_keys(edges, vertex_count)
-    at = np.minimum(np.searchsorted(known, keys), len(known) - 1)
-    is_side = known[at] == keys
-    chosen = np.flatnonzero(is_side)
-    if not is_side.all():
-        notes.append(f"{counted(int((~is_side).sum()), 'edge')} of no panel: left out")
-    if welded:  # of edges that become one, a crease rather than a border
-        black = np.zeros(len(chosen)) if letters is None else letters[chosen] == "B"
-        order = chosen[np.lexsort((chosen, black))]
-        chosen = order[np.unique(keys[order], return_index=True)[1]]
-    if letters is None:
-        return chosen, None
-    letters = letters[chosen]
-    inner = (count[at[chosen]] > 1) & (letters == "B")
-    if inner.any():
-        unknown = bool(np.isin(letters, ["B", "C"]).all())
-        letters = np.where(inner, "U" if unknown else "C", letters)
-        what = "no crease is assigned" if unknown else "a cut"
-        notes.append(f"{counted(int(inner.sum()), 'border')} between two panels: {what}")
-    return chosen, letters

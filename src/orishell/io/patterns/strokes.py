@@ -10,6 +10,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.curves.pieces import Arc, Piece
 from orishell.io.patterns.lines import Lines
+from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array
 
 STRAIGHT = 1e-9
@@ -23,7 +24,7 @@ class Stroke:
     name: str  # what messages call it
     ends: Array  # both ends (N, 2, 2) of its lines
     letter: str | None  # the letter that its look stands for; None if it stands for none
-    angle: float = np.nan  # the fold angle that it asks for (radians)
+    angle: float = np.nan  # the fold angle that it asks for (radians); NaN if for none
 
 
 def straight_ends(pieces: Sequence[Piece]) -> Array:
@@ -67,6 +68,9 @@ def lines_of(strokes: list[Stroke], *, downwards: bool = False) -> tuple[Lines, 
     owners = np.repeat(np.arange(len(strokes)), count)
     letters = np.array([stroke.letter or "U" for stroke in strokes], dtype=np.str_)
     angles = np.array([stroke.angle for stroke in strokes], dtype=np.float64)
+    if not np.isnan(angles).all():  # where some are half opaque the others are opaque: flat folded
+        full = np.pi * np.array([SENSE.get(letter, np.nan) for letter in letters.tolist()])
+        angles = np.where(np.isnan(angles), full, angles)
     ends = np.concatenate([np.zeros((0, 2, 2)), *(stroke.ends for stroke in strokes)])
     unknown = [stroke.name for stroke in strokes if stroke.letter is None]
     notes = []

@@ -35,7 +35,7 @@ def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
 
     Lengths are millimetres where the page has a physical size, else user units ("unit"). Letters
     are those of the layer (the name of a group or a class) or else of the stroke. Opacity is a fold
-    angle, in half turns, as Origami Simulator has it.
+    angle, in half turns, as Origami Simulator has it, if a line has any.
 
     Parameters
     ----------

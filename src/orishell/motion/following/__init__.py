@@ -1,4 +1,7 @@
-"""The motion of any crease pattern, followed numerically: no closed form, residuals instead."""
+"""The motion of any crease pattern, followed numerically: no closed form, residuals instead.
+
+Derived in docs/theory/following.md.
+"""
 
 from orishell.motion.following.followed import Followed, follow
 

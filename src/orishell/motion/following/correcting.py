@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,12 +11,15 @@ from orishell.motion.following.system import Closure
 from orishell.numerics.arrays import Array, Booleans
 
 if TYPE_CHECKING:
+    from scipy.sparse import csr_array
     from scipy.sparse.linalg import SuperLU
 
 LEAST = 1e-10
 """What is added to normal equations: a motion, which keeps the sheet closed, costs so much."""
 CLOSED = 1e-10
 """A state is closed if no vertex misses by more (radians)."""
+ENOUGH = 5e-15
+"""A state that misses by less is not corrected any more (radians)."""
 STEPS = 12
 """Corrections until a state counts as one that cannot be closed."""
 
@@ -28,19 +32,32 @@ class Linearised:
     """
 
     def __init__(self, closure: Closure, folds: Array, fixed: Booleans | None = None) -> None:
+        self._closure, self._folds, self._fixed = closure, folds, fixed
+        left, self._entries = closure.residuals(folds)
+        self.residual = float(np.abs(left).max(initial=0.0))
+        size = float(np.clip(np.abs(folds).max(initial=0.0), 1e-3, 1.0))
+        self._weights = np.tile([1.0, 1.0, 1.0 / size], len(left))
+        self._left = left.ravel() * self._weights
+
+    @cached_property
+    def _matrix(self) -> csr_array:
+        """Derivatives (3 I, N), weighed; 0 by what is fixed."""
+        from scipy.sparse import diags_array
+
+        entries = self._entries
+        if self._fixed is not None:
+            entries = np.where(self._fixed[self._closure.columns], 0.0, entries)
+        weighed: csr_array = diags_array(self._weights) @ self._closure.matrix(entries)
+        return weighed
+
+    @cached_property
+    def _factors(self) -> SuperLU:
+        """Of the normal equations."""
         from scipy.sparse import diags_array
         from scipy.sparse.linalg import splu
 
-        left, entries = closure.residuals(folds)
-        self.residual = float(np.abs(left).max(initial=0.0))
-        size = float(np.clip(np.abs(folds).max(initial=0.0), 1e-3, 1.0))
-        weights = np.tile([1.0, 1.0, 1.0 / size], len(left))
-        self._left = left.ravel() * weights
-        if fixed is not None:
-            entries = np.where(fixed[closure.columns], 0.0, entries)
-        self._matrix = diags_array(weights) @ closure.matrix(entries)
-        normal = self._matrix.T @ self._matrix + diags_array(np.full(len(folds), LEAST))
-        self._factors: SuperLU = splu(
+        normal = self._matrix.T @ self._matrix + diags_array(np.full(len(self._folds), LEAST))
+        return splu(
             normal.tocsc(),
             permc_spec="MMD_AT_PLUS_A",
             diag_pivot_thresh=0.0,
@@ -86,5 +103,7 @@ def corrected(
         if not here.residual < 0.5 * least:
             break
         best, least = folds, here.residual
+        if least < ENOUGH:
+            break
         folds = folds + here.correction(along)
     return best, least

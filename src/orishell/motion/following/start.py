@@ -31,8 +31,8 @@ STEPS = 25
 """Steps of Gauss and Newton from each."""
 LONGEST = 0.5
 """A step changes no fold angle by more than this share of the first state's."""
-CLOSED = 1e-12
-"""A first state misses by no more than this share of its largest fold angle."""
+CLOSED = 1e-13
+"""A first state misses by no more (radians)."""
 UNFOLDED = 1e-6
 """A crease is unfolded if its fold angle is below this share of the largest."""
 
@@ -50,7 +50,7 @@ class Start:
     @property
     def closed(self) -> bool:
         """Whether it is a folded state at all."""
-        return self.residual <= CLOSED * SIZE
+        return self.residual <= CLOSED
 
     @property
     def found(self) -> bool:
@@ -115,7 +115,7 @@ def _closed_near(closure: Closure, folds: Array) -> tuple[Array, float]:
         folds = size * folds / np.abs(folds).max()
         for _ in range(STEPS):
             here = Linearised(closure, folds)
-            if here.residual <= CLOSED * size:
+            if here.residual <= CLOSED:
                 break
             change = here.correction(along)
             longest = max(np.abs(change).max() / (LONGEST * size), 1.0)

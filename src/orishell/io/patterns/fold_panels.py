@@ -1,0 +1,82 @@
+"""Panels and edges as FOLD files list them."""
+
+from __future__ import annotations
+
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.conventions.errors import InputError
+from orishell.io.fold_frames import misfit, require_vertices
+from orishell.io.patterns.graph import counted
+from orishell.io.patterns.rings import MOST_PLACES
+from orishell.motion.panel_sides import pair_keys
+from orishell.numerics.arrays import Integers
+
+
+def read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
+    """Vertices (F, K) around every panel, -1 behind the last.
+
+    Raises InputError: Naming the first panel that does not fit.
+    """
+    if not isinstance(value, list) or not value:
+        raise misfit(value, where, "a list of panels")
+    for number, row in enumerate(value):
+        if not isinstance(row, list) or len(row) < 3 or any(type(each) is not int for each in row):
+            raise misfit(row, f"{where}[{number}]", "3 or more whole numbers for each panel")
+    size = np.array([len(row) for row in value])
+    if len(value) * int(size.max()) > MOST_PLACES:
+        raise InputError("a panel has too many corners", where=where, got=str(size.max()))
+    there = np.arange(int(size.max())) < size[:, None]
+    loops = np.full(there.shape, -1)
+    try:
+        loops[there] = np.fromiter(chain.from_iterable(value), np.int64, int(size.sum()))
+    except OverflowError:
+        raise InputError("a number is too large", where=where) from None
+    require_vertices(loops, vertex_count, where, count=size)
+    ordered = np.sort(loops, axis=1)
+    twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
+    if twice.any():
+        panel = int(np.argmax(twice))
+        raise InputError(
+            f"panel {panel} repeats a corner",
+            where=f"{where}[{panel}]",
+            got=str(value[panel])[:60],
+            expected="different vertices",
+        )
+    return loops
+
+
+def sides_among(
+    edges: Integers,
+    letters: NDArray[np.str_] | None,
+    sides: Integers,
+    vertex_count: int,
+    *,
+    welded: bool,
+    notes: list[str],
+) -> tuple[Integers, NDArray[np.str_] | None]:
+    """Which edges are sides of panels, and their letters."""
+    known, count = np.unique(pair_keys(sides, vertex_count), return_counts=True)
+    keys = pair_keys(edges, vertex_count)
+    at = np.minimum(np.searchsorted(known, keys), len(known) - 1)
+    is_side = known[at] == keys
+    chosen = np.flatnonzero(is_side)
+    if not is_side.all():
+        notes.append(f"{counted(int((~is_side).sum()), 'edge')} of no panel: left out")
+    if welded:  # of edges that become one, a crease rather than a border
+        black = np.zeros(len(chosen)) if letters is None else letters[chosen] == "B"
+        order = chosen[np.lexsort((chosen, black))]
+        chosen = order[np.unique(keys[order], return_index=True)[1]]
+    if letters is None:
+        return chosen, None
+    letters = letters[chosen]
+    inner = (count[at[chosen]] > 1) & (letters == "B")
+    if inner.any():
+        unknown = bool(np.isin(letters, ["B", "C"]).all())
+        letters = np.where(inner, "U" if unknown else "C", letters)
+        what = "no crease is assigned" if unknown else "a cut"
+        notes.append(f"{counted(int(inner.sum()), 'border')} between two panels: {what}")
+    return chosen, letters
