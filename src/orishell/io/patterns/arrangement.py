@@ -56,7 +56,7 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
     except GapError as error:
         wider = _tried(lines, tolerance, error.gap)
         if wider is not None:
-            error.remedy = f"weld = {wider:g}, which joins them"
+            error.remedy = f"weld = {wider:g} joins them"
         raise
     return found if weld is not None else _with_short_edge(found, lines, tolerance)
 
