@@ -186,9 +186,9 @@ def test_letters_that_are_given_are_kept() -> None:
 
 
 def test_letters_that_were_found_are_said() -> None:
-    unknown = starter(**{"target.pattern.row_creases": ["U" * 8] * 5, "pattern.fold_deg": 40})
+    unknown = starter(**{"target.pattern.row_creases": ["U" * 7] * 5, "pattern.fold_deg": 40})
     found, given = designed(unknown), designed(starter(**{"pattern.fold_deg": 40}))
-    assert "40 of 82 creases have no letter: mountains and valleys were found" in found.warnings[0]
+    assert "35 of 71 creases have no letter: mountains and valleys were found" in found.warnings[0]
     np.testing.assert_array_equal(found.mechanism.positions(0.5), given.mechanism.positions(0.5))
 
 
@@ -198,8 +198,8 @@ FAULTS: dict[str, tuple[dict[str, Any], str]] = {
     "rows": ({"pattern.rows": 3}, "rows and columns are those of the drawn sheet"),
     "tolerance": ({"tolerance": {"surface": 0.1}}, "those of the drawn sheet"),
     "another family": ({"shell.family": "orthodiagonal"}, 'asks for family = "pattern"'),
-    "letters": ({"target.pattern.row_creases": ["V"]}, "5 words of 8 letters"),
-    "a letter": ({"target.pattern.row_creases": ["VVVVVVVX"] * 5}, "row_creases"),
+    "letters": ({"target.pattern.row_creases": ["V"]}, "5 words of 7 letters"),
+    "a letter": ({"target.pattern.row_creases": ["VVVVVVX"] * 5}, "row_creases"),
     "a short row": ({"target.pattern.vertices.1": [[0, -1], [1, -1], [2, -1]]}, "as many vertices"),
     "a flap": ({"pattern.flap": 1}, "flap"),
     "no file": ({"target": {"pattern": "mine.fold"}}, "files are not opened here"),
@@ -226,4 +226,4 @@ def test_panels_that_are_no_grid_are_refused_by_place(tmp_path: Path) -> None:
     assert "hole.fold" in str(caught.value)
     turned = starter().changed
     with pytest.raises(InputError, match="from left to right"):
-        turned({"target.pattern.scale": 1.0, "target.pattern.vertices.0": [[0, -9]] * 9})
+        turned({"target.pattern.scale": 1.0, "target.pattern.vertices.0": [[0, -9]] * 8})

@@ -125,13 +125,19 @@ def _design(
 
 
 def levelled(sheet: DrawnSheet) -> DrawnSheet:
-    """The sheet level at its target, turned no more than that takes."""
+    """The sheet level at its target, turned no more than that takes.
+
+    If its first and last rows can then be its lowest, they are at one height: it stands on them.
+    """
     still = sheet.still
     shell = still.positions(still.target_drive)
-    normal = axes_of(shell)[2]
+    along, _, normal = axes_of(shell)
+    ends = np.cross(along, (shell[0] - shell[-1]).mean(axis=0))
+    heights = (shell @ ends).mean(axis=1)
+    if heights[1:-1].min() > max(heights[0], heights[-1]):
+        normal = ends / np.linalg.norm(ends)
     axis = np.array([normal[1], -normal[0], 0.0])
     sine = float(np.hypot(*axis[:2]))
     if sine == 0:
         return sheet
-    turn = axis / sine * float(np.arctan2(sine, normal[2]))
-    return replace(sheet, turn=turn)
+    return replace(sheet, turn=axis / sine * float(np.arctan2(sine, normal[2])))
