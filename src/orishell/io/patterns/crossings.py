@@ -85,8 +85,11 @@ def near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
     boxes = shapely.box(*low.T, *high.T)
     tree = shapely.STRtree(boxes)
     total = 0
-    for begin in range(0, len(ends), BLOCK):
-        one, two = tree.query(boxes[begin : begin + BLOCK])
+    block = max(
+        1, min(BLOCK, MOST_PAIRS // max(len(ends), 1))
+    )  # a block has no more pairs than all may
+    for begin in range(0, len(ends), block):
+        one, two = tree.query(boxes[begin : begin + block])
         one = one + begin
         total += len(one)
         if total > 2 * MOST_PAIRS:
