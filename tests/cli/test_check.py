@@ -1,6 +1,7 @@
 """``orishell check`` as a user meets it: status, messages, summary and JSON."""
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 
 import patterns
 from orishell.cli.main import run
+from orishell.shell.folded import fold_pattern
 from sheets import miura, write
 
 
@@ -160,6 +162,25 @@ def test_a_drawing(
     report = json.loads(check(monkeypatch, capsys, path, "--json").out)
     assert report["degrees_of_freedom"] == 1
     assert report["recognised"]["family"] == "Miura"
+
+
+def test_a_gap_is_welded_as_the_message_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn = patterns.svg_of(patterns.scaled(patterns.miura(2, 2), 10.0), width_mm=20.0)
+    x2 = re.search(r'x2="([^"]+)" y2="[^"]+" stroke="#ff0000"', drawn)
+    assert x2 is not None
+    end = f"{float(x2[1]) + 0.02:.4f}"
+    path = tmp_path / "gap.svg"
+    path.write_text(drawn[: x2.start(1)] + end + drawn[x2.end(1) :])
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.count("\n") == 1
+    weld = ran.err.split("weld = ")[1].split()[0]
+    ran = check(monkeypatch, capsys, path, "--weld", weld)
+    assert "4 panels, 12 edges, 1 inner vertices" in ran.out
+    folded = fold_pattern(path, frames=3, weld=float(weld))
+    assert len(folded.motion.pattern.faces) == 4
 
 
 def test_triangles_in_fold(

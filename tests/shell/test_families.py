@@ -14,7 +14,7 @@ from orishell import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
 from orishell.design_file.file import check_design
-from orishell.families.registry import FAMILIES
+from orishell.families.registry import TRIED
 from orishell.shell.candidate import Candidate, find_candidate
 from orishell.shell.export import write_shell
 from orishell.shell.families import FamilyTrial, choose_family, packs_flat
@@ -44,7 +44,7 @@ def shell() -> Shell:
 def test_all_families_are_compared_with_the_same_rows_and_columns(shell: Shell) -> None:
     families = shell.report.families
     assert families is not None
-    assert [each.family for each in families.tried] == list(FAMILIES)
+    assert [each.family for each in families.tried] == list(TRIED)
     for each in families.tried:
         assert (each.distance is None) == bool(each.why_not)
     assert (shell.report.rows, shell.report.columns) == (7, 7)
@@ -72,7 +72,7 @@ def test_it_is_the_shell_of_the_family_by_name(shell: Shell) -> None:
 
 def test_the_table_is_in_the_verdict(shell: Shell) -> None:
     rows = [row.finding for row in shell.report.verdict if row.subject == "family"]
-    assert len(rows) == len(FAMILIES)
+    assert len(rows) == len(TRIED)
     assert sum("(taken" in row for row in rows) == 1
     assert all(re.match(r"[a-z-]+: (within .* m2 of sheet, .* lock|none; .)", row) for row in rows)
 
@@ -98,7 +98,7 @@ def test_no_family_is_refused_with_all_reasons() -> None:
 
     with pytest.raises(DesignError, match="no family makes a shell") as error:
         choose_family(vault(), no_progress, make=refused)
-    assert all(f"{name}: it cannot: {name} is unable" in str(error.value) for name in FAMILIES)
+    assert all(f"{name}: it cannot: {name} is unable" in str(error.value) for name in TRIED)
 
 
 def test_every_shell_is_made_once_and_told_at_once() -> None:
@@ -111,7 +111,7 @@ def test_every_shell_is_made_once_and_told_at_once() -> None:
         return find_candidate(file, progress)
 
     found, choice = choose_family(vault(), no_progress, told.append, made)
-    assert done == list(FAMILIES)
+    assert done == list(TRIED)
     assert choice.tried == tuple(told)
     assert found.file.family == choice.family
 

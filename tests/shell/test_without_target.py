@@ -105,7 +105,7 @@ def test_a_stage_that_panels_do_not_reach(tmp_path: Path) -> None:
 @pytest.mark.parametrize("family", FAMILIES)
 def test_other_families_need_their_target(tmp_path: Path, family: str) -> None:
     text = starter_file(family)
-    begin, end = text.find("[target.f]"), text.index("[pattern]")
+    begin, end = text.find("[target."), text.index("[pattern]")
     path = write(tmp_path, text if begin < 0 else text[:begin] + text[end:])
     if FAMILIES[family].pattern.needs_target:
         with pytest.raises(InputError) as caught:

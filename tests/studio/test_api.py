@@ -97,7 +97,11 @@ def test_answers_about_a_design(client: httpx.Client, family: str, more: str) ->
     *advances, result = client.post("/api/verify", json={"design": design}).text.splitlines()
     assert all(fits(json.loads(each), api.Advance) for each in advances)
     assert fits(json.loads(result), api.Result)
-    values = {"pattern.columns": [design["pattern"]["columns"], 3]}
+    pattern = design["pattern"]
+    sized = "columns" in pattern
+    values = (
+        {"pattern.columns": [pattern["columns"], 3]} if sized else {"pattern.fold_deg": [90, 60]}
+    )
     search = {
         "variables": values,
         "minimise": ["panels"],

@@ -449,7 +449,7 @@ export interface Family {
   /** What the panels beside its inner columns are. */
   borders: string;
   /** What its shells can follow. */
-  aims: ("curves" | "surface" | "none")[];
+  aims: ("curves" | "surface" | "drawing" | "none")[];
   parameters: Parameter[];
 }
 
@@ -1011,7 +1011,7 @@ export interface Parameter {
   /** Null: the design must give it. */
   default: number | string | boolean | null;
   /** The target without which it has no meaning. */
-  only: "curves" | "surface" | "none" | null;
+  only: "curves" | "surface" | "drawing" | "none" | null;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
   /** Between two of its places. */

@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
-from orishell.cli.files import FILE_HELP, STATE_HELP, bar, lines_of, say, shortened, state_named
+from orishell.cli.files import (
+    FILE_HELP,
+    STATE_HELP,
+    WELD_HELP,
+    bar,
+    lines_of,
+    say,
+    shortened,
+    state_named,
+)
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit, plain
 
@@ -31,6 +40,7 @@ def check(
         float,
         typer.Option(help="Allowed error of lengths, relative to the diagonal of the flat sheet."),
     ] = TOLERANCE,
+    weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
@@ -48,7 +58,7 @@ def check(
     require_one_run(file)
     try:
         with bar() as progress:
-            inspection, verdict = _examined(file, tolerance, progress)
+            inspection, verdict = _examined(file, tolerance, weld, progress)
     except InputError as error:
         if "tolerance" in error.keys:
             error.where = "--tolerance"
@@ -67,7 +77,7 @@ def check(
 
 
 def _examined(
-    file: Path, tolerance: float, progress: Progress
+    file: Path, tolerance: float, weld: float | None, progress: Progress
 ) -> tuple[Inspection | None, PatternVerdict | None]:
     """What is found of the states of a file, if it has such panels, and of how its sheet folds.
 
@@ -78,8 +88,9 @@ def _examined(
     from orishell.verification.pattern import judge_pattern
 
     require_tolerance(tolerance)
-    if file.suffix.lower() in DRAWINGS:
-        return None, judge_pattern(read_pattern(file), tolerance=tolerance, progress=progress)
+    if file.suffix.lower() in DRAWINGS or weld is not None:
+        pattern = read_pattern(file, weld=weld)
+        return None, judge_pattern(pattern, tolerance=tolerance, progress=progress)
     try:
         states = read_fold(file)
     except InputError:

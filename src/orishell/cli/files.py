@@ -95,6 +95,10 @@ WRITE_HELP = f"Further formats, separated by commas: {', '.join(format_modules()
 FILE_HELP = "The FOLD file, or the directory that `orishell design` wrote it to."
 
 STATES = ("flat", "target", "pack")
+WELD_HELP = (
+    "Points of the pattern that are nearer to each other than this are one (a length in the file's "
+    "unit)."
+)
 STATE_HELP = (
     f"State for formats that show only one: {', '.join(STATES)}, or a frame's number. Without it: "
     "target, but flat for what is printed (3mf)."

@@ -8,7 +8,7 @@ from typing import Annotated, cast
 
 import typer
 
-from orishell.cli.files import bar, directory, lines_of, say, shortened
+from orishell.cli.files import WELD_HELP, bar, directory, lines_of, say, shortened
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
@@ -18,6 +18,7 @@ def fold(
     out: Annotated[
         Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
     ],
+    *,
     angle: Annotated[
         float | None,
         typer.Option(help="Stop where the largest fold angle is this (degrees, up to 180)."),
@@ -27,6 +28,7 @@ def fold(
         str | None,
         typer.Option(help="Unit of length, if the file names none or a wrong one."),
     ] = None,
+    weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
 ) -> None:
     """Fold a crease pattern, and write its states.
 
@@ -59,7 +61,12 @@ def fold(
     turned = None if angle is None else math.radians(angle)
     with bar() as progress:
         folded = fold_pattern(
-            file, angle=turned, frames=frames, unit=cast("Unit | None", unit), progress=progress
+            file,
+            angle=turned,
+            frames=frames,
+            unit=cast("Unit | None", unit),
+            weld=weld,
+            progress=progress,
         )
     written, missing = write_folded(folded, out)
     for each in missing:

@@ -108,13 +108,17 @@ def _start(path: Path) -> NamedDesign:
     """Name and tables of a design file, with what files of its target draw in place of them."""
     from orishell.conventions.toml_file import read_toml
     from orishell.design_file import read_design_file
+    from orishell.design_file.drawing import DrawingTable
     from orishell.design_file.surface import SurfaceTable
     from orishell.design_file.target import Target
 
     read_design_file(path)
     tables = read_toml(path)
+    kinds: dict[str, type[SurfaceTable | DrawingTable]]
+    kinds = {"surface": SurfaceTable, "pattern": DrawingTable}
     for name, table in tables.get("target", {}).items():
-        target = (SurfaceTable if name == "surface" else Target).model_validate(table)
+        named = {"file": table} if isinstance(table, str) else table
+        target = (kinds.get(name) or Target).model_validate(named)
         given = target.without_files(path.parent, tables["shell"]["unit"])
         tables["target"][name] = given
     return {"name": path.stem, "design": tables}

@@ -31,6 +31,7 @@ from orishell.design_file.tables import (
 from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES, pattern_of
 from orishell.families.tolerance import Tolerance
+from orishell.motion.drawing import Drawing
 from orishell.structure.settings import Structure
 from orishell.workshop import Workshop
 
@@ -86,10 +87,10 @@ FROM_PACK = 3
 
 CURVES = ("shell.unit", "target")
 """Where it is said what the target is."""
-Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None]
-"""The target curves, or the surface in their place."""
-NOTHING: Known = (None, None)
-ANY_SIZE = {"rows": 1, "columns": 2}
+Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None, Drawing | None]
+"""The target curves, or the surface or the drawn sheet in their place."""
+NOTHING: Known = (None, None, None)
+ANY_SIZE = (1, 2)
 """Rows and columns of a pattern whose size is still to be chosen."""
 
 
@@ -121,6 +122,8 @@ class DesignFile:
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
+    # the drawn sheet in place of f and g, or None
+    drawing: Drawing | None = field(default=None, repr=False)
 
     @property
     def panel_count(self) -> int:
@@ -142,7 +145,7 @@ class DesignFile:
         """
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
-        known = (self.target, self.surface) if same else NOTHING
+        known = (self.target, self.surface, self.drawing) if same else NOTHING
         return _checked(tables, self.path, files=self.files, known=known)
 
     @property
@@ -218,25 +221,14 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
-    table = file.pattern
-    if file.tolerance is not None:
-        if file.target is None:
-            raise InputError(
-                "a tolerance needs a target to be measured from",
-                file=path,
-                keys=("tolerance",),
-                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
-                "rows and columns",
-            )
-        for key in [key for key in ANY_SIZE if key in table]:
-            raise InputError(
-                "rows and columns are chosen where there is a tolerance",
-                file=path,
-                keys=(f"pattern.{key}",),
-                got=repr(table[key]),
-                remedy=f"remove {key}, or the table [tolerance]",
-            )
-        table = {**table, **ANY_SIZE}
+    directory = path.parent if files else None
+    target, surface, drawing = known
+    if drawing is None and file.target is not None and file.target.pattern is not None:
+        try:
+            drawing = file.target.pattern.drawing(directory, file.shell.unit)
+        except InputError as error:
+            raise error.in_file(path) from None
+    table = _sized(path, file, drawing)
     try:
         pattern = family.model_validate(table)
     except ValidationError as error:
@@ -251,15 +243,13 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
             remedy=f"frames = {FROM_PACK}, or more",
         )
     require_memory(path, pattern, file.motion.frames)
-    directory = path.parent if files else None
     panel = file.panel if file.panel.thickness else None
     try:
         unit = file.shell.unit
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
-        target, surface = known
-        if known == NOTHING and file.target is not None:
+        if known == NOTHING and drawing is None and file.target is not None:
             if file.target.surface is not None:
                 surface = file.target.surface.surface(directory, unit)
             else:
@@ -272,6 +262,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         unit=file.shell.unit,
         target=target,
         surface=surface,
+        drawing=drawing,
         pattern=pattern,
         tolerance=file.tolerance,
         frames=file.motion.frames,
@@ -288,3 +279,35 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         if file.target is None or file.target.surface is None
         else file.target.surface.open_turns,
     )
+
+
+def _sized(path: Path, file: FileTable, drawing: Drawing | None) -> dict[str, Any]:
+    """The table [pattern] with rows and columns where a drawing or a tolerance says them."""
+    if drawing is not None:
+        size, why = drawing.inner, "rows and columns are those of the drawn sheet"
+        remove = ""
+        if file.tolerance is not None:
+            raise InputError(why, file=path, keys=("tolerance",), remedy="remove the table")
+    elif file.tolerance is not None:
+        if file.target is None:
+            raise InputError(
+                "a tolerance needs a target to be measured from",
+                file=path,
+                keys=("tolerance",),
+                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
+                "rows and columns",
+            )
+        size, why = ANY_SIZE, "rows and columns are chosen where there is a tolerance"
+        remove = ", or the table [tolerance]"
+    else:
+        return file.pattern
+    for key in ("rows", "columns"):
+        if key in file.pattern:
+            raise InputError(
+                why,
+                file=path,
+                keys=(f"pattern.{key}",),
+                got=repr(file.pattern[key]),
+                remedy=f"remove {key}{remove}",
+            )
+    return {**file.pattern, "rows": size[0], "columns": size[1]}

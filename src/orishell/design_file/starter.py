@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from orishell.families.registry import FAMILIES, require_family
 
+OF_DRAWINGS = "# pattern.fold_deg = { low = 60, high = 120 }"
+"""What a search varies of a sheet that has its rows and columns."""
 WORKSHOP = Path(__file__).with_name("starter_workshop.toml")
 
 
@@ -22,7 +25,8 @@ def starter_file(family: str) -> str:
     InputError
         If there is no such family.
     """
-    return "".join(
-        path.read_text(encoding="utf-8")
-        for path in (FAMILIES[require_family(family, where="family")].starter, WORKSHOP)
-    )
+    found = FAMILIES[require_family(family, where="family")]
+    text, common = (path.read_text(encoding="utf-8") for path in (found.starter, WORKSHOP))
+    if "rows" not in found.pattern.knobs():
+        common = re.sub("(# pattern.rows = .*\n# pattern.columns = .*)", OF_DRAWINGS, common)
+    return text + common

@@ -254,6 +254,13 @@ class FileTable(Table):
         family = FAMILIES.get(shell.family) if shell is not None else None
         if target is None and (family is None or family.pattern.needs_target):
             raise PydanticCustomError("missing", "Field required")
+        drawn = family is not None and "drawing" in family.pattern.aims()
+        if target is not None and drawn != (target.pattern is not None):
+            if drawn:
+                what = "this family makes a shell of a drawn sheet: give target.pattern alone"
+                raise PydanticCustomError("source", what, {"key": "f" if target.f else "surface"})
+            what = 'a drawn sheet asks for family = "pattern"'
+            raise PydanticCustomError("source", what, {"key": "pattern"})
         swept = family is not None and not family.pattern.follows_surfaces()
         if target is not None and target.surface is not None and swept:
             able = [each.name for each in FAMILIES.values() if each.pattern.follows_surfaces()]

@@ -1,38 +1,46 @@
-"""The table ``[target]``: the curves f and g, or a surface."""
+"""The table ``[target]``: the curves f and g, a surface, or a drawn sheet."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Self
+from typing import Annotated, Any, Self
 
-from pydantic import model_validator
+from pydantic import BeforeValidator, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.table import Table
 from orishell.curves import Curve
+from orishell.design_file.drawing import DrawingTable
 from orishell.design_file.surface import SurfaceTable
 from orishell.design_file.target import Target
 
 
+def _named(value: Any) -> Any:
+    """The table of a drawn sheet whose file alone is named."""
+    return {"file": value} if isinstance(value, str) else value
+
+
 class Targets(Table):
-    """Both target curves, or a surface in their place."""
+    """Both target curves, or a surface or a drawn sheet in their place."""
 
     f: Target | None = None
     g: Target | None = None
     surface: SurfaceTable | None = None
+    pattern: Annotated[DrawingTable | None, BeforeValidator(_named)] = None
 
     @model_validator(mode="after")
     def _check(self) -> Self:
         curves = [name for name in ("f", "g") if getattr(self, name) is not None]
-        if self.surface is None:
+        others = [name for name in ("surface", "pattern") if getattr(self, name) is not None]
+        if not others:
             for name in ("f", "g"):
                 if name not in curves:
                     what = "Field required"
                     raise PydanticCustomError("missing", what, {"key": name})
-        elif curves:
-            what = "a target is either f and g or a surface, not both"
-            raise PydanticCustomError("source", what, {"key": curves[0]})
+        elif len(others) > 1 or curves:
+            what = "a target is either f and g, or a surface, or a pattern"
+            raise PydanticCustomError("source", what, {"key": (curves or others)[0]})
         return self
 
     def curves(self, directory: Path | None, unit: str) -> tuple[Curve, Curve]:

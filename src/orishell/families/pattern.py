@@ -21,6 +21,7 @@ from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide, PiecedSurface
 from orishell.families.tolerance import Tolerance, Variants
+from orishell.motion.drawing import Drawing
 
 Auto = Literal["auto"]
 
@@ -102,8 +103,9 @@ PLACEMENT: Final = Knob(
 )
 
 
-Aim = Literal["curves", "surface", "none"]
-"""What a shell follows: f and g, a surface, or nothing, where its own numbers say all."""
+Aim = Literal["curves", "surface", "drawing", "none"]
+"""What a shell follows: f and g, a surface, a drawn sheet, or nothing, where its own numbers say
+all."""
 
 
 class Pattern(Table):
@@ -140,6 +142,10 @@ class Pattern(Table):
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell that these parameters and a surface with a ``piece`` ask for."""
+        raise NotImplementedError
+
+    def design_drawn(self, drawing: Drawing) -> Design:
+        """Design the shell that these parameters and a drawn sheet ask for."""
         raise NotImplementedError
 
     @classmethod

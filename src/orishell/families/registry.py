@@ -18,6 +18,7 @@ FOLDERS = (
     "orthodiagonal",
     "longitudinal_linear_repeating",
     "flat_foldable",
+    "drawn",
 )
 """Each has a module ``pattern`` with its FAMILY."""
 
@@ -28,6 +29,11 @@ FAMILIES: dict[str, Family] = {
     for family in [import_module(f"{__package__}.{folder}.pattern").FAMILY]
 }
 
+
+TRIED = tuple(
+    name for name, each in FAMILIES.items() if {"curves", "surface"} & {*each.pattern.aims()}
+)
+"""Those that can follow curves or a surface, and are tried where the family is to be chosen."""
 
 AUTO = "auto"
 """What a design file calls the family that is to be chosen."""

@@ -14,7 +14,7 @@ from orishell.design import Design
 from orishell.locking.clipped import flap_width, refuse_clipped, require_uncrossed
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.result import Contact, Lock
-from orishell.motion import corrugation_depth
+from orishell.motion import corrugation_depth, largest_fold
 from orishell.numerics.bisection import largest_below
 from orishell.solids import build_panels
 
@@ -207,9 +207,13 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         flap=flap_width(design) if "flap" in contact.kind else 0.0,
     )
     if design.swept is None and contact.clear_until > 0:
-        near = inside(float(np.rad2deg(contact.clear_until)), 0.0)
-        stages = (rounded(near, DIGITS), "auto")
-        error.candidates = [Remedy({"pattern.stage_deg": stage}) for stage in stages]
+        staged = "stage_deg" in design.parameters
+        clear = contact.clear_until
+        if not staged:
+            clear = float(largest_fold(design.mechanism, np.array([clear]))[0])
+        key = "pattern.stage_deg" if staged else "pattern.fold_deg"
+        near = inside(float(np.rad2deg(clear)), 0.0)
+        error.candidates = [Remedy({key: value}) for value in (rounded(near, DIGITS), "auto")]
     return error
 
 

@@ -60,6 +60,8 @@ def design_of(file: DesignFile, pattern: Pattern, progress: Progress = no_progre
     """What a family makes of a pattern and a file's target, or of the pattern alone."""
     if file.surface is not None:
         return pattern.design_on(file.surface, progress)
+    if file.drawing is not None:
+        return pattern.design_drawn(file.drawing)
     if file.target is None:
         return pattern.design_without_target()
     return pattern.design(*file.target)

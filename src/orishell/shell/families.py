@@ -12,7 +12,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
-from orishell.families.registry import FAMILIES
+from orishell.families.registry import FAMILIES, TRIED
 from orishell.motion import Mechanism, area_of
 from orishell.motion.layout import Layout
 from orishell.shell.candidate import Candidate, find_candidate
@@ -90,8 +90,8 @@ def choose_family(
     """
     best: tuple[FamilyTrial, Candidate] | None = None
     tried: list[FamilyTrial] = []
-    for number, name in enumerate(FAMILIES):
-        part = stretch(progress, number / len(FAMILIES), (number + 1) / len(FAMILIES))
+    for number, name in enumerate(TRIED):
+        part = stretch(progress, number / len(TRIED), (number + 1) / len(TRIED))
         try:
             found = make(in_family(file, name), part)
         except DesignError as error:

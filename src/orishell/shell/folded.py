@@ -118,6 +118,7 @@ def fold_pattern(
     angle: float | None = None,
     frames: int = 25,
     unit: Unit | None = None,
+    weld: float | None = None,
     progress: Progress = no_progress,
 ) -> Folded:
     """Fold a crease pattern from a FOLD, SVG or DXF file as its mountains and valleys ask.
@@ -133,6 +134,9 @@ def fold_pattern(
         How many states there are, the flat one included, at least 2.
     unit
         Unit of length, where the source names none or a wrong one.
+    weld
+        Points nearer to each other than this are one (length); None as
+        :func:`~orishell.io.read_pattern` takes it.
 
     Raises
     ------
@@ -155,7 +159,7 @@ def fold_pattern(
             got=str(frames),
             expected="at least 2",
         )
-    read = read_pattern(source, unit=unit)
+    read = read_pattern(source, unit=unit, weld=weld)
     if read.flat is None:
         raise InputError(read.not_flat, where=f"{source}:")
     if read.unit not in MILLIMETRES:

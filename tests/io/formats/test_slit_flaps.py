@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import meshio
@@ -11,12 +10,9 @@ import numpy as np
 import pygltflib
 import pytest
 
-from mechanisms import TURNED, flat_foldable, random_net
+from documents import slit_document
 from orishell.conventions.colours import MEANINGS
 from orishell.document import Document
-from orishell.document.from_design import document_of_design
-from orishell.families.flat_foldable.design import design_flat_foldable
-from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.io.format import Settings
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.formats.tables import write_tables
@@ -26,11 +22,7 @@ from orishell.io.solids import y_up
 
 @pytest.fixture(scope="module")
 def slit() -> Document:
-    """42 panels in 7 rows and 6 columns, and 24 flaps."""
-    flaps = SlitFlaps(flat_foldable(random_net(6, 5, 2), **TURNED), (0.2, 0.3), 0.0)
-    return document_of_design(
-        replace(design_flat_foldable(rows=5, columns=5), mechanism=flaps), "m", frames=3
-    )
+    return slit_document()
 
 
 def test_tables_call_panels_and_flaps_by_row_and_column(slit: Document, tmp_path: Path) -> None:

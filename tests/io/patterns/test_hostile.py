@@ -190,3 +190,18 @@ def test_many_lines_across_each_other_are_refused_before_memory_runs_out(
     )
     with pytest.raises(InputError, match="too many lines"):
         read_pattern(tmp_path / "weave.svg")
+
+
+def test_a_long_mark_within_a_panel_is_left_out_soon(tmp_path: Path) -> None:
+    """A comb of 2000 teeth: taken away from its ends, one at a time, it would take minutes."""
+    teeth = "".join(f"M{k} 1V{k % 7 + 2}M{k} 1H{k + 1}" for k in range(1, 2000))
+    path = tmp_path / "comb.svg"
+    path.write_text(
+        f'<svg xmlns="{SVG}"><path d="M0 0H3000V9H0z" stroke="black"/>'
+        f'<path d="{teeth}" stroke="yellow"/></svg>'
+    )
+    begin = time.process_time()
+    found = read_pattern(path)
+    assert len(found.faces) == 1
+    assert "3998 marks" in " ".join(found.notes)
+    assert time.process_time() - begin < SECONDS

@@ -1,17 +1,18 @@
-// Designs that follow curves or a surface, or have no target; and the way from one to the other.
+// Designs that follow curves, a surface or a drawn sheet, or have no target; and the ways between.
 
 import { READY_MADE } from "../surface/ready-made.ts";
 import { changed } from "./changed.ts";
 import type { Signal } from "./signal.ts";
 import type { Design, Info, Target, Value } from "./types.ts";
 
-export type Aim = "curves" | "surface" | "none";
+export type Aim = "curves" | "surface" | "drawing" | "none";
 
 /** Keys that mean the same in every family, for the same target. */
 const SHARED = ["rows", "columns", "flap"];
 
 export function aimOf(design: Design): Aim {
   if (!design.target) return "none";
+  if (design.target.pattern) return "drawing";
   return design.target.surface ? "surface" : "curves";
 }
 
@@ -142,6 +143,8 @@ function patternFor(store: Known, family: string, aim: Aim, same: boolean): Reco
     delete pattern["columns"];
     return pattern;
   }
+  // A drawn sheet has its own rows and columns.
+  if (aim === "drawing") return pattern;
   pattern["rows"] ??= 9;
   pattern["columns"] ??= aim === "surface" ? 9 : 11;
   trim(pattern);

@@ -49,11 +49,20 @@ export interface SurfaceTable {
   [more: string]: Value | undefined;
 }
 
-/** What a shell is to follow: two curves, or a surface. */
+/** The table [target.pattern] of a design file: a drawn sheet, by its vertices and creases. */
+export interface DrawingTable {
+  vertices?: Point[][];
+  row_creases?: string[];
+  column_creases?: string[];
+  [more: string]: Value | undefined;
+}
+
+/** What a shell is to follow: two curves, or a surface, or a drawn sheet. */
 export interface Target {
   f?: CurveTable;
   g?: CurveTable;
   surface?: SurfaceTable;
+  pattern?: DrawingTable;
 }
 
 export interface Tolerance {

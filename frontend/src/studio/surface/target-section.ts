@@ -1,4 +1,4 @@
-// What the shell is to follow: two curves, a surface, or nothing.
+// What the shell is to follow: two curves, a surface, a drawn sheet, or nothing.
 
 import type { CurveEditor } from "../curves/curve-editor.ts";
 import { segmented } from "../parts/controls.ts";
@@ -11,9 +11,11 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
   const aims: { value: Aim; text: string; testid: string; title: string }[] = [
     { value: "curves", text: "Curves", testid: "aim-curves", title: "the curve f, swept along g" },
     { value: "surface", text: "Surface", testid: "aim-surface", title: "any surface, by formulas or as a mesh" },
+    { value: "drawing", text: "Drawing", testid: "aim-drawing", title: "a crease pattern of quadrilaterals" },
     { value: "none", text: "None", testid: "aim-none", title: "the sheet is designed by its own numbers" },
   ];
   const none = h("p", { class: "note" }, "The sheet is designed by the numbers of its pattern alone.");
+  const drawing = h("p", { class: "note" }, "The sheet is the drawn one that the design file holds.");
   const possible = (each: Aim): boolean => Object.values(store.info.families).some(({ aims }) => aims.includes(each));
   const aim = segmented<Aim>("What the shell follows", aims.filter(({ value }) => possible(value)), (value) => aimAt(store, value));
   store.design.bind((design) => {
@@ -21,6 +23,7 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     aim.set(now);
     for (const { element } of editors) element.hidden = now !== "curves";
     surface.element.hidden = now !== "surface";
+    drawing.hidden = now !== "drawing";
     none.hidden = now !== "none";
   });
   return h(
@@ -29,11 +32,12 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     h("div", { class: "target-head" }, h("h2", { id: "curves-title" }, "Target"), aim.element),
     ...editors.map(({ element }) => element),
     surface.element,
+    drawing,
     none,
   );
 }
 
-const WHAT = { curves: "curves", surface: "a surface", none: "no target" };
+const WHAT = { curves: "curves", surface: "a surface", drawing: "a drawn sheet", none: "no target" };
 
 /** Follow the other: in the present family if that can, else in the first that can. */
 export function aimAt(store: Store, aim: Aim): void {

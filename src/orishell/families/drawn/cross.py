@@ -42,7 +42,7 @@ def times(share: Numbers, half: Half) -> Half:
     """
     s, c = half
     rest = (1 - share) * (1 + share)
-    square = np.where(np.abs(rest) < ALIKE, 0.0, rest) + (share * c) ** 2
+    square = rest - np.where(np.abs(rest.real) < ALIKE, rest.real, 0.0) + (share * c) ** 2
     least = LEAST * LEAST
     size = np.sqrt(np.where(square.real > least, square, least))
     return share * s, np.where(c.real < -LATER, -size, size)

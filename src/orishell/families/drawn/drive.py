@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.drawn.cross import LATER, LEAST, Cross
-from orishell.families.drawn.vertex import Half, Numbers
+from orishell.families.drawn.cross import LATER, LEAST, Cross, proportions
+from orishell.families.drawn.vertex import Half, Numbers, Vertices
 from orishell.families.shared.folding import HalfFolds
 
 
@@ -18,6 +18,21 @@ class Drive:
 
     cross: Cross
     across: bool  # whether rows and columns are exchanged
+
+    def moved(self, flat: Numbers) -> Drive:
+        """The same of other flat vertices (2, rows, columns, ...), with the same signs."""
+        own = flat.swapaxes(1, 2)[::-1] if self.across else flat
+        states = (None,) * (own.ndim - 4)
+        cross = self.cross
+        vertices = Vertices.of(own, cross.vertices.mode[(..., *states)])
+        rows, columns = (np.sign(each.real)[(..., *states)] for each in (cross.rows, cross.columns))
+        found = replace(
+            cross,
+            vertices=vertices,
+            rows=proportions(vertices.beyond_row, rows),
+            columns=proportions(vertices.beyond_column.swapaxes(0, 1), columns),
+        )
+        return replace(self, cross=found)
 
     def heights(self, drive: Numbers) -> tuple[Half, Half]:
         """Heights (R, B) of rows and (C, B) of columns of the cross at drive angles (B,)."""

@@ -11,7 +11,7 @@ because rates at a vertex are proportional to the sine of the crease times the c
 opposite. Creases fold further and further, so that sines grow and cosines fall, and bounds are
 those of the ends of a range. The logarithmic derivative of r has positive and negative terms: its
 size is at most that of the positive ones or that of the negative ones. Where several creases fold
-flat together bounds are infinite.
+flat together bounds are larger than any that shows something.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ from orishell.families.drawn.drive import Drive
 from orishell.families.drawn.vertex import Half, Vertices
 from orishell.families.shared.chains import Rates
 from orishell.numerics.arrays import Array, Booleans
+
+LARGEST = 1e60
+"""Bounds are no larger: with this no range of the drive is short enough to show anything."""
 
 
 @record
@@ -69,7 +72,7 @@ def fold_rates(
 
     which: Creases of rows and of columns that are asked for.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         return _fold_rates(drive, start, stop, which)
 
 
@@ -110,7 +113,8 @@ def _in_lines(rates: Rates, beside: Ends, wanted: Ends, folded: Booleans) -> Rat
         beside = beside[:, None]
     found = _along(rates, beside, wanted)
     low, high, second = (
-        np.where(folded, each, 0.0) for each in (found.low, found.high, found.second)
+        np.where(folded, np.fmin(each, LARGEST), 0.0)
+        for each in (found.low, found.high, found.second)
     )
     return Rates(low, high, second, alike=False)
 

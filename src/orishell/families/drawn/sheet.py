@@ -1,4 +1,7 @@
-"""A drawn sheet from its flat vertices and the signs of its creases, or why it is none."""
+"""A drawn sheet from its flat vertices and the signs of its creases, or why it is none.
+
+Not in the paper: docs/theory/vertex.md.
+"""
 
 from __future__ import annotations
 

@@ -121,4 +121,4 @@ def dots(first: Numbers, second: Numbers) -> Numbers:
 
 
 def _but_for_rounding(sines: Numbers) -> Numbers:
-    return np.where(np.abs(sines) < NONE, 0.0, sines)
+    return sines - np.where(np.abs(sines.real) < NONE, sines.real, 0.0)

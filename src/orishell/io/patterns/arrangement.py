@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
@@ -12,9 +13,9 @@ from orishell.io.patterns.apart import require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import GapError, Graph, counted, prune, straighten, unite
 from orishell.io.patterns.lines import WELD, Lines, require_lines
-from orishell.io.patterns.rings import find_rings, loops_of
+from orishell.io.patterns.rings import Rings, find_rings, loops_of
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.components import find_components
 
 SHORT = 0.02
@@ -28,9 +29,7 @@ class Arranged:
     """A pattern and what was done to find it."""
 
     pattern: CreasePattern
-    angles: (
-        Array  # fold angles (E,) that the drawing asks for (radians); NaN where it asks for none
-    )
+    angles: Array  # fold angles (E,) that the drawing asks for (radians); NaN where for none
     notes: tuple[str, ...]  # what was mended or assumed, in sentences
 
 
@@ -56,7 +55,7 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
     except GapError as error:
         wider = _tried(lines, tolerance, error.gap)
         if wider is not None:
-            error.remedy = f"weld = {wider:g}, which joins them"
+            error.remedy = f"weld = {wider:g} joins them"
         raise
     return found if weld is not None else _with_short_edge(found, lines, tolerance)
 
@@ -122,33 +121,11 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> Arranged:
             where=f"{lines.name(graph.lines[edge])} at {lines.at(ends.mean(axis=0))}",
             remedy="let it end at other lines, or remove it",
         )
-    inner = (rings.areas[[left, right]] > 0).all(axis=0)
-    letters = graph.letters.copy()
-    black = np.isin(letters, ["B", "C"])
-    if black.all():
-        letters[inner] = "U"
-        if inner.any():
-            notes.append("all lines look like borders or cuts: no crease is assigned")
-    else:
-        open_sides = np.bincount(rings.numbers, np.tile(~black, 2), len(rings.areas))
-        hole = (open_sides == 0) & (rings.areas > 0)
-        hole &= np.bincount(rings.numbers, np.tile(inner, 2), len(rings.areas)) > 0
-        rings.areas[hole] *= -1
-        if hole.any():
-            notes.append(f"{counted(int(hole.sum()), 'panel')} between borders only: a hole")
-        inner = (rings.areas[[left, right]] > 0).all(axis=0)
-        border = inner & (letters == "B")
-        if border.any():
-            letters[border] = "C"
-            notes.append(f"{counted(int(border.sum()), 'border')} between two panels: a cut")
-    beside = (rings.areas[[left, right]] > 0).any(axis=0)
-    outer = beside & ~inner & ~black
-    if outer.any():
-        notes.append(f"{counted(int(outer.sum()), 'crease')} along the border: read as border")
-    panels = np.flatnonzero(rings.areas > 0)
-    if not len(panels):
+    panel, letters = _told_apart(graph, rings, notes)
+    if not panel.any():
         raise InputError("the lines enclose no panel")
-    loops = loops_of(rings, graph.edges, panels)
+    beside = panel[left] | panel[right]
+    loops = loops_of(rings, graph.edges, np.flatnonzero(panel))
     used, numbers = np.unique(graph.edges[beside], return_inverse=True)
     place = np.full(len(graph.points), -1)
     place[used] = np.arange(len(used))
@@ -160,6 +137,35 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> Arranged:
     )
     require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
     return Arranged(pattern, graph.angles[beside], tuple(notes))
+
+
+def _told_apart(graph: Graph, rings: Rings, notes: list[str]) -> tuple[Booleans, NDArray[np.str_]]:
+    """Which rings (R,) are panels, not holes; and the letters (E,) of edges beside them."""
+    left, right = np.reshape(rings.numbers, (2, -1))
+    panel, count = rings.areas > 0, len(rings.areas)
+    letters = graph.letters.copy()
+    black = np.isin(letters, ["B", "C"])
+    inner = panel[left] & panel[right]
+    if black.all():
+        letters[inner] = "U"
+        if inner.any():
+            notes.append("all lines look like borders or cuts: no crease is assigned")
+        return panel, letters
+    creases = np.bincount(rings.numbers, np.tile(~black, 2), count)
+    neighbours = np.bincount(rings.numbers, np.tile(inner, 2), count)
+    hole = panel & (creases == 0) & (neighbours > 0)
+    if hole.any():
+        notes.append(f"{counted(int(hole.sum()), 'panel')} between borders only: a hole")
+    panel = panel & ~hole
+    inner = panel[left] & panel[right]
+    cut = inner & (letters == "B")
+    if cut.any():
+        letters[cut] = "C"
+        notes.append(f"{counted(int(cut.sum()), 'border')} between two panels: a cut")
+    outer = (panel[left] | panel[right]) & ~inner & ~black
+    if outer.any():
+        notes.append(f"{counted(int(outer.sum()), 'crease')} along the border: read as border")
+    return panel, letters
 
 
 def _require_one_piece(graph: Graph, lines: Lines) -> None:

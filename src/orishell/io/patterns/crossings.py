@@ -12,6 +12,7 @@ from orishell.io.patterns.lines import MOST_PAIRS, Lines, weld_points
 from orishell.numerics.arrays import Array, Integers
 
 BLOCK = 4096
+"""Lines that are compared with all at a time; fewer if they could make too many pairs."""
 
 
 @record
@@ -85,8 +86,9 @@ def near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
     boxes = shapely.box(*low.T, *high.T)
     tree = shapely.STRtree(boxes)
     total = 0
-    for begin in range(0, len(ends), BLOCK):
-        one, two = tree.query(boxes[begin : begin + BLOCK])
+    block = max(min(BLOCK, MOST_PAIRS // max(len(ends), 1)), 1)
+    for begin in range(0, len(ends), block):
+        one, two = tree.query(boxes[begin : begin + block])
         one = one + begin
         total += len(one)
         if total > 2 * MOST_PAIRS:

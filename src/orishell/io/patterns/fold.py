@@ -206,7 +206,7 @@ def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]
             except InputError:
                 pass
             else:
-                error.remedy = f"weld = {wider:g}, which joins them"
+                error.remedy = f"weld = {wider:g} joins them"
         raise
 
 

@@ -48,6 +48,14 @@ class Graph:
         """Number (P,) of edges that end at each point."""
         return np.bincount(self.edges.ravel(), minlength=len(self.points))
 
+    def between_two(self) -> tuple[Integers, Integers]:
+        """Points (N,) at which two edges end, and these edges (N, 2)."""
+        two = np.flatnonzero(self.degrees == 2)
+        ends = self.edges.ravel()
+        order = np.argsort(ends, kind="stable")
+        begin = np.searchsorted(ends[order], two)
+        return two, order[begin[:, None] + [0, 1]] // 2
+
 
 def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
     """One edge of all parts of lines that lie on each other.
@@ -88,10 +96,13 @@ def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:
     before = len(graph.edges)
     while True:
         loose = (graph.degrees[graph.edges] == 1).any(axis=1)
-        mark = loose & (graph.letters == "F")
-        if not mark.any():
+        mark = graph.letters == "F"
+        if not (loose & mark).any():
             break
-        graph = graph.chosen(~mark)
+        # A mark that goes on in others, and in nothing else, goes with them.
+        _, sides = graph.between_two()
+        chain = find_components(sides[mark[sides].all(axis=1)], len(graph.edges))
+        graph = graph.chosen(~np.isin(chain, chain[loose & mark]))
     if before > len(graph.edges):
         dropped = before - len(graph.edges)
         notes.append(f"{counted(dropped, 'mark')} inside panels, which no crease ends at: left out")
@@ -135,10 +146,7 @@ def _gap(graph: Graph, lines: Lines) -> GapError:
 
 def straighten(graph: Graph, weld: float, notes: list[str]) -> Graph:
     """Leave out points where one straight line goes on as another with the same letter."""
-    two = np.flatnonzero(graph.degrees == 2)
-    order = np.argsort(graph.edges.ravel(), kind="stable")
-    begin = np.searchsorted(graph.edges.ravel()[order], two)
-    sides = order[begin[:, None] + [0, 1]] // 2  # the two edges at each
+    two, sides = graph.between_two()
     far = graph.edges[sides].sum(axis=-1) - two[:, None]
     a, b = (graph.points[far[:, k]] for k in (0, 1))
     on = _distance(graph.points[two], a, b) <= weld
@@ -158,10 +166,10 @@ def straighten(graph: Graph, weld: float, notes: list[str]) -> Graph:
     pairs[owner[by[::2]], 0], pairs[owner[by[::2]], 1] = (
         graph.edges.ravel()[outer[by[k::2]]] for k in (0, 1)
     )
-    # A chain that turns little by little is no line: it stays as it is.
+    # A chain that turns little by little, or comes back to its beginning, stays as it is.
     middle, its = two[on], chain[sides[on, 0]]
     bent = _distance(graph.points[middle], *graph.points[pairs[its]].transpose(1, 0, 2)) > weld
-    stays = np.zeros(len(pairs), dtype=np.bool_)
+    stays = pairs[:, 0] < 0
     stays[its[bent]] = True
     first = np.unique(chain, return_index=True)[1]
     kept = stays[chain]

@@ -71,7 +71,7 @@ def read_pattern(
         raise InputError("this is no unit", got=str(unit), expected=", ".join(MILLIMETRES))
     for name, value in (("scale", scale), ("weld", weld)):
         if value is not None and not (isfinite(value) and value > 0):
-            raise InputError("this is no number above 0", where=name, got=repr(value))
+            raise InputError(f"{name} is no number above 0", got=repr(value))
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
             found = _read(path, unit, weld)

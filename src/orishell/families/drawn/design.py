@@ -1,0 +1,143 @@
+"""The design of a drawn sheet: its mechanism, or how far it is from folding (not in the paper)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
+from orishell.conventions.quantities import plain
+from orishell.design import Design, Parameter
+from orishell.families.drawn.mechanism import DrawnSheet
+from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement, find_nearby
+from orishell.families.drawn.sheet import drawn_sheet
+from orishell.families.drawn.signs import MOST, find_signs
+from orishell.families.shared.axes import axes_of
+from orishell.motion import drive_at_fold, largest_fold
+from orishell.motion.drawing import Drawing
+from orishell.numerics.arrays import Array
+
+MOVED = 1e-3
+"""Vertices are moved by this share of the shortest edge where the file does not say how far."""
+
+
+def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) -> Design:
+    """Design the shell of a drawn sheet.
+
+    Parameters
+    ----------
+    drawing
+        The sheet.
+    fold
+        The largest fold angle at the target, in (0, pi] (radians); None for as far as the sheet
+        folds.
+    move
+        How far vertices may be moved so that the sheet folds exactly (length); None for a
+        thousandth of the shortest edge.
+
+    Raises
+    ------
+    DesignError
+        If it does not fold: by how much, where, and how far vertices have to be moved.
+    """
+    drawing, warnings = _with_signs(drawing)
+    sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi)
+    moved = 0.0
+    if disagreement(sheet.drive) >= FOLDS:
+        flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
+        sheet = drawn_sheet(flat, drawing.signs, sheet.fold)
+        warnings += (
+            f"as drawn the sheet folds only nearly: vertices are moved by up to {plain(moved, 2)} "
+            "so that it folds exactly",
+        )
+    if fold is not None:
+        sheet = replace(sheet, fold=drive_at_fold(sheet, fold))
+    return _design(sheet, moved, warnings, open_ended=fold is None)
+
+
+def _with_signs(drawing: Drawing) -> tuple[Drawing, tuple[str, ...]]:
+    """The drawing with a sign for every crease, and what is to be said of those that were found."""
+    signs = drawing.signs
+    missing = int(np.isnan(signs.row).sum() + np.isnan(signs.column).sum())
+    if not missing:
+        return drawing, ()
+    ways = find_signs(drawing.flat, signs)
+    creases = f"{missing} of {signs.row.size + signs.column.size} creases have no letter"
+    if not ways:
+        raise DesignError(
+            "no mountains and valleys were found with which the sheet folds", size=creases
+        )
+    count = f"{len(ways)} ways" if len(ways) < MOST else f"{MOST} ways or more"
+    several = f" and the first of {count} to fold the sheet is taken" if len(ways) > 1 else ""
+    found = f"{creases}: mountains and valleys were found{several}"
+    return Drawing(drawing.flat, ways[0]), (found,)
+
+
+def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, float]:
+    """A sheet nearby that folds, and how far its vertices are moved."""
+    apart = np.abs(sheet.drive.disagreement(DRIVES)).max(axis=-1)
+    apart = np.where(np.isfinite(apart), apart, np.pi)
+    row, column = np.unravel_index(int(apart.argmax()), apart.shape)
+    found = find_nearby(drawing.flat, sheet.drive)
+    size = f"fold angles there disagree by {in_degrees(float(apart.max()))} degrees"
+    if found is None:
+        size += "; no sheet nearby was found that folds"
+    else:
+        moved = float(np.linalg.norm(found - drawing.flat, axis=-1).max())
+        if moved <= most:
+            return found, moved
+        size += f"; it folds with vertices moved by up to {plain(moved)}"
+    raise DesignError(
+        "the sheet as drawn does not fold with rigid panels",
+        keys=("pattern.move",),
+        place=f"worst at vertex {row + 1}, {column + 1}",
+        size=size,
+        candidates=[] if found is None else [Remedy({"pattern.move": rounded(1.01 * moved)})],
+        excess=float(apart.max()) / np.pi,
+    )
+
+
+def _design(
+    sheet: DrawnSheet, moved: float, warnings: tuple[str, ...], *, open_ended: bool
+) -> Design:
+    sheet = levelled(sheet)
+    described: dict[str, Parameter] = {
+        "fold_deg": tidy_degrees(float(largest_fold(sheet, np.array([sheet.fold]))[0])),
+        "moved": moved,
+        "flap": 0.0,
+    }
+
+    def ending_at(drive: float) -> Design:
+        return _design(replace(sheet, fold=drive), moved, warnings, open_ended=True)
+
+    return Design(
+        mechanism=sheet,
+        parameters=described,
+        targets={},
+        closeness={},
+        swept=None,
+        warnings=warnings,
+        may_stand=True,
+        ending_at=ending_at if open_ended else None,
+    )
+
+
+def levelled(sheet: DrawnSheet) -> DrawnSheet:
+    """The sheet level at its target, turned no more than that takes.
+
+    If its first and last rows can then be its lowest, they are at one height: it stands on them.
+    """
+    still = sheet.still
+    shell = still.positions(still.target_drive)
+    along, _, normal = axes_of(shell)
+    ends = np.cross(along, (shell[0] - shell[-1]).mean(axis=0))
+    heights = (shell @ ends).mean(axis=1)
+    if heights[1:-1].min() > max(heights[0], heights[-1]):
+        normal = ends / np.linalg.norm(ends)
+    axis = np.array([normal[1], -normal[0], 0.0])
+    sine = float(np.hypot(*axis[:2]))
+    if sine == 0:
+        return sheet
+    return replace(sheet, turn=axis / sine * float(np.arctan2(sine, normal[2])))

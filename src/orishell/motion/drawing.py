@@ -1,0 +1,57 @@
+"""A drawn sheet as it is given: flat vertices row by row, and what its creases are to be."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.grid import CreaseValues
+from orishell.motion.gridding import find_grid, grid_edges
+from orishell.numerics.arrays import Array
+
+
+@record
+class Drawing:
+    """A flat sheet of quadrilaterals."""
+
+    flat: Array  # vertices (rows, columns, 2) in the order of a Grid
+    # signs of creases: 1 valley, -1 mountain, 0 never folded, NaN where nothing is said
+    signs: CreaseValues
+
+    @property
+    def inner(self) -> tuple[int, int]:
+        """Rows and columns of inner vertices."""
+        rows, columns, _ = self.flat.shape
+        return rows - 2, columns - 2
+
+    @property
+    def shortest(self) -> float:
+        """Length of the shortest edge."""
+        edges = np.diff(self.flat, axis=0), np.diff(self.flat, axis=1)
+        return float(min(np.linalg.norm(each, axis=-1).min() for each in edges))
+
+
+def drawing_of(pattern: CreasePattern) -> Drawing:
+    """The drawing of a pattern whose panels are those of a grid.
+
+    Parameters
+    ----------
+    pattern
+        The pattern.
+
+    Raises
+    ------
+    InputError
+        If they are not: where.
+    """
+    numbers = find_grid(pattern)
+    signs = pattern.signs[grid_edges(pattern, numbers)]
+    rows, columns = numbers.shape
+    row, column = np.split(signs, [rows * (columns - 1)])
+    return Drawing(
+        pattern.vertices[numbers],
+        CreaseValues(
+            row.reshape(rows, columns - 1)[1:-1], column.reshape(rows - 1, columns)[:, 1:-1]
+        ),
+    )
