@@ -325,6 +325,13 @@ def fold_of(pattern: CreasePattern, *, unit: str = "mm", faces: bool = True) -> 
     }
 
 
+def fold_file(directory: Path, keys: dict[str, Any]) -> Path:
+    """A FOLD file of these keys."""
+    path = directory / "pattern.fold"
+    path.write_text(json.dumps(keys))
+    return path
+
+
 STROKES = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#ffff00", "U": "#ff00ff"}
 """As Origami Simulator tells assignments apart; its own page says so under "File Import Tips"."""
 

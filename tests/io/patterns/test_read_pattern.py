@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,11 +13,9 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion
 from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from patterns import CHANGES, SAMPLES, Sample, egg_box, fold_of, miura, scaled, write
+from patterns import CHANGES, SAMPLES, Sample, fold_file, fold_of, miura, scaled, write
 from samples import thorough
-from toy_family import Miura
 
 ROUNDING = 1e-9
 """Of coordinates, by the largest: welds take the first of points that differ in the last digits."""
@@ -70,12 +67,6 @@ def test_order_mirror_and_size_change_nothing_else(
     require_same(read_pattern(write(tmp_path / f"pattern{ending}", pattern)).flat, pattern)
 
 
-def fold_file(tmp_path: Path, keys: dict[str, Any]) -> Path:
-    path = tmp_path / "pattern.fold"
-    path.write_text(json.dumps(keys))
-    return path
-
-
 @pytest.mark.parametrize("name", ["Huffman's grid", "Resch", "Miura with a hole"])
 def test_panels_are_found_between_edges(name: str, tmp_path: Path) -> None:
     pattern = SAMPLES[name].make()
@@ -91,85 +82,6 @@ def test_fold_keeps_the_numbers_of_the_file_to_the_last_bit(tmp_path: Path) -> N
     for name in ("vertices", "edges", "letters", "faces", "edge_faces"):
         np.testing.assert_array_equal(getattr(found.flat, name), getattr(pattern, name))
     assert found.notes == ()
-
-
-def folded_miura(drive: float) -> tuple[Miura, dict[str, Any]]:
-    sheet = Miura(Grid(6, 7), np.deg2rad(60), np.deg2rad(50))
-    return sheet, {
-        "vertices_coords": sheet.positions(drive).reshape(-1, 3).tolist(),
-        "faces_vertices": sheet.grid.faces_vertices().tolist(),
-    }
-
-
-@pytest.mark.parametrize("clockwise", [False, True])
-def test_a_folded_state_is_laid_out_flat(clockwise: bool, tmp_path: Path) -> None:
-    sheet, keys = folded_miura(0.8)
-    if clockwise:  # a panel here and there: the others say which way is up
-        keys["faces_vertices"][3].reverse()
-    found = read_pattern(fold_file(tmp_path, keys))
-    assert found.flat is not None
-    assert "laid out" in found.notes[0]
-    # All distances are those of the sheet that was folded: one within another, turned.
-    flat = sheet.positions(0.0).reshape(-1, 3)[:, :2]
-    apart, before = (
-        np.hypot(*(each[:, None] - each[None]).transpose(2, 0, 1))
-        for each in (found.flat.vertices, flat)
-    )
-    np.testing.assert_allclose(apart, before, atol=1e-13)  # 20 times what was seen
-    # Seen from the same side, not mirrored: the first panel turns left as it does in the sheet.
-    others = np.arange(30) != 3
-    wanted = sheet.grid.faces_vertices()
-    np.testing.assert_array_equal(found.flat.faces[others], wanted[others])
-    (state,) = found.states
-    np.testing.assert_array_equal(state.positions, np.array(keys["vertices_coords"]))
-
-
-def test_a_state_that_is_folded_flat_is_no_flat_sheet(tmp_path: Path) -> None:
-    """A square folded along its diagonal, in z = 0: both triangles lie on each other."""
-    keys = {
-        "frame_classes": ["foldedForm"],
-        "vertices_coords": [[0, 0], [1, 0], [0, 0], [0, 1]],
-        "faces_vertices": [[0, 1, 3], [1, 2, 3]],
-    }
-    found = read_pattern(fold_file(tmp_path, keys))
-    assert found.flat is not None
-    assert len(found.states) == 1
-    apart = found.flat.vertices[0] - found.flat.vertices[2]
-    np.testing.assert_allclose(np.hypot(*apart), np.sqrt(2), rtol=1e-15)
-
-
-def test_an_egg_box_has_no_flat_sheet_and_says_why(tmp_path: Path) -> None:
-    positions, faces = egg_box()
-    keys = {"vertices_coords": positions.tolist(), "faces_vertices": faces.tolist()}
-    found = read_pattern(fold_file(tmp_path, keys))
-    assert found.flat is None
-    # 240 and 480 degrees by turns: see egg_box.
-    assert "12 vertices are not developable" in found.not_flat
-    assert "480 degrees" in found.not_flat
-    assert len(found.states) == 1
-    assert len(found.faces) == len(faces)
-
-
-def test_a_panel_that_is_not_flat_is_named(tmp_path: Path) -> None:
-    _, keys = folded_miura(0.8)
-    keys["vertices_coords"][0][2] += 0.01
-    found = read_pattern(fold_file(tmp_path, keys))
-    assert found.flat is None
-    assert "panel 0 is not flat" in found.not_flat
-
-
-def test_a_cut_ring_that_does_not_close_is_not_flat(tmp_path: Path) -> None:
-    """Five upright squares round a well: developable everywhere, and no sheet closes to it."""
-    turn = np.deg2rad(72 * np.arange(5))
-    round_ = np.stack([np.cos(turn), np.sin(turn)], -1)
-    low, high = (np.column_stack([round_, np.full(5, z)]) for z in (0.0, 1.0))
-    keys = {
-        "vertices_coords": np.concatenate([low, high]).tolist(),
-        "faces_vertices": [[k, (k + 1) % 5, 5 + (k + 1) % 5, 5 + k] for k in range(5)],
-    }
-    found = read_pattern(fold_file(tmp_path, keys))
-    assert found.flat is None
-    assert "do not close" in found.not_flat
 
 
 def test_frames_inherit_and_fold_angles_are_kept(tmp_path: Path) -> None:
@@ -250,6 +162,12 @@ def test_panels_that_share_no_vertices_are_refused_with_the_weld_that_joins_them
     assert found is not None
     assert len(found.vertices) == len(pattern.vertices)
     assert len(found.inner) == len(pattern.inner)
+
+
+def test_a_weld_wider_than_an_edge_is_refused(tmp_path: Path) -> None:
+    path = fold_file(tmp_path, fold_of(miura()))
+    with pytest.raises(InputError, match=r"repeats a corner|within the tolerance"):
+        read_pattern(path, weld=1.01)
 
 
 def broken(change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.clash import PathContact, find_first_contact
+from orishell.clash import PathResult, find_first_contact
+from orishell.clash.sampled import SampledContact, look_for_contact
 from orishell.conventions.errors import DesignError, OrishellError
-from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.families.drawn import DrawnSheet, drawn_sheet
+from orishell.families.drawn.nearest import find_nearby
+from orishell.families.drawn.signs import find_signs
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import follow
 from orishell.motion.following.dofs import Freedom, find_freedom
@@ -50,9 +54,13 @@ class FoldingMotion:
     ends: str  # why it ends there
     freedom: tuple[Freedom, ...]  # degrees of freedom in states on the way
     plays: Array  # how far rigid panels part at creases in each state (S,), at most (length)
-    # the first contact of panels, if it was looked for and there is one
-    contact: PathContact | None
-    clear_until: Angle | None  # up to here no panels touch, proved; None if not looked at
+    # what is proved of contact on the way; None if nothing is
+    proof: PathResult | None = None
+    seen: SampledContact | None = None  # what was seen of contact in states; None if not looked at
+    choices: int = 0  # so many choices of mountains and valleys fold it, where letters are missing
+    # how far vertices (rows, columns) of its grid are moved in a sheet nearby that folds (length);
+    # None if there is no need, or none was found
+    moved: Array | None = None
 
     @property
     def play(self) -> float:
@@ -112,15 +120,18 @@ def find_motion(
     proved = _proved_still(pattern, exact)
     if proved:
         return Still(proved, proved=True)
+    missing = np.isnan(pattern.signs[pattern.crease]).any()
+    if grid is not None:
+        ways = find_signs(grid.flat, grid.signs) if missing else [grid.signs]
+        try:
+            if ways:
+                sheet = drawn_sheet(grid.flat, ways[0], np.pi)
+                found = _in_closed_form(grid.with_signs(ways[0]), sheet, exact, progress)
+                return replace(found, choices=len(ways) if missing else 0)
+        except DesignError as error:
+            if error.place:  # else parts of it fold by themselves
+                return Still(_said(error), proved=not missing)
     try:
-        if grid is not None and not np.isnan(pattern.signs[pattern.crease]).any():
-            try:
-                sheet = drawn_sheet(grid.flat, grid.signs, np.pi)
-            except DesignError as error:
-                if error.place:  # else parts of it fold by themselves
-                    return Still(_said(error), proved=True)
-            else:
-                return _in_closed_form(pattern, grid, sheet, progress)
         return _followed(pattern, progress)
     except OrishellError as error:
         return Still(_said(error), proved=False)
@@ -151,35 +162,35 @@ def _proved_still(pattern: CreasePattern, exact: float) -> str:
 
 
 def _in_closed_form(
-    pattern: CreasePattern, grid: OnGrid, sheet: DrawnSheet, progress: Progress
+    grid: OnGrid, sheet: DrawnSheet, exact: float, progress: Progress
 ) -> FoldingMotion:
-    drives = np.linspace(0.0, np.pi, STATES)
+    pattern, drives = grid.pattern, np.linspace(0.0, np.pi, STATES)
+    closure = Closure.of(pattern)
     with np.errstate(all="ignore"):
         folds = grid.on_edges(sheet.fold_angles(drives))
-    closure = Closure.of(pattern)
-    misses = _misses(closure, folds)
-    closes = bool(misses.max() < TOUCHING)
-    found, clear_until = None, None
-    if closes:
-        end = np.pi * (1 - SHORT_OF_END)
-        size = TOUCHING * diagonal(sheet.positions(0.0))
-        found = find_first_contact(sheet.still, end, size, progress=progress).contact
-        clear_until = end if found is None else found.clear_until
-    return FoldingMotion(
+    found = FoldingMotion(
         way="closed form",
         letters=pattern.letters,
         drives=drives,
         folds=folds,
-        misses=misses,
+        misses=_misses(closure, folds),
         vertices=closure.vertices,
         reached=float(np.pi),
         ends="a crease is folded flat",
-        freedom=_freedom(closure, grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT))))
-        if closes
-        else (),
+        freedom=(),
         plays=_plays(pattern, folds),
-        contact=found,
-        clear_until=clear_until,
+    )
+    if found.miss > TOUCHING:
+        nearby = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
+        moved = None if nearby is None else np.linalg.norm(nearby - grid.flat, axis=-1)
+        return replace(found, moved=moved)
+    size = TOUCHING * diagonal(sheet.positions(0.0))
+    end = np.pi * (1 - SHORT_OF_END)
+    at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))
+    return replace(
+        found,
+        proof=find_first_contact(sheet.still, end, size, progress=progress),
+        freedom=tuple(find_freedom(closure, each[closure.edges]) for each in at),
     )
 
 
@@ -192,7 +203,7 @@ ENDS = {
 
 
 def _followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion:
-    found = follow(pattern, states=STATES, progress=progress)
+    found = follow(pattern, states=STATES, progress=stretch(progress, 0.0, 0.7))
     closure = Closure.of(pattern)
     return FoldingMotion(
         way="followed",
@@ -205,8 +216,7 @@ def _followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion:
         ends=ENDS[found.end],
         freedom=found.freedom,
         plays=_plays(pattern, found.folds),
-        contact=None,
-        clear_until=None,
+        seen=look_for_contact(found, stretch(progress, 0.7, 1.0)),
     )
 
 
@@ -214,10 +224,6 @@ def _misses(closure: Closure, folds: Array) -> Array:
     """By how much vertices miss closing (S, I)."""
     left = np.array([closure.residuals(each[closure.edges])[0] for each in folds])
     return np.asarray(np.nan_to_num(np.abs(left).max(axis=2), nan=np.inf))
-
-
-def _freedom(closure: Closure, folds: Array) -> tuple[Freedom, ...]:
-    return tuple(find_freedom(closure, each[closure.edges]) for each in folds)
 
 
 def _plays(pattern: CreasePattern, folds: Array) -> Array:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import CreaseValues
-from orishell.motion.gridding import find_grid
+from orishell.motion.gridding import find_grid, grid_edges
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -30,19 +32,13 @@ class OnGrid:
             return None
         if min(numbers.shape) < 3:
             return None
-        count = len(pattern.vertices)
-        keys = np.sort(pattern.edges, axis=1) @ [count, 1]
-        order = np.argsort(keys)
-
-        def edges(first: Integers, second: Integers) -> Integers:
-            wanted = np.minimum(first, second) * count + np.maximum(first, second)
-            return np.asarray(order[np.searchsorted(keys, wanted, sorter=order)])
-
+        rows, columns = numbers.shape
+        edges = np.split(grid_edges(pattern, numbers), [rows * (columns - 1)])
         return cls(
             pattern,
             numbers,
-            edges(numbers[1:-1, :-1], numbers[1:-1, 1:]),
-            edges(numbers[:-1, 1:-1], numbers[1:, 1:-1]),
+            edges[0].reshape(rows, columns - 1)[1:-1],
+            edges[1].reshape(rows - 1, columns)[:, 1:-1],
         )
 
     @property
@@ -55,6 +51,14 @@ class OnGrid:
         """Of the creases: 1 valley, -1 mountain, 0 flat, NaN where nothing is said."""
         signs = self.pattern.signs
         return CreaseValues(signs[self.row], signs[self.column])
+
+    def with_signs(self, signs: CreaseValues) -> OnGrid:
+        """The same, with letters after signs where there are none."""
+        pattern, asked = self.pattern, self.on_edges(signs)
+        found = np.where(asked > 0, "V", np.where(asked < 0, "M", "F"))
+        missing = pattern.crease & np.isnan(pattern.signs)
+        letters = np.where(missing, found, pattern.letters)
+        return replace(self, pattern=replace(pattern, letters=letters))
 
     def on_edges(self, values: CreaseValues) -> Array:
         """Values (..., E) of all edges of the pattern, 0 at its border."""

@@ -13,6 +13,7 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.numerics.arrays import Array
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
@@ -43,10 +44,12 @@ class Judged:
             return
         motion = self.motion
         yield self._folds(motion)
-        found = int((motion.letters != self.pattern.letters).sum())
-        if found:
-            letters = f"{found} creases fold that had no letter: one way of several, perhaps"
-            yield Row("says", "letters", letters)
+        missing = int((self.pattern.crease & np.isnan(self.pattern.signs)).sum())
+        if missing:
+            choice = {0: "those found are one choice of several, perhaps", 1: "one choice folds it"}
+            several = f"{motion.choices} choices fold it, of which the first is taken"
+            said = choice.get(motion.choices, several)
+            yield Row("says", "letters", f"{missing} creases have none: {said}")
         if self._closed(motion, self.tolerance) > 1:
             yield _of_freedom(motion)
             yield self._reaches(motion)
@@ -124,27 +127,43 @@ class Judged:
             f"{in_degrees(motion.drives[count])} degrees, most at vertex "
             f"{motion.vertices[motion.misses[count].argmax()]}"
         )
+        nearby = "" if motion.moved is None else self._nearby(motion.moved)
         if count > 1:
             upto = in_degrees(motion.drives[count - 1])
-            return Row("warns", "folds", f"to the tolerance up to {upto} degrees; there {beyond}")
+            said = f"to the tolerance up to {upto} degrees; beyond, {beyond}"
+            return Row("warns", "folds", said, nearby)
         half = int(np.abs(motion.drives - np.pi / 2).argmin())
         at_half = f"{motion.misses[half].max():.1g} at {in_degrees(motion.drives[half])}"
-        return Row("fails", "folds", f"not with these letters: {beyond}, {at_half}")
+        return Row("fails", "folds", f"not with these letters: {beyond}, {at_half}", nearby)
 
     def _reaches(self, motion: FoldingMotion) -> Row:
         count = self._closed(motion, self.tolerance)
         reached = f"{in_degrees(motion.drives[count - 1])} degrees"
         ends = motion.ends if count == len(motion.drives) else "beyond it does not close"
-        if motion.clear_until is None:
-            return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
-        if motion.contact is None:
+        if motion.proof is not None and motion.proof.contact is not None:
+            contact = motion.proof.contact
+            first, second = contact.panels
+            said = f"panels {first} and {second} meet there, counted row by row"
+            at = f"{in_degrees(contact.drive)} degrees"
+            return Row("warns", "reaches", f"{at}: {said}; nothing meets before (proved)")
+        if motion.proof is not None:
             return Row("holds", "reaches", f"{reached}: {ends}; nothing meets before (proved)")
-        first, second = motion.contact.panels
-        return Row(
-            "warns",
-            "reaches",
-            f"{in_degrees(motion.contact.drive)} degrees: panels {first} and {second} meet there, "
-            f"counted row by row; nothing meets before (proved)",
+        seen = motion.seen
+        if seen is None:
+            return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
+        looked = f"looked at every {in_degrees(seen.apart)} degrees, between not proved"
+        if seen.met is None or seen.panels is None:
+            return Row("says", "reaches", f"{reached}: {ends}; no contact seen, {looked}")
+        first, second = seen.panels
+        said = f"panels {first} and {second} meet there; {looked}"
+        return Row("warns", "reaches", f"{in_degrees(seen.met)} degrees: {said}")
+
+    def _nearby(self, moved: Array) -> str:
+        """How far vertices are to be moved so that it folds."""
+        row, column = np.unravel_index(int(moved.argmax()), moved.shape)
+        return (
+            f"a sheet nearby folds, its vertices moved by up to "
+            f"{quantity(float(moved.max()), self.unit)}, most at row {row}, column {column} (tried)"
         )
 
 
@@ -152,7 +171,8 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
     """The figures of a motion, as reports have them."""
     if isinstance(motion, Still):
         return {"found": False, "proved": motion.proved, "reason": motion.reason}
-    clear = motion.clear_until
+    proof, seen = motion.proof, motion.seen
+    met = proof.contact if proof is not None else None
     return {
         "found": True,
         "way": motion.way,
@@ -162,8 +182,15 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         "play": motion.play if np.isfinite(motion.play) else None,
         "reached_deg": tidy_degrees(motion.reached),
         "ends": motion.ends,
-        "clear_until_deg": None if clear is None else tidy_degrees(clear),
-        "first_contact": None if motion.contact is None else list(motion.contact.panels),
+        "clear_proved": proof is not None,
+        "first_contact": list(met.panels) if met else list(seen.panels or ()) if seen else [],
+        "contact_deg": tidy_degrees(met.drive)
+        if met
+        else tidy_degrees(seen.met)
+        if seen and seen.met
+        else None,
+        "moved": None if motion.moved is None else float(motion.moved.max()),
+        "choices": motion.choices,
     }
 
 
