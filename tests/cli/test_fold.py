@@ -11,7 +11,7 @@ import pytest
 
 from command_line import orishell
 from orishell.io import read_fold, read_pattern
-from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from patterns import SAMPLES, fold_of, jittered, of_loops, write
 
 
@@ -98,6 +98,21 @@ def test_what_does_not_fold(tmp_path: Path) -> None:
     assert "1 orishell: no folded state was found" in fault(
         tmp_path, SAMPLES["square twist"].make()
     )
+
+
+def test_a_hole(tmp_path: Path) -> None:
+    """A Miura sheet folds round a hole as it does without; a sheet of triangles, each vertex by
+    itself, does not."""
+    said, _ = folded(tmp_path, SAMPLES["Miura with a hole"].make(), "--frames", "3")
+    assert "v folds     to 180 degrees" in said
+    whole = SAMPLES["Yoshimura"].make()
+    inside = np.isin(whole.faces, whole.inner).all(axis=1).argmax()
+    holed = pattern_of_panels(whole.vertices, np.delete(whole.faces, inside, axis=0), whole.edges)
+    source = write(tmp_path / "holed.fold", holed)
+    ran = orishell("fold", source, "--out", tmp_path / "none", "--frames", "3")
+    assert ran.returncode == 1
+    assert "tears the sheet at a hole" in ran.stderr
+    assert not (tmp_path / "none").exists()
 
 
 def test_odd_options(tmp_path: Path) -> None:

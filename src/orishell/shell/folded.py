@@ -213,8 +213,8 @@ def fold_pattern(
     diagonal = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
     if play > TORN * max(ROUNDING, motion.residuals.max()) * diagonal:
         raise DesignError(
-            "the sheet does not close round a hole as its vertices do",
-            size=f"panels part by {plain(play)} {read.unit}",
+            "the motion that was found tears the sheet at a hole",
+            size=f"panels part by {plain(play)} {read.unit}; others were not looked for",
         )
     contact = look_for_contact(motion, stretch(progress, 0.8, 1.0))
     document = document_of_pattern(
