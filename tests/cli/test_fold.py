@@ -11,8 +11,8 @@ import pytest
 
 from command_line import orishell
 from orishell.io import read_fold, read_pattern
-from orishell.motion.crease_pattern import CreasePattern
-from patterns import SAMPLES, fold_of, of_loops, write
+from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
+from patterns import SAMPLES, fold_of, jittered, of_loops, write
 
 
 def folded(tmp_path: Path, pattern: CreasePattern, *arguments: str) -> tuple[str, Path]:
@@ -100,8 +100,31 @@ def test_what_does_not_fold(tmp_path: Path) -> None:
     )
 
 
+def test_a_hole(tmp_path: Path) -> None:
+    """A Miura sheet folds round a hole as it does without; a sheet of triangles, each vertex by
+    itself, does not."""
+    said, _ = folded(tmp_path, SAMPLES["Miura with a hole"].make(), "--frames", "3")
+    assert "v folds     to 180 degrees" in said
+    whole = SAMPLES["Yoshimura"].make()
+    inside = np.isin(whole.faces, whole.inner).all(axis=1).argmax()
+    holed = pattern_of_panels(whole.vertices, np.delete(whole.faces, inside, axis=0), whole.edges)
+    source = write(tmp_path / "holed.fold", holed)
+    ran = orishell("fold", source, "--out", tmp_path / "none", "--frames", "3")
+    assert ran.returncode == 1
+    assert "tears the sheet at a hole" in ran.stderr
+    assert not (tmp_path / "none").exists()
+
+
 def test_odd_options(tmp_path: Path) -> None:
     miura = SAMPLES["Miura"].make()
-    for option, value in [("--angle", "0"), ("--angle", "200"), ("--frames", "1"), ("--unit", "x")]:
+    odd = {"--angle": "0 200 nan", "--frames": "1", "--unit": "x", "--tolerance": "0 1 nan"}
+    for option, value in ((name, each) for name, values in odd.items() for each in values.split()):
         assert f"2 orishell: {option}: " in fault(tmp_path, miura, option, value)
     assert "--unit mm" in fault(tmp_path, miura, unit="unit")
+
+
+def test_rounded_coordinates_fold_to_a_tolerance(tmp_path: Path) -> None:
+    pattern = jittered(SAMPLES["Miura"].make(), 1e-6)
+    said, _ = folded(tmp_path, pattern, "--tolerance", "0.01", "--frames", "3")
+    assert "! folds     to 180 degrees" in said
+    assert "to a tolerance, not exactly" in said

@@ -28,7 +28,9 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
 
   const sheet: Size | null = report.sheet ?? measured(view, "flat");
   const shell: Size | null = report.deployed ?? measured(view, "shell");
-  const panels = panelCount(view).toLocaleString("en").replaceAll(",", "\u202f");
+  const { names } = view.header;
+  const count = names ? new Set(names).size : panelCount(view);  // parts of one have one name
+  const panels = count.toLocaleString("en").replaceAll(",", "\u202f");
   add(list, "Panels", panels, grid && !view.header.names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
   if (sheet) {
     add(list, "Flat sheet", `${threeDigits(sheet.width)} \u00d7 ${length(sheet.height, unit)}`, "", "sheet");

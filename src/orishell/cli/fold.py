@@ -12,6 +12,13 @@ from orishell.cli.files import WELD_HELP, bar, directory, lines_of, say, shorten
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
+MOST = 1000
+"""Frames, at most: each is a state of the whole sheet in files and memory."""
+TOLERANCE = 0.0006
+"""That of :func:`orishell.motion.following.follow` or a little more, in degrees."""
+LOOSEST = 0.5
+"""Degrees."""
+
 
 def fold(
     file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG or DXF).")],
@@ -28,6 +35,9 @@ def fold(
         str | None,
         typer.Option(help="Unit of length, if the file names none or a wrong one."),
     ] = None,
+    tolerance: Annotated[
+        float, typer.Option(help="By how much vertices may miss closing (degrees, up to 0.5).")
+    ] = TOLERANCE,
     weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
 ) -> None:
     """Fold a crease pattern, and write its states.
@@ -58,6 +68,13 @@ def fold(
             got=str(frames),
             expected=f"from 2 to {MOST}",
         )
+    if not 0 < tolerance <= LOOSEST:
+        raise InputError(
+            "this is no tolerance",
+            where="--tolerance",
+            got=f"{tolerance:g}",
+            expected=f"above 0 and at most {LOOSEST} (degrees)",
+        )
     turned = None if angle is None else math.radians(angle)
     with bar() as progress:
         folded = fold_pattern(
@@ -66,6 +83,7 @@ def fold(
             frames=frames,
             unit=cast("Unit | None", unit),
             weld=weld,
+            tolerance=math.radians(tolerance),
             progress=progress,
         )
     written, missing = write_folded(folded, out)
@@ -76,7 +94,3 @@ def fold(
     for row in folded.rows():
         lines += lines_of(row)
     say("\n".join([*lines, "", "wrote " + ", ".join(shortened(written))]))
-
-
-MOST = 1000
-"""Frames, at most: each is a state of the whole sheet in files and memory."""

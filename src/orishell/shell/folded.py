@@ -22,7 +22,7 @@ from orishell.io.format import DEFAULT_SETTINGS, Format
 from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.io.formats.gltf import FORMAT as GLTF
 from orishell.io.formats.html import FORMAT as HTML
-from orishell.motion.following import Followed, follow
+from orishell.motion.following import TOLERANCE, Followed, follow
 from orishell.shell.closed_form import in_closed_form
 
 FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
@@ -32,8 +32,13 @@ ENDS = {
     "turns back": "where its largest fold angle grows no further",
     "lost": "where no closed state was found beyond, as at a branch of the motion",
 }
-TORN = 1e-6
-"""Panels that part by more than this share of the sheet's diagonal do not make one sheet."""
+LOOSEST = 0.01
+"""Vertices that may miss closing by more fold whatever their sectors are (radians)."""
+ROUNDING = 1e-9
+"""Vertices that miss closing by more do not close exactly (radians)."""
+TORN = 100.0
+"""Panels do not make one sheet if they part by more than this times what vertices miss, or by as
+much of the sheet's diagonal where these close but for rounding."""
 
 
 @record
@@ -68,7 +73,11 @@ class Folded:
             f"to {motion.residuals.max():.0e} rad, panels part by {self.play:.0e} "
             f"{self.source.unit} at creases"
         )
-        return Row("holds" if motion.end in ("asked", "closed") else "warns", "folds", finding)
+        to_rounding = motion.residuals.max() <= ROUNDING
+        if not to_rounding:
+            finding += ": to a tolerance, not exactly"
+        good = to_rounding and motion.end in ("asked", "closed")
+        return Row("holds" if good else "warns", "folds", finding)
 
     def _contact(self) -> Row:
         seen = self.contact
@@ -119,6 +128,7 @@ def fold_pattern(
     frames: int = 25,
     unit: Unit | None = None,
     weld: float | None = None,
+    tolerance: float = TOLERANCE,
     progress: Progress = no_progress,
 ) -> Folded:
     """Fold a crease pattern from a FOLD, SVG or DXF file as its mountains and valleys ask.
@@ -137,6 +147,8 @@ def fold_pattern(
     weld
         Points nearer to each other than this are one (length); None as
         :func:`~orishell.io.read_pattern` takes it.
+    tolerance
+        By how much vertices may miss closing, above 0 and at most 0.01 (radians).
 
     Raises
     ------
@@ -159,6 +171,13 @@ def fold_pattern(
             got=str(frames),
             expected="at least 2",
         )
+    if not 0 < tolerance <= LOOSEST:
+        raise InputError(
+            "this is no tolerance",
+            where="fold_pattern: tolerance",
+            got=plain(tolerance),
+            expected=f"above 0 and at most {LOOSEST:g} (radians)",
+        )
     read = read_pattern(source, unit=unit, weld=weld)
     if read.flat is None:
         raise InputError(read.not_flat, where=f"{source}:")
@@ -169,7 +188,13 @@ def fold_pattern(
             remedy="name that of its coordinates, for example --unit mm",
         )
     largest = np.pi if angle is None else angle
-    motion = follow(read.flat, largest=largest, states=frames, progress=stretch(progress, 0.0, 0.8))
+    motion = follow(
+        read.flat,
+        largest=largest,
+        states=frames,
+        tolerance=tolerance,
+        progress=stretch(progress, 0.0, 0.7),
+    )
     if angle is not None and motion.end not in ("asked", "closed"):
         raise DesignError(
             f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
@@ -186,10 +211,10 @@ def fold_pattern(
         states.append(DocumentState(positions, degrees, float(np.rad2deg(motion.drives[number]))))
         progress(0.7 + 0.1 * (number + 1) / frames, "placing panels")
     diagonal = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
-    if play > TORN * diagonal:
+    if play > TORN * max(ROUNDING, motion.residuals.max()) * diagonal:
         raise DesignError(
-            "the sheet does not close round a hole as its vertices do",
-            size=f"panels part by {plain(play)} {read.unit}",
+            "the motion that was found tears the sheet at a hole",
+            size=f"panels part by {plain(play)} {read.unit}; others were not looked for",
         )
     contact = look_for_contact(motion, stretch(progress, 0.8, 1.0))
     document = document_of_pattern(

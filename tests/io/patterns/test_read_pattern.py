@@ -164,6 +164,12 @@ def test_panels_that_share_no_vertices_are_refused_with_the_weld_that_joins_them
     assert len(found.inner) == len(pattern.inner)
 
 
+def test_a_weld_wider_than_an_edge_is_refused(tmp_path: Path) -> None:
+    path = fold_file(tmp_path, fold_of(miura()))
+    with pytest.raises(InputError, match=r"repeats a corner|within the tolerance"):
+        read_pattern(path, weld=1.01)
+
+
 def broken(change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
     keys = fold_of(miura(2, 2))
     change(keys)

@@ -21,7 +21,7 @@ from orishell.motion.following.start import find_start
 from orishell.motion.following.system import Closure
 from orishell.motion.layout import edge_folds
 from patterns import SAMPLES as SHEETS
-from patterns import of_loops
+from patterns import jittered, of_loops
 from samples import thorough
 
 QUICK = (
@@ -205,3 +205,15 @@ def test_what_is_beside_a_rigid_vertex_is_rigid() -> None:
     assert find_rigid(pattern).flat.sum() == pattern.crease.sum() == 6
     freed = replace(pattern, letters=np.where(pattern.edges.max(axis=1) == 3, "C", pattern.letters))
     assert not find_rigid(freed).flat[pattern.edges.max(axis=1) > 3].any()
+
+
+@pytest.mark.parametrize("name", ["Huffman's grid", "graded Miura"])
+def test_what_folds_to_a_tolerance(name: str) -> None:
+    """Of coordinates off by a share of an edge, what states miss is in proportion to it."""
+    sheet = SHEETS[name].make()
+    missed = [
+        follow(jittered(sheet, size), largest=2.0, states=4).residuals.max()
+        for size in (1e-9, 1e-7)
+    ]
+    np.testing.assert_allclose(missed[1] / missed[0], 100, rtol=0.1)
+    assert missed[0] < 1e-8

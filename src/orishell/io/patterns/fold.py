@@ -25,7 +25,7 @@ from orishell.io.fold_keys import (
 from orishell.io.format import plain_line
 from orishell.io.patterns.apart import PiecesError, require_apart, require_one_piece
 from orishell.io.patterns.arrangement import arrange
-from orishell.io.patterns.fold_panels import read_polygons, sides_among
+from orishell.io.patterns.fold_panels import read_polygons, require_different, sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.graph import counted
 from orishell.io.patterns.layout import lay_out
@@ -180,18 +180,8 @@ def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: lis
     both = np.concatenate([points, pattern.vertices])
     _, first, place = np.unique(both, axis=0, return_index=True, return_inverse=True)
     vertices = first[place.ravel()[len(points) :]]
-    return _Sheet(
-        pattern,
-        "",
-        pattern.faces,
-        pattern.edges,
-        pattern.edge_faces,
-        pattern.letters,
-        file.flat,
-        vertices if (vertices < len(points)).all() else None,
-        None,
-        found.angles,
-    )
+    known = vertices if (vertices < len(points)).all() else None
+    return _with_flat(pattern, file.flat, known, None, found.angles)
 
 
 def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]) -> _Sheet:
@@ -215,6 +205,7 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
     if weld is not None:
         leader = weld_points(file.first, weld)
         faces = np.where(faces < 0, -1, leader[faces])
+        require_different(faces, f"{FACES}, with weld = {weld:g},")
         edges = None if edges is None else leader[edges]
     used = np.unique(faces[faces >= 0])
     size = len(file.first)
@@ -238,38 +229,50 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
             if not file.folded:
                 raise
         else:
-            return _Sheet(
-                flat=flat,
-                not_flat="",
-                faces=flat.faces,
-                edges=flat.edges,
-                edge_faces=flat.edge_faces,
-                letters=flat.letters,
-                frame=file.flat,
-                vertices=used,
-                chosen=chosen,
-            )
+            return _with_flat(flat, file.flat, used, chosen)
     joined = join_loops(loops, len(used), edges, None if letters is None else letters == "C")
     require_one_piece(joined.edge_faces[joined.crease], len(loops))
     laid = lay_out(positions, joined)
-    reason, found = laid.reason, None
+    reason = laid.reason
     if laid.vertices is not None:
-        found = pattern_of_panels(laid.vertices, joined.loops, joined.edges, letters)
+        flat = pattern_of_panels(laid.vertices, joined.loops, joined.edges, letters)
         try:
-            require_apart(found)
-            notes.append("the file has no flat sheet: it was laid out from the first state")
+            require_apart(flat)
         except InputError as error:
-            reason, found = f"laid out flat, {error.what}", None
+            reason = f"laid out flat, {error.what}"
+        else:
+            notes.append("the file has no flat sheet: it was laid out from the first state")
+            return _with_flat(flat, None, used, chosen)
     known = np.full(len(joined.edges), "U") if letters is None else letters
-    letters = np.where((joined.edge_faces < 0).any(axis=1), "B", known)
     return _Sheet(
-        found,
-        reason,
-        joined.loops,
-        joined.edges,
-        joined.edge_faces,
-        letters,
-        None,
-        used,
-        chosen,
+        flat=None,
+        not_flat=reason,
+        faces=joined.loops,
+        edges=joined.edges,
+        edge_faces=joined.edge_faces,
+        letters=np.where((joined.edge_faces < 0).any(axis=1), "B", known),
+        frame=None,
+        vertices=used,
+        chosen=chosen,
+    )
+
+
+def _with_flat(
+    flat: CreasePattern,
+    frame: int | None,
+    vertices: Integers | None,
+    chosen: Integers | None,
+    angles: Array | None = None,
+) -> _Sheet:
+    return _Sheet(
+        flat=flat,
+        not_flat="",
+        faces=flat.faces,
+        edges=flat.edges,
+        edge_faces=flat.edge_faces,
+        letters=flat.letters,
+        frame=frame,
+        vertices=vertices,
+        chosen=chosen,
+        angles=angles,
     )

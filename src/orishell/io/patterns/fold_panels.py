@@ -36,6 +36,15 @@ def read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
     except OverflowError:
         raise InputError("a number is too large", where=where) from None
     require_vertices(loops, vertex_count, where, count=size)
+    require_different(loops, where)
+    return loops
+
+
+def require_different(loops: Integers, where: str) -> None:
+    """Refuse a panel (F, K) with the same vertex twice.
+
+    Raises InputError: Naming the first.
+    """
     ordered = np.sort(loops, axis=1)
     twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
     if twice.any():
@@ -43,10 +52,9 @@ def read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
         raise InputError(
             f"panel {panel} repeats a corner",
             where=f"{where}[{panel}]",
-            got=str(value[panel])[:60],
+            got=str(loops[panel][loops[panel] >= 0].tolist())[:60],
             expected="different vertices",
         )
-    return loops
 
 
 def sides_among(

@@ -3,6 +3,6 @@
 Derived in docs/theory/following.md.
 """
 
-from orishell.motion.following.followed import Followed, follow
+from orishell.motion.following.followed import TOLERANCE, Followed, follow
 
-__all__ = ["Followed", "follow"]
+__all__ = ["TOLERANCE", "Followed", "follow"]

@@ -15,7 +15,9 @@ BLOCK = 16
 ROUNDS = 12
 """Steps of inverse iteration."""
 ZERO = 1e-8
-"""A singular value above this is none of a motion."""
+"""A singular value above this is none of a motion of a state that closes but for rounding."""
+UNCERTAIN = 100.0
+"""In others it may be so many times what the state misses by."""
 GAP = 1e3
 """Singular values that are zero are less than others by this factor at least."""
 
@@ -44,10 +46,12 @@ def find_freedom(closure: Closure, folds: Array) -> Freedom:
     drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
     if not closure.fans:
         return Freedom(drive, unknowns, 0.0, np.inf)
+    left, entries = closure.residuals(folds)
+    zero = max(ZERO, UNCERTAIN * float(np.abs(left).max()))
     block = unknowns if unknowns <= DENSE else BLOCK
     while True:
-        values = _least_values(closure, folds, min(block, unknowns))
-        zeros = int((values <= ZERO).sum())
+        values = _least_values(closure, entries, min(block, unknowns))
+        zeros = int((values <= zero).sum())
         if zeros < len(values) or len(values) == unknowns:
             break
         block *= 2
@@ -57,18 +61,18 @@ def find_freedom(closure: Closure, folds: Array) -> Freedom:
     return Freedom(drive, zeros if clear else None, largest, other)
 
 
-def _least_values(closure: Closure, folds: Array, count: int) -> Array:
+def _least_values(closure: Closure, entries: Array, count: int) -> Array:
     """The least singular values (count,), ascending."""
-    matrix = closure.matrix(closure.residuals(folds)[1])
-    if count == len(folds):
+    matrix = closure.matrix(entries)
+    if count == len(closure.edges):
         values = np.linalg.svd(matrix.toarray(), compute_uv=False)
-        return np.sort(np.append(values, np.zeros(len(folds) - len(values))))
+        return np.sort(np.append(values, np.zeros(count - len(values))))
     from scipy.sparse import eye_array
     from scipy.sparse.linalg import splu
 
-    normal = matrix.T @ matrix + 1e-13 * eye_array(len(folds))
+    normal = matrix.T @ matrix + 1e-13 * eye_array(len(closure.edges))
     factors = splu(normal.tocsc())
-    basis = np.random.default_rng(0).normal(size=(len(folds), count + 4))
+    basis = np.random.default_rng(0).normal(size=(len(closure.edges), count + 4))
     for _ in range(ROUNDS):
         basis = np.linalg.qr(factors.solve(basis))[0]
     return np.sort(np.linalg.svd(matrix @ basis, compute_uv=False))[:count]

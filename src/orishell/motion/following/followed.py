@@ -20,6 +20,8 @@ from orishell.motion.following.start import SIZE, Start, find_start
 from orishell.motion.following.system import Closure
 from orishell.numerics.arrays import Array
 
+TOLERANCE = 1e-5
+"""By how much vertices may miss closing where nothing else is said (radians)."""
 FREEDOM_AT = (0.25, 0.5, 0.75)
 """Shares of the way at which degrees of freedom are counted."""
 
@@ -79,6 +81,7 @@ def follow(
     *,
     largest: float = np.pi,
     states: int = 25,
+    tolerance: float = TOLERANCE,
     progress: Progress = no_progress,
 ) -> Followed:
     """Follow the motion of a flat sheet as its letters ask.
@@ -96,6 +99,9 @@ def follow(
     states
         How many states to give, the flat one and the last included, at equal steps of the largest
         fold angle.
+    tolerance
+        By how much vertices may miss closing in a folded state (radians). Coordinates that were
+        rounded close to within that.
 
     Raises
     ------
@@ -110,16 +116,16 @@ def follow(
             got="no crease but flat ones",
             expected="edges between two panels that are mountain, valley or unassigned",
         )
-    rigid = find_rigid(pattern)
+    rigid = find_rigid(pattern, tolerance)
     _require_foldable(pattern, rigid)
     closure = Closure.of(replace(pattern, letters=np.where(rigid.flat, "F", pattern.letters)))
     signs = pattern.signs[closure.edges]
-    start = find_start(closure, signs)
+    start = find_start(closure, signs, tolerance)
     _require_found(start, closure, pattern)
     if largest <= SIZE:
         path = Path(np.stack([0 * start.folds, start.folds]), np.zeros(2), "asked", largest)
     else:
-        path = follow_path(closure, start.folds, largest, stretch(progress, 0.0, 0.7))
+        path = follow_path(closure, start.folds, largest, tolerance, stretch(progress, 0.0, 0.7))
     drives = np.linspace(0.0, path.reached, states)
     folds, residuals = states_at(closure, path, drives, stretch(progress, 0.7, 0.9))
     some, _ = states_at(closure, path, path.reached * np.array(FREEDOM_AT))

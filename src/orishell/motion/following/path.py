@@ -47,7 +47,11 @@ class Path:
 
 
 def follow_path(
-    closure: Closure, start: Array, largest: float = np.pi, progress: Progress = no_progress
+    closure: Closure,
+    start: Array,
+    largest: float = np.pi,
+    tolerance: float = CLOSED,
+    progress: Progress = no_progress,
 ) -> Path:
     """Follow the motion on which a state lies away from the flat one.
 
@@ -61,6 +65,8 @@ def follow_path(
         Fold angles (N,) of a nearly flat closed state.
     largest
         The largest fold angle at which to stop, above that of ``start``, up to pi (radians).
+    tolerance
+        A state is closed if no vertex misses by more (radians).
     """
     states = [np.zeros_like(start), start]
     residuals = [0.0, Linearised(closure, start).residual]
@@ -76,11 +82,11 @@ def follow_path(
             found = here + step * tangent + step**2 / 2 * bend
             allowed = ASTRAY * step + step**2
             if last:
-                found, residual = _at_largest(closure, found, largest, allowed)
+                found, residual = _at_largest(closure, found, largest, (allowed, tolerance))
             else:
                 found, residual = corrected(closure, found, tangent)
             off = np.abs(found - here - step * tangent).max()
-            if residual <= CLOSED and off <= allowed:
+            if residual <= tolerance and off <= allowed:
                 break
             length = step / 2
             if length < SHORTEST:
@@ -109,20 +115,23 @@ def _until(folds: Array, way: Array, largest: float) -> float:
 
 
 def _at_largest(
-    closure: Closure, folds: Array, largest: float, allowed: float
+    closure: Closure, folds: Array, largest: float, limits: tuple[float, float]
 ) -> tuple[Array, float]:
     """The closed state near fold angles (N,) whose largest is as asked, and how far it misses.
 
     Creases that are nearly folded flat are folded flat together if that closes and changes none by
     more than allowed: equations about such a state determine it to half the digits only.
+
+    Limits are of the change and of what is missed.
     """
+    allowed, tolerance = limits
     near = np.abs(folds) >= np.pi - NEARLY_FLAT
     largest_of = [np.arange(len(folds)) == each for each in np.argsort(-np.abs(folds))[:OTHERS]]
     for fixed in [near, *largest_of] if largest >= np.pi and near.any() else largest_of:
         size = np.where(fixed, largest * np.sign(folds), folds)
         found, residual = corrected(closure, size, np.zeros(len(folds)), fixed)
         beyond = np.abs(found).max() - largest
-        if residual <= CLOSED and np.abs(found - folds).max() <= allowed and beyond < CLOSED:
+        if residual <= tolerance and np.abs(found - folds).max() <= allowed and beyond < CLOSED:
             break
     return found, residual
 

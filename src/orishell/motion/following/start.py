@@ -31,8 +31,8 @@ STEPS = 25
 """Steps of Gauss and Newton from each."""
 LONGEST = 0.5
 """A step changes no fold angle by more than this share of the first state's."""
-CLOSED = 1e-13
-"""A first state misses by no more (radians)."""
+EXACT = 1e-13
+"""A first state that misses by no more is closed but for rounding (radians)."""
 UNFOLDED = 1e-6
 """A crease is unfolded if its fold angle is below this share of the largest."""
 
@@ -45,12 +45,8 @@ class Start:
     residual: float  # by how much it misses closure (radians)
     unfolded: Booleans  # which creases (N,) do not fold
     against: Booleans  # which creases (N,) do not fold as their letter asks
+    closed: bool  # whether it is a folded state at all
     tries: int = 1  # so many starts were tried
-
-    @property
-    def closed(self) -> bool:
-        """Whether it is a folded state at all."""
-        return self.residual <= CLOSED
 
     @property
     def found(self) -> bool:
@@ -58,7 +54,7 @@ class Start:
         return self.closed and not self.against.any()
 
 
-def find_start(closure: Closure, signs: Array) -> Start:
+def find_start(closure: Closure, signs: Array, tolerance: float = 0.0) -> Start:
     """Look for a state near the flat one with the signs asked for, from several starts in turn.
 
     Near the flat state fold angles satisfy linear and quadratic equations, to first and second
@@ -71,6 +67,9 @@ def find_start(closure: Closure, signs: Array) -> Start:
     ----------
     signs
         Signs (N,) of the unknowns: +1 valley, -1 mountain, NaN where none is asked for.
+    tolerance
+        By how much folded states may miss closing: this nearly flat one by this times the square
+        of its largest fold angle, as what is left grows with that (radians).
     """
     best: Start | None = None
     here: Start | None = None
@@ -89,10 +88,12 @@ def find_start(closure: Closure, signs: Array) -> Start:
         folds, residual = _closed_near(closure, first)
         unfolded = np.abs(folds) <= UNFOLDED * SIZE
         against = asked & (unfolded | (np.sign(folds) != signs))
-        here = Start(folds, residual, unfolded, against)
+        closed = residual <= max(EXACT, tolerance * SIZE**2)
+        here = Start(folds, residual, unfolded, against, closed)
         if best is None or _order(here) < _order(best):
             best = here
-        if best.found and not best.unfolded.any():
+        exact = best.residual <= EXACT or asked.all()
+        if exact and best.found and not best.unfolded.any():
             break
     assert best is not None
     return replace(best, tries=number + 1)
@@ -115,7 +116,7 @@ def _closed_near(closure: Closure, folds: Array) -> tuple[Array, float]:
         folds = size * folds / np.abs(folds).max()
         for _ in range(STEPS):
             here = Linearised(closure, folds)
-            if here.residual <= CLOSED:
+            if here.residual <= EXACT:
                 break
             change = here.correction(along)
             longest = max(np.abs(change).max() / (LONGEST * size), 1.0)
