@@ -30,8 +30,11 @@ STATES = 25
 """States that are looked at, the flat one and the last included."""
 FREEDOM_AT = (0.25, 0.5, 0.75)
 """Shares of the way at which degrees of freedom are counted."""
-SHORT_OF_END = 1e-6
-"""Creases are folded flat at the end: the path is proved clear up to this share before it."""
+SHORT_OF_END = 0.01
+"""Creases are folded flat at the end, where panels may lie on each other all over: a proof up to
+there takes long for large sheets, so that the path is proved clear up to this share before it."""
+CLEAR_UNTIL = np.pi * (1 - SHORT_OF_END)
+"""The drive up to which it is (radians)."""
 TOUCHING = 1e-9
 """Panels touch that are nearer than this share of the sheet's diagonal."""
 
@@ -187,11 +190,10 @@ def _in_closed_form(
         nearby[grid.numbers] = moved
         return replace(found, nearby=nearby)
     size = TOUCHING * diagonal(sheet.positions(0.0))
-    end = np.pi * (1 - SHORT_OF_END)
     at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))
     return replace(
         found,
-        proof=find_first_contact(sheet.still, end, size, progress=progress),
+        proof=find_first_contact(sheet.still, CLEAR_UNTIL, size, progress=progress),
         freedom=tuple(find_freedom(closure, each[closure.edges]) for each in at),
     )
 

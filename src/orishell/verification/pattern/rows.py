@@ -13,7 +13,7 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.verification.pattern.motion import FoldingMotion, Still
+from orishell.verification.pattern.motion import CLEAR_UNTIL, FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
 
@@ -146,7 +146,8 @@ class Judged:
             at = f"{in_degrees(contact.drive)} degrees"
             return Row("warns", "reaches", f"{at}: {said}; nothing meets before (proved)")
         if motion.proof is not None:
-            return Row("holds", "reaches", f"{reached}: {ends}; nothing meets before (proved)")
+            clear = f"nothing meets up to {in_degrees(CLEAR_UNTIL)} degrees (proved)"
+            return Row("holds", "reaches", f"{reached}: {ends}; {clear}")
         seen = motion.seen
         if seen is None:
             return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
