@@ -7,10 +7,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import patterns
 from orishell.cli.main import run
+from orishell.io import read_pattern
 from orishell.shell.folded import fold_pattern
 from sheets import miura, write
 
@@ -200,3 +202,24 @@ def test_a_flat_sheet_that_does_not_fold(
     assert (ran.status, ran.err) == (1, "")
     assert "x folds     not with these letters" in ran.out
     assert json.loads(check(monkeypatch, capsys, path, "--json").out)["pattern"]["passed"] is False
+
+
+def test_a_sheet_nearby_is_written_and_folds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Moved by 1e-4 of an edge; back again by no more than twice that."""
+    sheet = patterns.jittered(patterns.miura(4, 4), 1e-4)
+    path = patterns.write(tmp_path / "off.svg", sheet)
+    target = tmp_path / "near.fold"
+    ran = check(monkeypatch, capsys, path, "--nearby", target)
+    assert ran.status == 1
+    assert "a sheet nearby folds, its vertices moved by up to" in ran.out
+    before, moved = read_pattern(path).flat, read_pattern(target).flat
+    assert before is not None
+    assert moved is not None
+    away = np.linalg.norm(moved.vertices - before.vertices, axis=1)
+    assert 0 < away.max() < 2e-4 * np.sqrt(2)
+    again = check(monkeypatch, capsys, target, "--nearby", tmp_path / "none.fold")
+    assert "v folds     rigidly" in again.out
+    assert "the pattern folds as it is" in again.err
+    assert not (tmp_path / "none.fold").exists()

@@ -140,10 +140,11 @@ def good(number: int, rng: Generator) -> Tables:
         name: every.pop(name) for name in ("shell", "target", "pattern") if name in every
     }
     tables["motion"] = {"frames": 3}
-    tables["pattern"] |= {"rows": 5, "columns": 6}
+    drawn = family == "pattern"  # and has its rows and columns
+    tables["pattern"] |= {} if drawn else {"rows": 5, "columns": 6}
     if family == "flat-foldable":
         tables |= copy.deepcopy(pick([{}, {"pattern": listed()}, *FITTED], rng))
-    elif rng.random() < 0.25:
+    elif not drawn and rng.random() < 0.25:
         tables["target"][str(rng.choice(["f", "f", "g"]))] = copy.deepcopy(pick(CURVES, rng))
     if family.startswith("long") and rng.random() < 0.2:
         del tables["target"]

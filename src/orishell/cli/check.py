@@ -44,6 +44,10 @@ def check(
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
+    nearby: Annotated[
+        Path | None,
+        typer.Option(help="A FOLD file to write: a sheet nearby that folds, if there is one."),
+    ] = None,
 ) -> None:
     """Check a crease pattern and its folded states.
 
@@ -72,6 +76,8 @@ def check(
         _print_summary(inspection, verdict)
     elif verdict is not None:
         _print_verdict(verdict)
+    if nearby is not None:
+        _write_nearby(verdict, nearby)
     if not all(each.passed for each in (inspection, verdict) if each is not None):
         raise typer.Exit(1)
 
@@ -103,6 +109,18 @@ def _examined(
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
     return inspection, judge_pattern(pattern, tolerance=tolerance, progress=progress)
+
+
+def _write_nearby(verdict: PatternVerdict | None, target: Path) -> None:
+    from orishell.verification.pattern import write_nearby
+
+    if verdict is None:
+        raise InputError(
+            "nothing nearby is looked for where a file has folded states, or no flat sheet",
+            where="--nearby",
+        )
+    write_nearby(verdict, target)
+    say(f"wrote {target}", err=True)
 
 
 def _print_verdict(verdict: PatternVerdict) -> None:

@@ -24,8 +24,8 @@ DAMPING = 1e-2
 """The damping of a step by the residual and the largest singular value."""
 UNDAMPED = 1e-6
 """Residuals below this are reduced by steps without damping (radians)."""
-CUT = 1e-5
-"""Smaller singular values by the largest are left out at first."""
+CUTS = 1e-5, 1e-7, 1e-3
+"""Smaller singular values by the largest are left out at first: one after the other is tried."""
 DONE = 2e-13
 """Residuals below this are rounding (radians)."""
 FOLDS = 1e-10
@@ -54,27 +54,34 @@ def find_nearby(flat: Array, drive: Drive) -> Array | None:
     if places.size > MOST:
         return None
     with np.errstate(all="ignore"):
-        nearly = np.abs(_kawasaki(places[..., None])).max() < NEARLY
-        drives = DRIVES[1:2] if nearly else DRIVES
-        cut, before = CUT, np.inf
-        for _ in range(STEPS):
-            missing = _conditions(drive, places[..., None], drives, flat_foldable=nearly)[:, 0]
-            size = np.abs(missing).max(initial=0.0)
-            if not size > DONE:
-                break
-            slopes = _derivatives(drive, places, drives, flat_foldable=nearly)
-            if not np.isfinite(slopes).all():
-                return None
-            out, sizes, across = np.linalg.svd(slopes, full_matrices=False)
-            if size > UNDAMPED:
-                gains = sizes / (sizes**2 + (DAMPING * size * sizes[0]) ** 2)
-            else:
-                cut *= 0.1 if size > 0.5 * before else 1.0
-                gains = np.where(sizes > cut * sizes[0], 1 / np.maximum(sizes, SMALL), 0.0)
-            before = size
-            places = places - (across.T @ (gains * (out.T @ missing))).reshape(places.shape)
-        apart = disagreement(drive.moved(places[..., None]))
-    return np.moveaxis(places, 0, -1) if apart < FOLDS else None
+        nearly = bool(np.abs(_kawasaki(places[..., None])).max() < NEARLY)
+        for cut in CUTS:
+            found = _descended(places, drive, cut, flat_foldable=nearly)
+            if found is not None and disagreement(drive.moved(found[..., None])) < FOLDS:
+                return np.moveaxis(found, 0, -1)
+    return None
+
+
+def _descended(places: Array, drive: Drive, cut: float, *, flat_foldable: bool) -> Array | None:
+    """Vertices (2, rows, columns) where the conditions hold as nearly as they do; None if lost."""
+    drives, before = DRIVES[1:2] if flat_foldable else DRIVES, np.inf
+    for _ in range(STEPS):
+        missing = _conditions(drive, places[..., None], drives, flat_foldable=flat_foldable)[:, 0]
+        size = np.abs(missing).max(initial=0.0)
+        if not size > DONE:
+            break
+        slopes = _derivatives(drive, places, drives, flat_foldable=flat_foldable)
+        if not np.isfinite(slopes).all():
+            return None
+        out, sizes, across = np.linalg.svd(slopes, full_matrices=False)
+        if size > UNDAMPED:
+            gains = sizes / (sizes**2 + (DAMPING * size * sizes[0]) ** 2)
+        else:
+            cut *= 0.1 if size > 0.5 * before else 1.0
+            gains = np.where(sizes > cut * sizes[0], 1 / np.maximum(sizes, SMALL), 0.0)
+        before = size
+        places = places - (across.T @ (gains * (out.T @ missing))).reshape(places.shape)
+    return places
 
 
 def _conditions(drive: Drive, flat: Numbers, drives: Array, *, flat_foldable: bool) -> Numbers:

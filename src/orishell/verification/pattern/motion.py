@@ -58,9 +58,8 @@ class FoldingMotion:
     proof: PathResult | None = None
     seen: SampledContact | None = None  # what was seen of contact in states; None if not looked at
     choices: int = 0  # so many choices of mountains and valleys fold it, where letters are missing
-    # how far vertices (rows, columns) of its grid are moved in a sheet nearby that folds (length);
-    # None if there is no need, or none was found
-    moved: Array | None = None
+    # vertices (V, 2) of a sheet nearby that folds; None if there is no need, or none was found
+    nearby: Array | None = None
 
     @property
     def play(self) -> float:
@@ -181,9 +180,12 @@ def _in_closed_form(
         plays=_plays(pattern, folds),
     )
     if found.miss > TOUCHING:
-        nearby = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
-        moved = None if nearby is None else np.linalg.norm(nearby - grid.flat, axis=-1)
-        return replace(found, moved=moved)
+        moved = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
+        if moved is None:
+            return found
+        nearby = pattern.vertices.copy()
+        nearby[grid.numbers] = moved
+        return replace(found, nearby=nearby)
     size = TOUCHING * diagonal(sheet.positions(0.0))
     end = np.pi * (1 - SHORT_OF_END)
     at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))

@@ -13,7 +13,6 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.numerics.arrays import Array
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
@@ -127,7 +126,7 @@ class Judged:
             f"{in_degrees(motion.drives[count])} degrees, most at vertex "
             f"{motion.vertices[motion.misses[count].argmax()]}"
         )
-        nearby = "" if motion.moved is None else self._nearby(motion.moved)
+        nearby = self._nearby(motion)
         if count > 1:
             upto = in_degrees(motion.drives[count - 1])
             said = f"to the tolerance up to {upto} degrees; beyond, {beyond}"
@@ -158,12 +157,14 @@ class Judged:
         said = f"panels {first} and {second} meet there; {looked}"
         return Row("warns", "reaches", f"{in_degrees(seen.met)} degrees: {said}")
 
-    def _nearby(self, moved: Array) -> str:
-        """How far vertices are to be moved so that it folds."""
-        row, column = np.unravel_index(int(moved.argmax()), moved.shape)
+    def _nearby(self, motion: FoldingMotion) -> str:
+        """How far vertices are to be moved so that it folds; empty if that is not known."""
+        if motion.nearby is None:
+            return ""
+        moved = np.linalg.norm(motion.nearby - self.pattern.vertices, axis=1)
         return (
             f"a sheet nearby folds, its vertices moved by up to "
-            f"{quantity(float(moved.max()), self.unit)}, most at row {row}, column {column} (tried)"
+            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} (tried)"
         )
 
 
@@ -189,7 +190,7 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         else tidy_degrees(seen.met)
         if seen and seen.met
         else None,
-        "moved": None if motion.moved is None else float(motion.moved.max()),
+        "nearby": None if motion.nearby is None else motion.nearby.tolist(),
         "choices": motion.choices,
     }
 
