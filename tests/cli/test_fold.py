@@ -115,6 +115,12 @@ def test_a_hole(tmp_path: Path) -> None:
     assert not (tmp_path / "none").exists()
 
 
+def test_an_angle_out_of_reach(tmp_path: Path) -> None:
+    """With no tolerance for rounding no state closes but the first, at 0.05 radians."""
+    said = fault(tmp_path, SAMPLES["Miura"].make(), "--angle", "90", "--tolerance", "1e-20")
+    assert "1 orishell: the motion does not reach 90 degrees: it ends at 2.865 degrees" in said
+
+
 def test_odd_options(tmp_path: Path) -> None:
     miura = SAMPLES["Miura"].make()
     odd = {"--angle": "0 200 nan", "--frames": "1", "--unit": "x", "--tolerance": "0 1 nan"}

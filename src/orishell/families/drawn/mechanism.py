@@ -15,6 +15,7 @@ from orishell.families.drawn.drive import Drive
 from orishell.families.drawn.rates import fold_rates
 from orishell.families.shared import folding
 from orishell.families.shared.chains import Chains
+from orishell.families.shared.flap_free import FlapFree
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
@@ -24,7 +25,7 @@ BLOCK = 2_000_000
 
 
 @record
-class DrawnSheet:
+class DrawnSheet(FlapFree):
     """A sheet with one degree of freedom and the state in which it is to be a shell.
 
     The drive is the fold angle of the crease that closes first; at pi the motion ends. The crease
@@ -46,24 +47,6 @@ class DrawnSheet:
     def grid(self) -> Grid:
         """The grid of vertices."""
         return Grid(*self.flat.shape[1:3])
-
-    @property
-    def inner_columns(self) -> slice:
-        """All columns: a drawing does not say which of them are flaps."""
-        return slice(0, self.grid.columns)
-
-    @property
-    def flap_columns(self) -> tuple[int, ...]:
-        """None."""
-        return ()
-
-    def without_flaps(self) -> DrawnSheet:
-        """The sheet itself."""
-        return self
-
-    def with_stop(self, stop: float) -> DrawnSheet:
-        """The sheet itself."""
-        return self
 
     @property
     def still(self) -> DrawnSheet:

@@ -18,6 +18,7 @@ from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.net import Sheet
 from orishell.families.flat_foldable.rates import tangent_rates
 from orishell.families.shared.chains import Chains
+from orishell.families.shared.flap_free import FlapFree
 from orishell.families.shared.folding import HalfFolds, fold, turned
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
@@ -28,7 +29,7 @@ LENGTHS = "row_lengths", "column_lengths", "top", "bottom", "left", "right"
 
 
 @record
-class FlatFoldable:
+class FlatFoldable(FlapFree):
     """A flat-foldable sheet and the state in which it is to be a shell.
 
     The drive theta is the largest fold angle: t = tan(theta/2)/mu, with mu the largest tangent of
@@ -51,24 +52,6 @@ class FlatFoldable:
         """The grid of vertices."""
         rows, columns = self.sheet.a.shape[:2]
         return Grid(rows + 2, columns + 2)
-
-    @property
-    def inner_columns(self) -> slice:
-        """All columns: there are no flaps."""
-        return slice(0, self.grid.columns)
-
-    @property
-    def flap_columns(self) -> tuple[int, ...]:
-        """None."""
-        return ()
-
-    def without_flaps(self) -> FlatFoldable:
-        """The sheet itself."""
-        return self
-
-    def with_stop(self, stop: float) -> FlatFoldable:
-        """The sheet itself."""
-        return self
 
     def free_lengths(self) -> Mapping[str, Array]:
         """Lengths (K,) of the middle row and column and of what ends at the border, by name."""

@@ -38,11 +38,13 @@ class Rates:
     low: Array  # least size of rho' (K, S)
     high: Array  # largest
     second: Array  # largest size of rho''
-    alike: bool = True  # whether all creases fold faster and faster, or all slower and slower
+    # Least and largest rho'' by the sign of rho; None where all creases fold faster and faster, or
+    # all slower and slower.
+    bends: tuple[Array, Array] | None = None
 
     def half(self) -> Rates:
-        """Those of half the angles."""
-        return Rates(0.5 * self.low, 0.5 * self.high, 0.5 * self.second, self.alike)
+        """Those of half the angles: of one crease that nothing is paired with."""
+        return Rates(0.5 * self.low, 0.5 * self.high, 0.5 * self.second)
 
 
 @record
@@ -141,11 +143,24 @@ def _chain(
         same = (signs[crease] * signs[other])[..., None] * cosine
         apart = np.maximum(high - low[other], before - low[crease])
         both = np.sqrt(apart**2 + 2 * high * before * np.maximum(1 + same, 0))
-        sharper, other_second = np.maximum(second, rates.second[other]), rates.second[other]
-        opposed = np.sqrt(sharper**2 + 2 * second * other_second * np.maximum(1 + same, 0))
-        along = np.where((same < 0) & rates.alike, opposed, second + other_second)
+        if rates.bends is None:
+            sharper, other_second = np.maximum(second, rates.second[other]), rates.second[other]
+            opposed = np.sqrt(sharper**2 + 2 * second * other_second * np.maximum(1 + same, 0))
+            along = np.where(same < 0, opposed, second + other_second)
+        else:
+            along = _longest(rates.bends, crease, other, same)
         turning = high * before * np.sqrt(np.maximum(1 - cosine**2, 0))
         bent = bent + along + w * both + turning
         w = w + both
         found.append((w, bent))
     return found
+
+
+def _longest(bends: tuple[Array, Array], crease: int, other: int, same: Array) -> Array:
+    """The longest sum of two vectors along axes: it is largest at ends of both ranges."""
+    squares = [
+        x[crease] ** 2 + y[other] ** 2 + 2 * x[crease] * y[other] * same
+        for x in bends
+        for y in bends
+    ]
+    return np.asarray(np.sqrt(np.maximum(np.max(squares, axis=0), 0)))
