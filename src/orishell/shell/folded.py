@@ -24,14 +24,11 @@ from orishell.io.formats.gltf import FORMAT as GLTF
 from orishell.io.formats.html import FORMAT as HTML
 from orishell.motion.following import TOLERANCE, Followed, follow
 from orishell.shell.closed_form import in_closed_form
+from orishell.verification.pattern.motion import ENDS
+from orishell.verification.pattern.on_grid import OnGrid
+from orishell.verification.pattern.rows import of_freedom, of_letters
 
 FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
-ENDS = {
-    "asked": "as asked",
-    "closed": "where a crease is folded flat",
-    "turns back": "where its largest fold angle grows no further",
-    "lost": "where no closed state was found beyond, as at a branch of the motion",
-}
 LOOSEST = 0.01
 """Vertices that may miss closing by more fold whatever their sectors are (radians)."""
 ROUNDING = 1e-9
@@ -50,16 +47,20 @@ class Folded:
     document: Document  # all states, panels with all their corners
     play: float  # how far panels part at creases at most, in any state (length)
     contact: SampledContact  # what was seen of contact
+    # how many choices of mountains and valleys fold it where letters are missing, or 0: not known
+    choices: int
     closed_form: bool  # whether fold angles are in closed form, or else followed numerically
 
     def rows(self) -> list[Row]:
         """What was found, worst first."""
+        pattern = self.source.flat
+        assert pattern is not None
         return sorted(
             [
                 self._folds(),
                 self._contact(),
-                *self._freedom(),
-                *self._letters(),
+                of_freedom(self.motion.freedom),
+                *of_letters(pattern, self.choices),
                 *self._notes(),
             ],
             key=lambda row: row.sign != "warns",
@@ -68,7 +69,7 @@ class Folded:
     def _folds(self) -> Row:
         motion = self.motion
         finding = (
-            f"to {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}: "
+            f"to {plain(np.rad2deg(motion.reached))} degrees: {ENDS[motion.end]}; "
             f"{'in closed form' if self.closed_form else 'followed numerically'}, vertices close "
             f"to {motion.residuals.max():.0e} rad, panels part by {self.play:.0e} "
             f"{self.source.unit} at creases"
@@ -90,31 +91,6 @@ class Folded:
             f"through each other beyond; {looked}, so that others may touch before"
         )
         return Row("warns", "contact", finding)
-
-    def _freedom(self) -> list[Row]:
-        some = self.motion.freedom
-        least = min(each.least_other for each in some)
-        zero = max(each.largest_zero for each in some)
-        gap = f"(singular values {zero:.0e} and {least:.0e} in {len(some)} states)"
-        match self.motion.degrees_of_freedom:
-            case None:
-                counts = ", ".join(str(each.count or "unknown") for each in some)
-                return [Row("warns", "freedom", f"differs from state to state: {counts} {gap}")]
-            case 1:
-                return [Row("says", "freedom", f"one degree of freedom {gap}")]
-            case count:
-                finding = f"{count} degrees of freedom {gap}: this is one of many motions"
-                return [Row("says", "freedom", finding)]
-
-    def _letters(self) -> list[Row]:
-        if not self.motion.found:
-            return []
-        tries = self.motion.tries
-        finding = (
-            f"{self.motion.found} creases had none: folded as in the first of "
-            f"{'1 start' if tries == 1 else f'{tries} starts'} that does; there may be other ways"
-        )
-        return [Row("warns", "letters", finding)]
 
     def _notes(self) -> list[Row]:
         return [Row("says", "read", note) for note in self.source.notes]
@@ -188,8 +164,10 @@ def fold_pattern(
             remedy="name that of its coordinates, for example --unit mm",
         )
     largest = np.pi if angle is None else angle
+    grid = OnGrid.of(read.flat)
+    ways = [] if grid is None else grid.ways()
     motion = follow(
-        read.flat,
+        ways[0].pattern if ways else read.flat,
         largest=largest,
         states=frames,
         tolerance=tolerance,
@@ -198,7 +176,7 @@ def fold_pattern(
     if angle is not None and motion.end not in ("asked", "closed"):
         raise DesignError(
             f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
-            size=f"it ends at {plain(np.rad2deg(motion.reached))} degrees, {ENDS[motion.end]}",
+            size=f"it ends at {plain(np.rad2deg(motion.reached))} degrees: {ENDS[motion.end]}",
         )
     exact = in_closed_form(motion)
     motion = exact or motion
@@ -223,7 +201,7 @@ def fold_pattern(
     if contact.met is not None and contact.panels is not None:
         first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
         document = replace(document, contact=first)
-    return Folded(read, motion, document, play, contact, closed_form=exact is not None)
+    return Folded(read, motion, document, play, contact, len(ways), closed_form=exact is not None)
 
 
 def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:

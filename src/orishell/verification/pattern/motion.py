@@ -15,10 +15,10 @@ from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.families.drawn import DrawnSheet, drawn_sheet
 from orishell.families.drawn.nearest import find_nearby
-from orishell.families.drawn.signs import find_signs
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import follow
 from orishell.motion.following.dofs import Freedom, find_freedom
+from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
 from orishell.motion.following.rigid import find_rigid
 from orishell.motion.following.system import Closure
@@ -28,8 +28,6 @@ from orishell.verification.pattern.on_grid import OnGrid
 
 STATES = 25
 """States that are looked at, the flat one and the last included."""
-FREEDOM_AT = (0.25, 0.5, 0.75)
-"""Shares of the way at which degrees of freedom are counted."""
 SHORT_OF_END = 0.01
 """Creases are folded flat at the end, where panels may lie on each other all over: a proof up to
 there takes long for large sheets, so that the path is proved clear up to this share before it."""
@@ -122,13 +120,13 @@ def find_motion(
     proved = _proved_still(pattern, exact)
     if proved:
         return Still(proved, proved=True)
-    missing = np.isnan(pattern.signs[pattern.crease]).any()
     if grid is not None:
-        ways = find_signs(grid.flat, grid.signs) if missing else [grid.signs]
+        ways = grid.ways()
+        missing = ways != [grid]
         try:
             if ways:
-                sheet = drawn_sheet(grid.flat, ways[0], np.pi)
-                found = _in_closed_form(grid.with_signs(ways[0]), sheet, exact, progress)
+                sheet = drawn_sheet(grid.flat, ways[0].signs, np.pi)
+                found = _in_closed_form(ways[0], sheet, exact, progress)
                 return replace(found, choices=len(ways) if missing else 0)
         except DesignError as error:
             if error.place:  # else parts of it fold by themselves

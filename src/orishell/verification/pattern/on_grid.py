@@ -8,6 +8,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.families.drawn.signs import find_signs
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import CreaseValues
 from orishell.motion.gridding import find_grid, grid_edges
@@ -59,6 +60,15 @@ class OnGrid:
         missing = pattern.crease & np.isnan(pattern.signs)
         letters = np.where(missing, found, pattern.letters)
         return replace(self, pattern=replace(pattern, letters=letters))
+
+    def ways(self) -> list[OnGrid]:
+        """The same with letters for all creases with which it folds, the best first.
+
+        Itself if none is missing.
+        """
+        if not np.isnan(self.pattern.signs[self.pattern.crease]).any():
+            return [self]
+        return [self.with_signs(each) for each in find_signs(self.flat, self.signs)]
 
     def on_edges(self, values: CreaseValues) -> Array:
         """Values (..., E) of all edges of the pattern, 0 at its border."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,10 @@ from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
+from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.dofs import Freedom
 from orishell.verification.pattern.motion import CLEAR_UNTIL, FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
@@ -43,14 +45,9 @@ class Judged:
             return
         motion = self.motion
         yield self._folds(motion)
-        missing = int((self.pattern.crease & np.isnan(self.pattern.signs)).sum())
-        if missing:
-            choice = {0: "those found are one choice of several, perhaps", 1: "one choice folds it"}
-            several = f"{motion.choices} choices fold it, of which the first is taken"
-            said = choice.get(motion.choices, several)
-            yield Row("says", "letters", f"{missing} creases have none: {said}")
+        yield from of_letters(self.pattern, motion.choices)
         if self._closed(motion, self.tolerance) > 1:
-            yield _of_freedom(motion)
+            yield of_freedom(motion.freedom)
             yield self._reaches(motion)
 
     def _flat_folded(self) -> Row:
@@ -196,20 +193,32 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
     }
 
 
-def _of_freedom(motion: FoldingMotion) -> Row:
-    """Degrees of freedom, and the gap that tells them."""
-    freedom, count = motion.freedom, motion.degrees_of_freedom
-    if not freedom:
+def of_letters(pattern: CreasePattern, choices: int) -> Iterator[Row]:
+    """How many creases have no letter, and how many choices fold the sheet; 0 if not known."""
+    missing = int((pattern.crease & np.isnan(pattern.signs)).sum())
+    if missing:
+        choice = {0: "those found are one choice of several, perhaps", 1: "one choice folds it"}
+        several = f"{choices} choices fold it, of which the first is taken"
+        if choices == MOST:
+            several = f"{choices} choices or more fold it, of which the first is taken"
+        yield Row("says", "letters", f"{missing} creases have none: {choice.get(choices, several)}")
+
+
+def of_freedom(states: Sequence[Freedom]) -> Row:
+    """Degrees of freedom in states, and the gap that tells them."""
+    if not states:
         return Row("warns", "freedom", "not known: what folds to a tolerance only has none")
-    if count is None:
+    counts = {each.count for each in states}
+    count = counts.pop()
+    if counts or count is None:
         said = "not known: states differ, or no gap of singular values tells it"
         return Row("warns", "freedom", said)
-    zero = max(each.largest_zero for each in freedom)
-    other = min(each.least_other for each in freedom)
-    ways = "1 degree" if count == 1 else f"{count} degrees"
+    zero = max(each.largest_zero for each in states)
+    other = min(each.least_other for each in states)
+    ways = "1 degree of freedom" if count == 1 else f"{count} degrees of freedom"
     below = f"{zero:.1g} below" if zero > 0 else "none below,"
-    said = f"in {len(freedom)} folded states (singular values: {below} and {other:.1g} above)"
-    return Row("says", "freedom", f"{ways} {said}")
+    said = f"{ways} in {len(states)} folded states (singular values: {below} and {other:.1g} above)"
+    return Row("says", "freedom", said if count == 1 else f"{said}: this is one of many motions")
 
 
 def _all(count: int) -> str:
