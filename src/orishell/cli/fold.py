@@ -39,6 +39,9 @@ def fold(
         float, typer.Option(help="By how much vertices may miss closing (degrees, up to 0.5).")
     ] = TOLERANCE,
     weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
+    choice: Annotated[
+        int, typer.Option(help="Which of the ways to fold it, where letters are missing.")
+    ] = 1,
 ) -> None:
     """Fold a crease pattern, and write its states.
 
@@ -84,6 +87,7 @@ def fold(
             unit=cast("Unit | None", unit),
             weld=weld,
             tolerance=math.radians(tolerance),
+            choice=choice,
             progress=progress,
         )
     written, missing = write_folded(folded, out)

@@ -49,6 +49,7 @@ class Folded:
     contact: SampledContact  # what was seen of contact
     # how many choices of mountains and valleys fold it where letters are missing, or 0: not known
     choices: int
+    choice: int  # which of them is folded, from 1
     closed_form: bool  # whether fold angles are in closed form, or else followed numerically
 
     def rows(self) -> list[Row]:
@@ -60,7 +61,7 @@ class Folded:
                 self._folds(),
                 self._contact(),
                 of_freedom(self.motion.freedom),
-                *of_letters(pattern, self.choices),
+                *of_letters(pattern, self.choices, self.choice),
                 *self._notes(),
             ],
             key=lambda row: row.sign != "warns",
@@ -105,6 +106,7 @@ def fold_pattern(
     unit: Unit | None = None,
     weld: float | None = None,
     tolerance: float = TOLERANCE,
+    choice: int = 1,
     progress: Progress = no_progress,
 ) -> Folded:
     """Fold a crease pattern from a FOLD, SVG or DXF file as its mountains and valleys ask.
@@ -125,6 +127,8 @@ def fold_pattern(
         :func:`~orishell.io.read_pattern` takes it.
     tolerance
         By how much vertices may miss closing, above 0 and at most 0.01 (radians).
+    choice
+        Which choice of mountains and valleys is folded where letters of a grid are missing, from 1.
 
     Raises
     ------
@@ -166,8 +170,15 @@ def fold_pattern(
     largest = np.pi if angle is None else angle
     grid = OnGrid.of(read.flat)
     ways = [] if grid is None else grid.ways()
+    if not 1 <= choice <= max(len(ways), 1):
+        raise InputError(
+            "there is no such choice of mountains and valleys",
+            where="fold_pattern: choice",
+            got=str(choice),
+            expected=f"1 to {len(ways)}" if len(ways) > 1 else "1: there are no others",
+        )
     motion = follow(
-        ways[0].pattern if ways else read.flat,
+        ways[choice - 1].pattern if ways else read.flat,
         largest=largest,
         states=frames,
         tolerance=tolerance,
@@ -201,7 +212,9 @@ def fold_pattern(
     if contact.met is not None and contact.panels is not None:
         first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
         document = replace(document, contact=first)
-    return Folded(read, motion, document, play, contact, len(ways), closed_form=exact is not None)
+    return Folded(
+        read, motion, document, play, contact, len(ways), choice, closed_form=exact is not None
+    )
 
 
 def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:

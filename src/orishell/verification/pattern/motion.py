@@ -58,7 +58,9 @@ class FoldingMotion:
     # what is proved of contact on the way; None if nothing is
     proof: PathResult | None = None
     seen: SampledContact | None = None  # what was seen of contact in states; None if not looked at
-    choices: int = 0  # so many choices of mountains and valleys fold it, where letters are missing
+    # letters of all edges, one word for each choice of mountains and valleys that folds it where
+    # letters are missing, the best first; empty if none is missing, or if that is not known
+    choices: tuple[str, ...] = ()
     # vertices (V, 2) of a sheet nearby that folds; None if there is no need, or none was found
     nearby: Array | None = None
 
@@ -127,7 +129,8 @@ def find_motion(
             if ways:
                 sheet = drawn_sheet(grid.flat, ways[0].signs, np.pi)
                 found = _in_closed_form(ways[0], sheet, exact, progress)
-                return replace(found, choices=len(ways) if missing else 0)
+                letters = tuple("".join(each.pattern.letters) for each in ways)
+                return replace(found, choices=letters if missing else ())
         except DesignError as error:
             if error.place:  # else parts of it fold by themselves
                 return Still(_said(error), proved=not missing)

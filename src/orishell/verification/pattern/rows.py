@@ -45,7 +45,7 @@ class Judged:
             return
         motion = self.motion
         yield self._folds(motion)
-        yield from of_letters(self.pattern, motion.choices)
+        yield from of_letters(self.pattern, len(motion.choices))
         if self._closed(motion, self.tolerance) > 1:
             yield of_freedom(motion.freedom)
             yield self._reaches(motion)
@@ -189,18 +189,17 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         if seen and seen.met
         else None,
         "nearby": None if motion.nearby is None else motion.nearby.tolist(),
-        "choices": motion.choices,
+        "choices": list(motion.choices),
     }
 
 
-def of_letters(pattern: CreasePattern, choices: int) -> Iterator[Row]:
+def of_letters(pattern: CreasePattern, choices: int, taken: int = 1) -> Iterator[Row]:
     """How many creases have no letter, and how many choices fold the sheet; 0 if not known."""
     missing = int((pattern.crease & np.isnan(pattern.signs)).sum())
     if missing:
+        more = " or more" if choices == MOST else ""
+        several = f"{choices}{more} choices fold it, of which number {taken} is taken"
         choice = {0: "those found are one choice of several, perhaps", 1: "one choice folds it"}
-        several = f"{choices} choices fold it, of which the first is taken"
-        if choices == MOST:
-            several = f"{choices} choices or more fold it, of which the first is taken"
         yield Row("says", "letters", f"{missing} creases have none: {choice.get(choices, several)}")
 
 
