@@ -191,7 +191,7 @@ def test_triangles_in_fold(
     path = patterns.write(tmp_path / "bomb.fold", patterns.waterbomb())
     ran = check(monkeypatch, capsys, path)
     assert (ran.status, ran.err) == (0, "")
-    assert "23 degrees in 3 folded states" in ran.out
+    assert "23 degrees of freedom in 3 folded states" in ran.out
 
 
 def test_a_flat_sheet_that_does_not_fold(

@@ -85,7 +85,7 @@ def test_what_does_not_fit_is_refused_at_its_key(surface: dict[str, Any], key: s
 
 def test_f_and_a_surface_exclude_each_other() -> None:
     f = {"formula": "x", "range": [0, 1]}
-    with pytest.raises(InputError, match="either f and g or a surface"):
+    with pytest.raises(InputError, match="either f and g, or a surface"):
         checked(CAP, target={"surface": CAP, "f": f})
 
 

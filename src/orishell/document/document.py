@@ -79,7 +79,7 @@ class Document:
     # signed distances (V,) of the last state's vertices from it, NaN where they do not count
     distances: Array | None = None
     # where the document's frame stands in the world (3,)
-    origin: Array = field(default_factory=lambda: np.zeros(3))
+    origin: Array = field(default_factory=lambda: np.zeros(3), repr=False)
     # what is known of the shell, as in ``report.json``; empty if nothing is
     report: Mapping[str, object] = field(default_factory=dict, repr=False)
     # the panels that touch first on the way, if that is known
