@@ -52,7 +52,7 @@ def times(share: Numbers, half: Half) -> Half:
 class Cross:
     """A row and a column of vertices from which all of a sheet folds.
 
-    ``rows`` (R, C+1, ...) and ``columns`` (C, R+1, ...) are :func:`proportions`.
+    ``rows`` (R, C+1, ...) and ``columns`` (C, R+1, ...) are found by ``proportions``.
     """
 
     vertices: Vertices

@@ -53,7 +53,7 @@ class Drive:
     def disagreement(self, drive: Numbers) -> Numbers:
         """By how much (R, C, B) vertices disagree at drive angles (B,) (radians).
 
-        See :meth:`Cross.disagreement`.
+        See ``Cross.disagreement``.
         """
         with np.errstate(divide="ignore", invalid="ignore"):
             found = self.cross.disagreement(self.cross.folds(*self.heights(drive)))
