@@ -47,7 +47,7 @@ class Offsets:
     places: Integers  # the place (k,) whose rotation it turns with
     arms: Array  # from the node to it (k, 3) (length)
     # length of hinge (C, cells+1) that nodes along creases stand for, 0 where there is none, in
-    # the order of :func:`crease_places` (length)
+    # the order of ``crease_places`` (length)
     lengths: Array
     axes: Array  # points (C, cells+1, 3) on the axes of hinges beside these nodes
     # how high arms are (C, 2), on the board of the first side and on that of the second (length)
