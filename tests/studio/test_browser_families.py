@@ -82,6 +82,7 @@ def stopped(page: Page) -> None:
     page.get_by_test_id("fit-work-stop").click()
 
 
+@thorough  # a fit that is stopped, in test_browser_surface, is the quicker member
 def test_a_trial_on_a_surface_can_be_stopped(page: Page) -> None:
     any_family(page)
     stopped(page)
