@@ -7,7 +7,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import CreaseValues
-from orishell.motion.gridding import find_grid, grid_edges
+from orishell.motion.gridding import find_grid, grid_creases
 from orishell.numerics.arrays import Array
 
 
@@ -46,12 +46,6 @@ def drawing_of(pattern: CreasePattern) -> Drawing:
         If they are not: where.
     """
     numbers = find_grid(pattern)
-    signs = pattern.signs[grid_edges(pattern, numbers)]
-    rows, columns = numbers.shape
-    row, column = np.split(signs, [rows * (columns - 1)])
-    return Drawing(
-        pattern.vertices[numbers],
-        CreaseValues(
-            row.reshape(rows, columns - 1)[1:-1], column.reshape(rows - 1, columns)[:, 1:-1]
-        ),
-    )
+    row, column = grid_creases(pattern, numbers)
+    signs = CreaseValues(pattern.signs[row], pattern.signs[column])
+    return Drawing(pattern.vertices[numbers], signs)

@@ -78,6 +78,21 @@ def grid_edges(pattern: CreasePattern, numbers: Integers) -> Integers:
     return np.asarray(order[np.searchsorted(own, asked, sorter=order)])
 
 
+def grid_creases(pattern: CreasePattern, numbers: Integers) -> tuple[Integers, Integers]:
+    """Numbers of a pattern's edges that are row creases (R, C+1) and column creases (R+1, C).
+
+    Parameters
+    ----------
+    pattern
+        The pattern.
+    numbers
+        Its vertices (rows, columns), as :func:`find_grid` finds them.
+    """
+    rows, columns = numbers.shape
+    row, column = np.split(grid_edges(pattern, numbers), [rows * (columns - 1)])
+    return row.reshape(rows, columns - 1)[1:-1], column.reshape(rows - 1, columns)[:, 1:-1]
+
+
 def _require_regular(pattern: CreasePattern) -> None:
     """Panels have four corners; four of them meet at inner vertices, one or two at the border."""
     counts = (pattern.faces >= 0).sum(axis=1)

@@ -13,6 +13,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, read_design_file, starter_file
 from orishell.design_file.drawing import DrawingTable, table_of
+from orishell.families.drawn import DrawnSheet
 from orishell.families.drawn.nearest import FOLDS, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST, find_signs
@@ -137,7 +138,8 @@ def test_what_folds_only_nearly_is_moved_and_said(tmp_path: Path) -> None:
     moved = near.parameters["moved"]
     assert isinstance(moved, float)
     assert moved > 0
-    assert disagreement(near.mechanism.drive) < FOLDS  # type: ignore[attr-defined]
+    assert isinstance(near.mechanism, DrawnSheet)
+    assert disagreement(near.mechanism.drive) < FOLDS
     write(tmp_path / "far.fold", jittered(exact, 2e-2))
     file = file_of(tmp_path, "far.fold", fold_deg=30)
     with pytest.raises(DesignError) as caught:

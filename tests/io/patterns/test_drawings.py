@@ -24,10 +24,12 @@ SQUARE = '<rect x="0" y="0" width="4" height="4" fill="none" stroke="black"/>'
 CROSS = '<path d="M 2 0 V 4" stroke="red"/><path d="M 0 2 H 4" stroke="#00f"/>'
 
 
-def read_svg(tmp_path: Path, content: str, page: str = "", **options: float) -> ReadPattern:
+def read_svg(
+    tmp_path: Path, content: str, page: str = "", weld: float | None = None
+) -> ReadPattern:
     path = tmp_path / "drawing.svg"
     path.write_text(f"{HEAD}{page}>{content}</svg>")
-    return read_pattern(path, **options)  # type: ignore[arg-type]
+    return read_pattern(path, weld=weld)
 
 
 def letters(found: ReadPattern) -> dict[str, int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -96,7 +97,8 @@ def line_of(name: str, verdict: PatternVerdict) -> str:
     if "reaches" in rows:
         sign, finding = rows["reaches"]
         degrees = f"{float(finding.partition(' ')[0]):.0f} degrees"
-        known = "proved" if "(proved)" in finding else "seen in states"
+        proved = re.search(r"nothing meets up to (\d+(?:\.\d)?)\d* degrees \(proved\)", finding)
+        known = f"proved to {proved[1]}" if proved else "seen in states"
         far = f"{degrees}, {'panels meet' if sign == 'warns' else 'clear'} ({known})"
     freedom = "-" if verdict.degrees_of_freedom is None else verdict.degrees_of_freedom
     return f"| {name} | {', '.join(failing) or 'hold'} | {folds} | {freedom} | {far} |"

@@ -94,6 +94,13 @@ class FoldingMotion:
         return counts.pop() if len(counts) == 1 else None
 
     @property
+    def proved_clear(self) -> float:
+        """The drive up to which it is proved that no panels meet; 0 if nothing is (radians)."""
+        if self.proof is None:
+            return 0.0
+        return CLEAR_UNTIL if self.proof.contact is None else self.proof.contact.clear_until
+
+    @property
     def worst_vertex(self) -> int:
         """The number of the vertex that misses most."""
         return int(self.vertices[self.misses.max(axis=0).argmax()])

@@ -11,7 +11,7 @@ from orishell.conventions.record import record
 from orishell.families.drawn.signs import find_signs
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import CreaseValues
-from orishell.motion.gridding import find_grid, grid_edges
+from orishell.motion.gridding import find_grid, grid_creases
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -33,14 +33,7 @@ class OnGrid:
             return None
         if min(numbers.shape) < 3:
             return None
-        rows, columns = numbers.shape
-        edges = np.split(grid_edges(pattern, numbers), [rows * (columns - 1)])
-        return cls(
-            pattern,
-            numbers,
-            edges[0].reshape(rows, columns - 1)[1:-1],
-            edges[1].reshape(rows - 1, columns)[:, 1:-1],
-        )
+        return cls(pattern, numbers, *grid_creases(pattern, numbers))
 
     @property
     def flat(self) -> Array:

@@ -15,7 +15,7 @@ from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.dofs import Freedom
-from orishell.verification.pattern.motion import CLEAR_UNTIL, FoldingMotion, Still
+from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
 
@@ -136,15 +136,15 @@ class Judged:
         count = self._closed(motion, self.tolerance)
         reached = f"{in_degrees(motion.drives[count - 1])} degrees"
         ends = motion.ends if count == len(motion.drives) else "beyond it does not close"
-        if motion.proof is not None and motion.proof.contact is not None:
+        if motion.proof is not None:
             contact = motion.proof.contact
+            clear = f"nothing meets up to {in_degrees(motion.proved_clear)} degrees (proved)"
+            if contact is None:
+                return Row("holds", "reaches", f"{reached}: {ends}; {clear}")
             first, second = contact.panels
             said = f"panels {first} and {second} meet there, counted row by row"
             at = f"{in_degrees(contact.drive)} degrees"
-            return Row("warns", "reaches", f"{at}: {said}; nothing meets before (proved)")
-        if motion.proof is not None:
-            clear = f"nothing meets up to {in_degrees(CLEAR_UNTIL)} degrees (proved)"
-            return Row("holds", "reaches", f"{reached}: {ends}; {clear}")
+            return Row("warns", "reaches", f"{at}: {said}; {clear}")
         seen = motion.seen
         if seen is None:
             return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
@@ -181,7 +181,7 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         "play": motion.play if np.isfinite(motion.play) else None,
         "reached_deg": tidy_degrees(motion.reached),
         "ends": motion.ends,
-        "clear_proved": proof is not None,
+        "proved_clear_to_deg": tidy_degrees(motion.proved_clear),
         "first_contact": list(met.panels) if met else list(seen.panels or ()) if seen else [],
         "contact_deg": tidy_degrees(met.drive)
         if met
