@@ -85,11 +85,12 @@ class Folded:
         seen = self.contact
         looked = f"looked at every {plain(np.rad2deg(seen.apart))} degrees"
         if seen.met is None or seen.panels is None:
-            return Row("says", "contact", f"none seen, {looked}; between that is not proved")
+            upto = f"none seen up to {plain(np.rad2deg(seen.clear))} degrees"
+            return Row("says", "contact", f"{upto}, {looked}; between that is not proved")
         first, second = seen.panels
         finding = (
-            f"panels {first} and {second} meet at {plain(np.rad2deg(seen.met))} degrees and pass "
-            f"through each other beyond; {looked}, so that others may touch before"
+            f"panels {first} and {second} meet at {plain(np.rad2deg(seen.met))} degrees; {looked}, "
+            "so that others may touch before; states beyond are written, but not looked at"
         )
         return Row("warns", "contact", finding)
 

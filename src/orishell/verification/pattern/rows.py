@@ -150,7 +150,8 @@ class Judged:
             return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
         looked = f"looked at every {in_degrees(seen.apart)} degrees, between not proved"
         if seen.met is None or seen.panels is None:
-            return Row("says", "reaches", f"{reached}: {ends}; no contact seen, {looked}")
+            none = f"no contact seen up to {in_degrees(seen.clear)} degrees"
+            return Row("says", "reaches", f"{reached}: {ends}; {none}, {looked}")
         first, second = seen.panels
         said = f"panels {first} and {second} meet there; {looked}"
         return Row("warns", "reaches", f"{in_degrees(seen.met)} degrees: {said}")
