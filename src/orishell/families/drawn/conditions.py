@@ -27,8 +27,8 @@ SHARES = np.cos(np.pi * np.array([7, 5, 3, 1]) / 16)
 """Heights of the upper row at which the vertices round a panel are to agree, by the largest."""
 OPEN = 0.05
 """Cosines of half the fold angles stay above it: next to closing errors have no bounds."""
-SCANNED = np.linspace(0.0, np.pi, 65)[1:-1]
-"""Fold angles that are tried in search of the largest height (radians)."""
+SCANNED = np.pi * np.linspace(0.0, 1.0, 65)[1:-1] ** 3
+"""Fold angles that are tried in search of the largest height, which may be small (radians)."""
 BLOCK = 64
 """Panels that are seen together: what is found of them fits a processor's cache."""
 STEP, DIFFERENCE = 1e-30, 1e-6
@@ -131,7 +131,9 @@ class Conditions:
         slopes = every.derivatives(flat)
         least = np.abs(every.misses(flat)) / np.sqrt((slopes * slopes).sum(axis=1))
         of_panels, of_kinds = np.split(least, [self.heights.size])
-        return of_kinds.reshape(self.kinds.shape) <= AS_NEARLY * of_panels.max(initial=0.0)
+        return np.asarray(
+            of_kinds.reshape(self.kinds.shape) <= AS_NEARLY * of_panels.max(initial=0.0)
+        )
 
     def _blocks(self, flat: Array) -> Iterator[tuple[Array, slice]]:
         """Ways (4, 2, 2, 2, p) from the vertices round some panels, and which panels."""
@@ -166,7 +168,7 @@ class Conditions:
         rows, columns = cross.from_row((heights, np.sqrt(1 - heights * heights)))
         last = Cross(cross.vertices.at(LAST, LAST), cross.rows[1:, 1:], cross.columns[1:, 1:])
         folds = last.folds((rows[0][1:], rows[1][1:]), (columns[0][1:], columns[1][1:]))
-        return last.disagreement(folds)[0, 0]
+        return np.asarray(last.disagreement(folds)[0, 0])
 
     def _slopes(self, seen: Array, part: slice) -> Array:
         """Derivatives (P, 16, K) of that by directions: by ways, then by corners."""
@@ -185,7 +187,12 @@ class Conditions:
     def _numbers(self) -> Integers:
         """Numbers (P, 16) of the directions round panels: by ways, then by corners."""
         shape = self.kinds.shape[1:]
-        return np.arange(4 * shape[0] * shape[1]).reshape(4, *shape)[:, *self.corners].reshape(16, -1).T
+        return (
+            np.arange(4 * shape[0] * shape[1])
+            .reshape(4, *shape)[:, *self.corners]
+            .reshape(16, -1)
+            .T
+        )
 
 
 def _beside(signs: Array, lines: Integers, first: Integers, second: Integers) -> Array:

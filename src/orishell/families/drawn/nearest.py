@@ -5,7 +5,7 @@ straight on, conditions round panels alone do not tell their tangents: they hold
 does at 0. So single vertices are asked to be of the kinds that they nearly are, and then conditions
 are regular (module ``conditions``). Least |x - x0|^2 subject to them: Newton's steps to a place
 where x - x0 is square to the surface, damped as long as much is missing. More conditions than are
-independent do no harm. Not in the paper: docs/theory/nearest.md.
+independent do no harm. Not in the paper: docs/theory/vertex.md.
 """
 
 from __future__ import annotations
@@ -28,18 +28,19 @@ DRIVES = np.array([0.4, 0.9, 1.4, 2.0])
 """Drives at which vertices are to agree (radians)."""
 FOLDS = 1e-10
 """A sheet folds exactly, as far as can be told, if vertices disagree by less (radians)."""
-MOST = 100_000
-"""Coordinates of the largest sheets that are moved."""
+MOST = 15_000
+"""Vertices of the largest sheets that are moved: beyond, the work takes minutes."""
 LEAST = 1e-14
 """Combinations of conditions that change by a smaller square are none of their own."""
-STEPS, CLOSING = 30, 8
+STEPS, CLOSING = 30, 5
 """The most steps along the surface, and of those after them that only bring the sheet onto it."""
-SETTLED = 1e-8
-"""Steps that are smaller by the way from the sheet end the first."""
+SETTLED, ROUNDED = 1e-7, 1e-5
+"""Steps that are smaller by the way from the sheet end the first; so do those that are smaller and
+do not shrink, as they are rounding."""
 ROUNDING = 1e-15
 """Misses below this are none (radians)."""
-REFINED = 5
-"""How often what multipliers leave is given to them again."""
+REFINED, LEFT = 5, 1e-10
+"""How often what multipliers leave is given to them again, unless they take less than a share."""
 SQUARE = 1e-6
 """The way is square to the surface if they leave less of it."""
 MARGIN = 0.5
@@ -51,7 +52,7 @@ MARGIN = 0.5
 class Nearby:
     """A sheet that folds, near one that does not."""
 
-    flat: Array  # vertices (rows, columns, 2)
+    vertices: Array  # (rows, columns, 2)
     # by how much the way to it is not square to the surface of all sheets of its kind that fold:
     # what Lagrange's multipliers leave of it, as a share
     leaves: float
@@ -71,7 +72,7 @@ def find_nearby(flat: Array, drive: Drive) -> Nearby | None:
 
     Mountains and valleys stay what they are.
     """
-    if flat.size > MOST:
+    if flat[..., 0].size > MOST:
         return None
     places = np.moveaxis(flat, -1, 0)
     own = places.swapaxes(1, 2)[::-1] if drive.across else places
@@ -82,12 +83,13 @@ def find_nearby(flat: Array, drive: Drive) -> Nearby | None:
             nearby = _projected(replace(conditions, kinds=conditions.kinds | kinds), own)
             if nearby is None:
                 continue
-            place = nearby.flat.swapaxes(1, 2)[::-1] if drive.across else nearby.flat
+            place = nearby.vertices
+            place = place.swapaxes(1, 2)[::-1] if drive.across else place
             if disagreement(drive.moved(place[..., None])) < FOLDS:
-                found.append(replace(nearby, flat=np.moveaxis(place, 0, -1)))
-    return min(
-        found, key=lambda each: (not each.nearest, np.linalg.norm(each.flat - flat)), default=None
-    )
+                found.append(replace(nearby, vertices=np.moveaxis(place, 0, -1)))
+                if nearby.nearest:
+                    return found[-1]
+    return min(found, key=lambda each: float(np.linalg.norm(each.vertices - flat)), default=None)
 
 
 def _kinds(nearly: Booleans) -> Iterator[Booleans]:
@@ -104,20 +106,21 @@ def _projected(conditions: Conditions, start: Array) -> Nearby | None:
     The work is that of factors of a sparse matrix.
     """
     places, edge = start, float(np.median(np.linalg.norm(np.diff(start, axis=1), axis=0)))
+    before = np.inf
     for _ in range(STEPS):
-        missing, slopes, _ = _scaled(conditions, places)
+        missing, slopes, sizes = _scaled(conditions, places)
         size = np.abs(missing).max(initial=0.0) / edge
         if not np.isfinite(size) or not np.isfinite(slopes.data).all():
             return None
         factors = _Factors.of(slopes, max(LEAST, size * size))
         along, _ = factors.split((start - places).ravel())
         onto, _ = factors.solve(np.zeros(places.size), -missing)
-        step = along + onto
-        places = places + step.reshape(places.shape)
-        if np.abs(step).max() <= SETTLED * np.abs(places - start).max():
+        places = places + (along + onto).reshape(places.shape)
+        step, way = (float(np.abs(each).max()) for each in (along + onto, places - start))
+        if step <= SETTLED * way or 0.5 * before < step <= ROUNDED * way:
             break
-    _, slopes, sizes = _scaled(conditions, places)
-    factors, before = _Factors.of(slopes, LEAST), np.inf
+        before = step
+    before = np.inf
     for _ in range(CLOSING):
         misses = conditions.misses(places)
         largest = np.abs(misses).max(initial=0.0)
@@ -192,8 +195,11 @@ class _Factors:
         """A way less its part square to the surface, and multipliers, whose J^T are that part."""
         left, forces = way, np.zeros(self.matrix.shape[0] - self.count)
         for _ in range(REFINED):
-            left, more = self.solve(left, np.zeros(len(forces)))
+            before = left
+            left, more = self.solve(before, np.zeros(len(forces)))
             forces = forces + more
+            if np.abs(before - left).max() <= LEFT * np.abs(way).max():
+                break
         return left, forces
 
     @property
