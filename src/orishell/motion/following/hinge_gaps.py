@@ -140,9 +140,8 @@ class RigidPanels:
         """Rows and columns of the entries of :meth:`_stiffness`, by panels."""
         numbers = (3 * self._joints[..., None] + np.arange(3)).reshape(len(self._joints), -1)
         shape = (*numbers.shape, numbers.shape[1])
-        return tuple(
-            np.broadcast_to(each, shape).ravel() for each in (numbers[:, :, None], numbers[:, None])
-        )
+        rows, columns = numbers[:, :, None], numbers[:, None]
+        return np.broadcast_to(rows, shape).ravel(), np.broadcast_to(columns, shape).ravel()
 
     def placed(self, folds: Array, held: int) -> Parted | None:
         """The state near fold angles (E,) whose panels part least; None if none is found.

@@ -150,17 +150,7 @@ def find_motion(
         except DesignError as error:
             if error.place:  # else parts of it fold by themselves
                 return Still(_said(error), proved=not missing)
-    try:
-        return _followed(pattern, TOLERANCE, progress)
-    except OrishellError as error:
-        still = Still(_said(error), proved=False)
-    if np.isnan(pattern.signs[pattern.crease]).any():
-        return still
-    try:
-        found = _followed(pattern, LOOSEST, progress)
-    except OrishellError:
-        return still
-    return still if found.loose is None else found
+    return _if_followed(pattern, progress)
 
 
 def _said(error: OrishellError) -> str:
@@ -229,6 +219,21 @@ ENDS = {
     "turns back": "the largest fold angle grows no further",
     "lost": "no closed state is found beyond",
 }
+
+
+def _if_followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion | Still:
+    """The motion followed, to closed states or, of a sheet with all letters, to nearly closed."""
+    try:
+        return _followed(pattern, TOLERANCE, progress)
+    except OrishellError as error:
+        still = Still(_said(error), proved=False)
+    if np.isnan(pattern.signs[pattern.crease]).any():
+        return still
+    try:
+        found = _followed(pattern, LOOSEST, progress)
+    except OrishellError:
+        return still
+    return still if found.loose is None else found
 
 
 def _followed(pattern: CreasePattern, tolerance: float, progress: Progress) -> FoldingMotion:

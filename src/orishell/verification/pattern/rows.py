@@ -140,7 +140,7 @@ class Judged:
             looked += f"; beyond, they would by more than {share}, or no state is found"
         if loose.complete and loose.gap <= self.tolerance:
             return Row("holds", "folds", f"rigidly, to the tolerance: {looked}")
-        said = f"nearly: panels stay rigid if {looked}; folded vertex by vertex, "
+        said = f"nearly: panels stay rigid if {looked}; else "
         return Row("fails", "folds", said + self._missed(motion), self._nearby(motion))
 
     def _freedom(self, motion: FoldingMotion) -> Row:
@@ -163,9 +163,9 @@ class Judged:
             return Row("says", "reaches", said)
         first, second = loose.near
         said = (
-            f"not known beyond {in_degrees(loose.clear_until)} degrees: panels {first} and {second} "
-            f"meet at {in_degrees(float(loose.drives[loose.clear]))}, or are nearer than {gap}; "
-            f"before, {free}, {looked}"
+            f"not known beyond {in_degrees(loose.clear_until)} degrees: at "
+            f"{in_degrees(float(loose.drives[loose.clear]))} panels {first} and {second} meet, or "
+            f"are nearer than {gap}; before, {free}, {looked}"
         )
         return Row("warns", "reaches", said)
 
