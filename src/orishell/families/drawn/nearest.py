@@ -127,8 +127,8 @@ def _projected(conditions: Conditions, start: Array) -> Nearby | None:
         if not ROUNDING < largest < 0.5 * before:
             break
         before = largest
-        step, _ = factors.solve(np.zeros(places.size), -misses / sizes)
-        places = places + step.reshape(places.shape)
+        onto, _ = factors.solve(np.zeros(places.size), -misses / sizes)
+        places = places + onto.reshape(places.shape)
     return _judged(conditions, start, places)
 
 
