@@ -1,4 +1,4 @@
-"""Crease patterns in the studio: read from the files of other programs, said what they are, kept."""
+"""Crease patterns in the studio: from the files of other programs to designs, or refused."""
 
 from __future__ import annotations
 
@@ -104,9 +104,7 @@ def test_lines_that_do_not_meet_are_joined_by_what_the_refusal_offers(
     strokes = {"B": "#000000", "M": "#ff0000", "V": "#0000ff"}
     drawn = "".join(
         f'<line x1="{a}" y1="{-b}" x2="{c}" y2="{-d}" stroke="{strokes[letter]}"/>'
-        for ((a, b), (c, d)), letter in zip(
-            lines.tolist(), torn["edges_assignment"], strict=True
-        )
+        for ((a, b), (c, d)), letter in zip(lines.tolist(), torn["edges_assignment"], strict=True)
     )
     text = f'<svg xmlns="http://www.w3.org/2000/svg">{drawn}</svg>'
     error = refused(dropped(client, "torn.svg", text))
