@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,8 @@ import httpx
 
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from patterns import miura, svg_of, waterbomb
+from patterns import fold_of, miura, svg_of, waterbomb
+from samples import thorough
 from studio_pages import IDLE, choose, settle
 from viewer_pages import wait_until
 
@@ -54,7 +56,13 @@ def test_our_own_drawing_folds_and_is_kept(page: Page, client: httpx.Client) -> 
     assert "6 x 7 panels" in facts
     assert "flat-foldable" in facts
     assert "read from own.svg" in page.get_by_test_id("drawing-form").inner_text().lower()
-    # Twice the scale is twice the shell; undo takes it back.
+
+
+@thorough
+def test_a_drawing_can_be_scaled_and_comes_back_after_a_reload(page: Page) -> None:
+    drop(page, "own.fold", json.dumps(fold_of(miura())))
+    wait_until(page, "window.__orishell.store.name.value === 'own'")
+    settle(page)
     width = state(page, "report.value.sheet.width")
     page.get_by_test_id("drawing-scale").fill("2")
     settle(page)
@@ -65,7 +73,7 @@ def test_our_own_drawing_folds_and_is_kept(page: Page, client: httpx.Client) -> 
     wait_until(page, IDLE)
     assert state(page, "design.value.target.pattern.scale") == 2
     assert state(page, "name.value") == "own"
-    assert "6 x 7 panels" in page.get_by_test_id("drawing-facts").inner_text()
+    assert "5 x 6 panels" in page.get_by_test_id("drawing-facts").inner_text()
 
 
 def test_a_pattern_of_origami_simulator_is_opened(page: Page) -> None:
