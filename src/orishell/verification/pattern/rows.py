@@ -37,7 +37,8 @@ class Judged:
         count = len(self.pattern.inner)
         yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
         yield self._flat_folded()
-        yield from self._family()
+        if self.known is not None:
+            yield of_family(self.known)
         if isinstance(self.motion, Still):
             if self.motion.proved:
                 yield Row("fails", "folds", f"no: {self.motion.reason}")
@@ -75,23 +76,6 @@ class Judged:
         if faults:
             return Row("says", "vertices", "; ".join(faults))
         return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
-
-    def _family(self) -> Iterator[Row]:
-        known = self.known
-        if known is not None:
-            also = f" (also {', '.join(known.also)})" if known.also else ""
-            sides = [
-                f"{number} {name}"
-                for number, name in zip(
-                    known.beside, ("above", "below", "left", "right"), strict=True
-                )
-                if number
-            ]
-            apart = (
-                f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
-            )
-            finding = f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}"
-            yield Row("says", "family", finding)
 
     def _closes(self, motion: FoldingMotion, error: float) -> bool:
         """Whether all states close to an error of lengths."""
@@ -230,6 +214,18 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         "nearby": None if motion.nearby is None else motion.nearby.tolist(),
         "choices": list(motion.choices),
     }
+
+
+def of_family(known: Recognised) -> Row:
+    """The family that a sheet belongs to."""
+    also = f" (also {', '.join(known.also)})" if known.also else ""
+    sides = [
+        f"{number} {name}"
+        for number, name in zip(known.beside, ("above", "below", "left", "right"), strict=True)
+        if number
+    ]
+    apart = f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
+    return Row("says", "family", f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}")
 
 
 def said_of_gap(loose: LooseMotion) -> dict[str, Any]:
