@@ -34,12 +34,13 @@ import { Toolbar } from "./page/toolbar.ts";
 import { tourHint } from "./page/tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
-  const files = new Files(store, () => {
-    stage.forgetCamera();
+  store.home.watch(() => {
+    stage.beginAnew();
     results.forgetView();
     editors.forEach((editor) => editor.refit());
     surface.refit();
   });
+  const files = new Files(store);
   const example = (name: string): void => {
     const found = store.info.examples.find((each) => each.name === name);
     if (found) void files.take(found.text, found.name);
@@ -67,7 +68,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
-    blank: () => files.begin(blankDesign(store)),
+    blank: () => store.open(blankDesign(store)),
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),

@@ -5,7 +5,6 @@ import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
-import type { Named } from "../state/named.ts";
 import type { Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -13,11 +12,7 @@ export class Files {
   /** Whether the address holds the present design. */
   private linked = false;
 
-  constructor(
-    private readonly store: Store,
-    /** Called before another design takes the place of the present one. */
-    private readonly opening: () => void,
-  ) {
+  constructor(private readonly store: Store) {
     // A reload is to bring back what was made of the design of a link.
     store.steps.watch(() => this.linked && this.leaveLink());
   }
@@ -34,14 +29,8 @@ export class Files {
   /** Take the text of a design file in place of the present design; undo brings that back. */
   async take(text: string, name: string): Promise<void> {
     await this.guarded(async () => {
-      this.begin({ name, design: await parseDesign(text) });
+      this.store.open({ name, design: await parseDesign(text) });
     });
-  }
-
-  /** Take another design in place of the present one; undo brings that back. */
-  begin(named: Named): void {
-    this.opening();
-    this.store.open(named);
   }
 
   async save(): Promise<void> {
@@ -85,7 +74,6 @@ export class Files {
       try {
         const brought = await designOf(location.hash);
         if (!Object.hasOwn(this.store.info.families, brought.design.shell.family)) throw brokenLink();
-        this.opening();
         this.linked = false;
         this.store.open(brought, "the design of the link");
       } catch (error) {
