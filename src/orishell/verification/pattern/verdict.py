@@ -105,7 +105,7 @@ def judge_pattern(
     if read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
-        size = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
+        size = read.flat.diagonal
         findings = _find(read.flat, tolerance * size, progress)
         judged = Judged(
             findings.pattern, read.unit, findings.conditions, findings.recognised, findings.motion,
