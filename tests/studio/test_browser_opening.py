@@ -14,7 +14,9 @@ if TYPE_CHECKING:
 
 STORE = "window.__orishell.store"
 ORTHODIAGONAL = (
-    starter_file("orthodiagonal").replace("rows = 9 ", "rows = 5 ").replace("columns = 13", "columns = 7")
+    starter_file("orthodiagonal")
+    .replace("rows = 9 ", "rows = 5 ")
+    .replace("columns = 13", "columns = 7")
 )
 PACKED = f"{ORTHODIAGONAL}\n[deployment]\nfrom = 'pack'\n"
 SPLINE = """
