@@ -5,6 +5,7 @@ import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
+import { hasEnding } from "../parts/file-target.ts";
 import type { Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -12,14 +13,20 @@ export class Files {
   /** Whether the address holds the present design. */
   private linked = false;
 
-  constructor(private readonly store: Store) {
+  constructor(
+    private readonly store: Store,
+    /** Files of other kinds that open as a design, and what takes them. */
+    private readonly patterns: { endings: string; read: (file: File) => void },
+  ) {
     // A reload is to bring back what was made of the design of a link.
     store.steps.watch(() => this.linked && this.leaveLink());
   }
 
   async open(): Promise<void> {
-    const file = await pickFile(".toml");
-    if (file) await this.read(file);
+    const { endings, read } = this.patterns;
+    const file = await pickFile(`.toml,${endings}`);
+    if (file && hasEnding(file, endings)) read(file);
+    else if (file) await this.read(file);
   }
 
   async read(file: File): Promise<void> {

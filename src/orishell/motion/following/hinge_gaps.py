@@ -106,7 +106,7 @@ class RigidPanels:
         """The means (J, 3) of the same."""
         return self._sums(values) / np.bincount(self._joints.ravel())[:, None]
 
-    def _fitted(self, points: Array) -> Array:
+    def fitted(self, points: Array) -> Array:
         """Corners (F, K, 3) of rigid panels nearest to points."""
         own, means = self._centred(points)
         u, _, v = np.linalg.svd(np.einsum("fki,fkj->fij", own, self._flat))
@@ -170,7 +170,7 @@ class RigidPanels:
         before, factors = np.inf, None
         for _ in range(STEPS):
             points = places[self._joints]
-            corners = self._fitted(points)
+            corners = self.fitted(points)
             off = np.where(there, points - corners, 0.0)
             parted = float((off**2).sum())
             if before - parted <= STILL * parted or parted <= rounding:

@@ -15,6 +15,7 @@ from orishell.motion.crease_pattern import CreasePattern
 from orishell.verification.pattern.motion import FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.rows import Judged, said_of_motion
+from orishell.verification.pattern.states import examine_states
 from orishell.verification.pattern.vertices import (
     VertexConditions,
     find_conditions,
@@ -112,8 +113,11 @@ def judge_pattern(
             tolerance * size, ROUNDING * size,
         )  # fmt: skip
         rows += judged.rows()
-    if read.states:
-        rows.append(Row("warns", "states", f"{len(read.states)} folded states are not examined"))
+    if read.states and read.flat is not None:
+        rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
+    elif read.states:
+        said = f"{len(read.states)} folded states are not examined: there is no flat sheet"
+        rows.append(Row("warns", "states", said))
     rows.sort(key=lambda row: ORDER.index(row.sign))
     return PatternVerdict(read, tolerance, findings, tuple(rows))
 
