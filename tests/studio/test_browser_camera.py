@@ -50,7 +50,7 @@ def test_the_camera_follows_the_fold_until_it_is_moved(page: Page) -> None:
     await_frames(page)
     near = page.evaluate(CAMERA)
     fold(page, 1)
-    assert page.evaluate(CAMERA) == near
+    assert page.evaluate(CAMERA) == pytest.approx(near, rel=1e-9)
     page.keyboard.press("f")
     await_frames(page)
     assert page.evaluate(REACH) == FULL

@@ -4,7 +4,7 @@ import { Vector3, type PerspectiveCamera } from "three";
 import { reachIn, type Extent } from "./camera.ts";
 
 /** A whole shell that reaches farther than this (1: the rim), or less far, is fitted anew. */
-const OUTSIDE = 1.1;
+const OUTSIDE = 1;
 const SMALL = 0.45;
 /** A part of a shell is followed when the shell has grown so many times, or to this share. */
 const GROWN = 1.5;

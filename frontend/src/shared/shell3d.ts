@@ -345,6 +345,11 @@ export class Shell3D {
     this.invalidate();
   }
 
+  /** Bring all into view again, unless one has come nearer or gone elsewhere. */
+  refit(): void {
+    if (this.fitted && this.following.turnedOnly) this.fit();
+  }
+
   maxPanelStrain(): number {
     this.pose();
     return this.sheet.motion?.maxStrain() ?? 0;
@@ -481,7 +486,7 @@ export class Shell3D {
     this.pose();
     if (!this.sent) {
       this.sheet.upload();
-      if (this.fitted && this.following.turnedOnly) this.fit();
+      this.refit();
     }
     this.sent = true;
     if (!this.shaded && this.quality.taps) {
