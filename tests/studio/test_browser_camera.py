@@ -1,4 +1,4 @@
-"""The camera follows the fold in a real browser: what is drawn fills the view, until one moves it."""
+"""The camera follows the fold in a real browser: what is drawn fills the view until it is moved."""
 
 from __future__ import annotations
 
