@@ -77,7 +77,9 @@ def test_from_a_formula_to_the_fitted_shell(page: Page) -> None:
 @thorough
 def test_picture_of_a_fitted_shell(page: Page) -> None:
     begin(page)
+    page.evaluate("window.__orishell.store.set({ 'pattern.rows': 8, 'pattern.columns': 8 }, 'few')")
     settle(page)
+    assert state(page, "freshness.value") == "current"
     keep_picture(page, "studio-surface")
     assert np.ptp(pixels(page, ".scene canvas")) > 0.3
 
