@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { amountsOf, deflectionOf, DRAWN, exaggeration, rimsOf, scalesOf } from "../src/shared/loaded.ts";
+import { amountsOf, deflectionOf, DRAWN, exaggeration, rimsOf, scalesOf, worstUsed } from "../src/shared/loaded.ts";
 import type { Loaded } from "../src/shared/view.ts";
 
 /** Two unit squares side by side, of two triangles each. */
@@ -13,6 +13,9 @@ const loaded: Loaded = {
   ties: Uint32Array.from([0, 5]),
   displacements: Float32Array.from([...points.map((_, i) => (i === 5 ? -0.03 : i === 3 ? 0.04 : 0)), ...points.map((_, i) => (i === 17 ? -1 : 0))]),
   stresses: Float32Array.from([1, 2, 4, 3, NaN, NaN, NaN, NaN]),
+  strength: 8,
+  loads: new Float32Array(12),
+  held: new Uint32Array(0),
 };
 
 test("panels are outlined, and the sheet; what lies inside a panel is not", () => {
@@ -50,7 +53,18 @@ test("colours are shares of the most, at corners or for whole triangles", () => 
   const stresses = amountsOf(loaded, snow, "stress");
   expect(stresses.most).toBe(4);
   expect([...stresses.shares]).toEqual([1, 1, 1, 2, 2, 2, 4, 4, 4, 3, 3, 3].map((each) => each / 4));
+  // Colours of utilisation end at the strength, whatever the most is.
+  const used = amountsOf(loaded, snow, "utilisation");
+  expect(used.most).toBe(4 / 8);
+  expect([...used.shares]).toEqual([1, 1, 1, 2, 2, 2, 4, 4, 4, 3, 3, 3].map((each) => each / 8));
   const moves = deflectionOf(loaded, 1);
   expect(moves.balanced).toBe(false);
   expect(amountsOf(loaded, moves, "stress").shares.every(Number.isNaN)).toBe(true);
+});
+
+test("a panel uses the largest share of its strength, in any case", () => {
+  const both = { ...loaded, stresses: Float32Array.from([1, 2, 4, 3, 6, 1, 1, 1]) };
+  expect(worstUsed(both)).toEqual({ shares: Float32Array.from([6 / 8, 4 / 8]), cases: Uint32Array.from([1, 0]) });
+  expect([...worstUsed(loaded)!.shares]).toEqual([2 / 8, 4 / 8]);
+  expect(worstUsed({ ...loaded, strength: null })).toBeNull();
 });

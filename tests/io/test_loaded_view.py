@@ -51,12 +51,30 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         # Newtons per square metre, and 1e6 of them in a megapascal.
         stresses = case.stresses * 1e-6
         np.testing.assert_allclose(arrays["stresses"][number], stresses, rtol=1e-6)
+        # No load is lost where panels share nodes.
+        total = arrays["panel_loads"][number].sum(axis=0)
+        np.testing.assert_allclose(total, case.forces.sum(axis=0), rtol=1e-5, atol=1e-4)
+    assert header["strength"] is None
+    known, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, strength=16e6))))
+    assert known["strength"] == 16
+
+
+def test_the_view_says_how_nodes_are_held() -> None:
+    """Held up only, pinned, clamped: by the translations (0 to 2) and turns (3 to 5) held."""
+    document = loaded_document()
+    assert document.loaded is not None
+    ways = [[1, 2], *([4, axis] for axis in range(3)), *([7, axis] for axis in range(6))]
+    held = replace(document.loaded, held=np.array(ways))
+    header, blocks = parts_of(dump_view(replace(document, loaded=held)))
+    place = header["arrays"]["held"]
+    found = np.frombuffer(blocks, "u4", 6, place["offset"]).reshape(place["shape"])
+    assert found.tolist() == [[1, 0], [4, 1], [7, 2]]
 
 
 def test_a_view_without_loads_says_nothing_of_them() -> None:
     header, _ = parts_of(dump_view(replace(loaded_document(), loaded=None)))
     assert "cases" not in header
-    assert not {"loaded_points", "displacements", "stresses"} & set(header["arrays"])
+    assert not {"loaded_points", "displacements", "stresses", "held"} & set(header["arrays"])
 
 
 def choose(page: Page, what: str, value: str) -> None:
@@ -81,7 +99,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
         choose(page, "case", "snow")
         assert page.evaluate("orishell.shell.fold") == 1
         legend = page.locator(".orishell-legend").inner_text()
-        assert "snow: displacement, drawn 5 times as large" in legend
+        assert "snow: displacement; displacements \u00d7 5" in legend
         assert f"{LARGEST} m" in legend
         snow = pixels(page, ".stage canvas")
         page.evaluate("orishell.player.toggle()")  # held: it does not move

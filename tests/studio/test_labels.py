@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,19 @@ from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables, de
 FAMILY = "parallel-repeating"
 THICK = {"thickness": 0.02, "membrane": 0.001}
 SOLID = {"thickness": 0.02, "gap": 0.001}
-HINGES = {"sandwich": THICK, "bevel": SOLID, "hinged": {"thickness": 0.02}}
+FRICTION = {"friction": 0.5}
+HINGES = {"sandwich": THICK, "bevel": SOLID, "hinged": {"thickness": 0.02}, "friction": FRICTION}
+LOADED: dict[str, Any] = {
+    "structure": {
+        "material": "steel",
+        "thickness": 0.01,
+        "supports": [{"at": "feet", "kind": "pinned"}],
+    },
+    "load_case": [
+        {"name": "snow", "snow": {"ground": 400}},
+        {"name": "wind", "wind": {"speed": 26, "terrain": "II", "direction_deg": 0}},
+    ],
+}
 CHOICES = [
     (table, key, choice)
     for table, words in TABLES.items()
@@ -29,16 +42,25 @@ CHOICES = [
 def test_labelled_keys_are_keys_of_the_file() -> None:
     keys = keys_of(FAMILIES[FAMILY].pattern)
     for table, words in describe_tables().items():
-        assert table in FileTable.model_fields
+        first, *within = table.split(".")
+        assert first in FileTable.model_fields
         if words["keys"]:
-            assert set(words["keys"]) <= set(keys((table, "")))
+            assert set(words["keys"]) <= set(keys((first, *within, "")))
 
 
 @pytest.mark.parametrize(("table", "key", "choice"), CHOICES)
 def test_choices_are_values_of_the_file(table: str, key: str, choice: str) -> None:
     design: dict[str, Any] = tomllib.loads(starter_file(FAMILY))
-    more = HINGES.get(choice, {})
-    check_design(design | {table: more | {key: choice}}, Path("shell.toml"))
+    if table.partition(".")[0] in LOADED:
+        design |= copy.deepcopy(LOADED)
+    at: Any = design
+    for name in table.split("."):
+        if isinstance(at, list):
+            at = next(each for each in at if name in each)
+        at = at.setdefault(name, {})
+    at = at[0] if isinstance(at, list) else at
+    at |= HINGES.get(choice, {}) | {key: choice}
+    check_design(design, Path("shell.toml"))
 
 
 @pytest.mark.parametrize("key", WORKSHOP_CHOICES)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from studio_pages import settle
-from viewer_pages import await_frames, keep_picture, pixels
+from studio_pages import choose, settle
+from viewer_pages import await_frames, keep_picture, pixels, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -87,3 +87,67 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     page.get_by_test_id("flat").click()
     await_frames(page)
     assert page.evaluate("window.__orishell.fold") == 0
+
+
+def test_a_structure_is_made_by_hand(page: Page) -> None:
+    """From a plain arch to a verdict: boards of plywood, 0.4 kN/m2 of snow; two inputs."""
+    choose(page, "parallel-repeating")
+    by_id = page.get_by_test_id
+    assert not by_id("structure-snow").is_visible()
+    by_id("structure-material").select_option("birch plywood")
+    by_id("structure-snow").fill("0.4")
+    assert by_id("structure-thickness").input_value() == "15"
+    settle(page)
+    design = page.evaluate("window.__orishell.store.design.value")
+    assert design["structure"] == {
+        "material": "birch plywood",
+        "thickness": 0.015,
+        "supports": [{"at": "feet", "kind": "pinned"}],
+    }
+    snow = {"name": "snow", "snow": {"ground": 400}, "self_weight": True}
+    assert design["load_case"] == [{"name": "own weight", "self_weight": True}, snow]
+    report = page.evaluate("window.__orishell.report.structure")
+    verdict = by_id("structure-verdict").inner_text()
+    assert verdict.startswith({True: "Carries", False: "Fails", None: "Carries"}[report["carries"]])
+    # Colours end at the strength of the material, 16 MPa.
+    by_id("structure-creases").select_option("rigid")
+    settle(page)
+    report = page.evaluate("window.__orishell.report.structure")
+    cases = by_id("load-case")
+    cases.select_option("snow")
+    await_frames(page)
+    assert by_id("load-measure").input_value() == "utilisation"
+    legend = page.locator(".orishell-legend").inner_text()
+    assert "100 %: 16 MPa" in legend
+    assert "N a panel" in legend
+    assert "displacements \u00d7" in legend
+    used = page.evaluate(f"{SHOWN}.most * 16")
+    loaded = "window.__orishell.store.view.value.loaded"
+    assert 0 < used <= page.evaluate(f"Math.max(...{loaded}.stresses)") * (1 + 1e-6)
+    # Arrows add up to what loads the shell.
+    total = page.evaluate(
+        f"(() => {{ const {{ loads, cases }} = {loaded}, n = loads.length / cases.length;"
+        f" const at = {SHOWN}.deflection.number; let down = 0;"
+        " for (let k = at * n + 2; k < (at + 1) * n; k += 3) down += loads[k]; return down; })()"
+    )
+    assert total == pytest.approx(
+        next(each["load"][2] for each in report["cases"] if each["name"] == "snow"), rel=1e-4
+    )
+    keep = page.evaluate(f"[...{loaded}.held].filter((_, k) => k % 2)")
+    assert keep
+    assert set(keep) == {1}
+    cases.select_option("")
+
+    # What stops stays stopped until it is asked for.
+    by_id("structure-kind-sliding").check(force=True)
+    wait_until(page, "window.__orishell.store.proof.value.state === 'running'")
+    by_id("structure-work-stop").click()
+    settle(page)
+    assert "Stopped" in by_id("verify-status").inner_text()
+    by_id("structure-again").click()
+    settle(page)
+    assert by_id("structure-verdict").is_visible()
+    page.keyboard.press("Control+z")
+    by_id("structure-material").select_option("")
+    settle(page)
+    assert "structure" not in page.evaluate("window.__orishell.store.design.value")

@@ -634,6 +634,8 @@ export interface Header {
   curves?: Curves;
   /** Load cases, where the shell was analysed as a structure. */
   cases?: NamedCase[];
+  /** Stress (MPa) that its panels bear; null if not known. */
+  strength?: number | null;
 }
 
 /** Hinges of whole boards and their arms; lengths in the document's unit. */
@@ -687,6 +689,7 @@ export interface Info {
   formats: FileFormat[];
   workshop: Parameter[];
   tables: Record<string, TableWords>;
+  materials: MaterialFacts[];
   search: SearchInfo;
   limits: Largest;
   start: NamedDesign | null;
@@ -779,6 +782,19 @@ export interface Lock {
   clipped_contact: Contact | null;
   /** How contact was looked for; None if it was not. */
   path: ProofRecord | null;
+}
+
+/** What panels may be made of. */
+export interface MaterialFacts {
+  name: string;
+  /** Young's modulus (N/m2). */
+  modulus: number;
+  /** What it bears (N/m2). */
+  strength: number;
+  /** Mass by volume (kg/m3). */
+  density: number;
+  /** What is on the safe side in these values, and what is not. */
+  conservative: string;
 }
 
 /** Where boards of flaps meet at the target. */

@@ -75,12 +75,20 @@ function key(container: HTMLElement, name: string, colour: string, kind = "orish
   item.append(name);
 }
 
-function explainLoaded(container: HTMLElement, { deflection, measure, scale, most }: Drawn, unit: string): void {
+function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, strength, force }: Drawn, unit: string): void {
   const { name, balanced } = deflection;
   const what = balanced ? measure : "moves: nothing resists this";
-  const end = !balanced ? "most" : measure === "stress" ? `${threeDigits(most)} MPa` : length(most, unit);
-  const drawn = !balanced ? "" : scale === 1 ? ", drawn as it is" : `, drawn ${threeDigits(scale)} times as large`;
-  bar(container, `${name}: ${what}${measure === "stress" ? "; displacement" : ""}${drawn}`, AMOUNT_MAP, ["0", end]);
+  const mpa = (size: number): string => `${threeDigits(size)} MPa`;
+  const end = !balanced ? "most" : measure === "stress" ? mpa(most) : length(most, unit);
+  const drawn = !balanced ? "" : `; displacements \u00d7 ${threeDigits(scale)}`;
+  if (balanced && measure === "utilisation") {
+    bar(container, `${name}: stress, ${threeDigits(100 * most)} % of strength at most${drawn}`, AMOUNT_MAP, [
+      "0", "50 %", `100 %: ${mpa(strength!)}`,
+    ]);
+  } else {
+    bar(container, `${name}: ${what}${drawn}`, AMOUNT_MAP, ["0", end]);
+  }
+  if (force) key(container, `load, up to ${threeDigits(force)} N a panel`, "--load");
 }
 
 function bar(container: HTMLElement, title: string, map: string[], ticks: string[]): void {

@@ -31,9 +31,8 @@ export class LoadedControls {
     cases.dataset["testid"] = "load-case";
     measures.setAttribute("aria-label", "Colours of the loaded shell");
     measures.dataset["testid"] = "load-measure";
-    for (const measure of ["displacement", "stress"] as const) measures.append(new Option(measure, measure));
     Object.assign(slider, { type: "range", min: "0", step: "1", title: "How many times as large displacements are drawn" });
-    slider.setAttribute("aria-label", "Displacements drawn larger");
+    slider.setAttribute("aria-label", "Displacements are multiplied by");
     slider.dataset["testid"] = "load-scale";
     cases.addEventListener("change", () => {
       this.wanted = cases.value;
@@ -61,6 +60,10 @@ export class LoadedControls {
     this.cases.replaceChildren(new Option("Without loads", NONE), ...options);
     this.cases.value = names.includes(wanted) ? wanted : NONE;
     this.element.hidden = !this.loaded;
+    const kinds: Measure[] = this.loaded?.strength ? ["utilisation", "displacement", "stress"] : ["displacement", "stress"];
+    const measure = this.measures.value;
+    this.measures.replaceChildren(...kinds.map((kind) => new Option(kind, kind)));
+    if (kinds.some((kind) => kind === measure)) this.measures.value = measure;
     this.choose();
   }
 

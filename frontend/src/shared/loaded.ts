@@ -4,7 +4,8 @@ import { largest } from "./colours.ts";
 import type * as Api from "./api-types.ts";
 import type { Loaded } from "./view.ts";
 
-export type Measure = "displacement" | "stress";
+/** Utilisation: stress as a share of what panels bear. */
+export type Measure = "displacement" | "stress" | "utilisation";
 
 /** The largest displacement is drawn as about this share of the shell's size, at most. */
 export const DRAWN = 0.06;
@@ -51,17 +52,35 @@ export function scalesOf(proposed: number): number[] {
   }
 }
 
-/** Shares (3 T,) of the most at the corners of all triangles, NaN where it is not known; and the most. */
+/** Shares (3 T,) of the end of the colours at the corners of all triangles, NaN where it is not known; and the
+ * most. Colours end at the most, those of utilisation at 1. */
 export function amountsOf(loaded: Loaded, deflection: Deflection, measure: Measure): { shares: Float32Array; most: number } {
   const { triangles } = loaded;
   const count = triangles.length / 3;
-  const values = measure === "stress"
-    ? loaded.stresses.subarray(deflection.number * count, (deflection.number + 1) * count)
-    : sizes(deflection.displacements);
+  const moved = measure === "displacement", { strength } = loaded;
+  const values = moved
+    ? sizes(deflection.displacements)
+    : loaded.stresses.subarray(deflection.number * count, (deflection.number + 1) * count);
   const most = largest(values);
-  const shares = Float32Array.from(triangles, (node, corner) =>
-    values[measure === "stress" ? Math.floor(corner / 3) : node]! / (most || 1));
-  return { shares, most };
+  const end = measure === "utilisation" ? strength! : most || 1;
+  const shares = Float32Array.from(triangles, (node, corner) => values[moved ? node : Math.floor(corner / 3)]! / end);
+  return { shares, most: measure === "utilisation" ? most / end : most };
+}
+
+/** The largest share of their strength (P,) that panels use, and the case (P,) in which; null where the strength
+ * is not known. */
+export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32Array } | null {
+  const { strength, panels, stresses } = loaded;
+  if (!strength) return null;
+  const count = panels.reduce((most, panel) => Math.max(most, panel), 0) + 1;
+  const shares = new Float32Array(count), cases = new Uint32Array(count);
+  for (let k = 0; k < stresses.length; k++) {
+    const share = stresses[k]! / strength, panel = panels[k % panels.length]!;
+    if (!(share > shares[panel]!)) continue;
+    shares[panel] = share;
+    cases[panel] = Math.floor(k / panels.length);
+  }
+  return { shares, cases };
 }
 
 /** Lines (2 L,) round the panels, and those of them (2 B,) round the whole sheet: pairs of nodes. */

@@ -1,6 +1,7 @@
 // The shell under a load case as the graphics card holds it: its triangles and lines, displaced.
 
 import { BufferAttribute, BufferGeometry, Group } from "three";
+import { LoadMarks } from "./load-marks.ts";
 import { AMOUNT_MAP, mapTexels, type Theme } from "./colours.ts";
 import { amountsOf, rimsOf, type Deflection, type Measure } from "./loaded.ts";
 import { mapTexture } from "./maps.ts";
@@ -15,8 +16,8 @@ export interface Shown {
   scale: number;
 }
 
-/** With the most that its colours reach. */
-export type Drawn = Shown & { most: number };
+/** With the most that its colours show, what panels bear (MPa), and the largest load on a panel (N). */
+export type Drawn = Shown & { most: number; strength: number | null; force: number };
 
 /** Stands for a stress that is not known. */
 const UNKNOWN = 3e30;
@@ -31,6 +32,7 @@ export class Loaded3D {
   /** The sheet's border without loads. */
   private readonly before: Lines;
   private readonly ties: Lines;
+  private readonly marks: LoadMarks;
   private loaded: Loaded | null = null;
   private ends: { rims: Uint32Array; border: Uint32Array } = { rims: new Uint32Array(0), border: new Uint32Array(0) };
   private deflection: Deflection | null = null;
@@ -43,7 +45,8 @@ export class Loaded3D {
     this.creases = new Lines(own, 1, 2);
     this.before = new Lines({ ...own, times: { value: 0 } }, 1.2, 2);
     this.ties = new Lines(own, 2.6, 2);
-    this.drawn.add(this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh);
+    this.marks = new LoadMarks(shared);
+    this.drawn.add(this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh, ...this.marks.drawn);
     this.drawn.visible = false;
   }
 
@@ -65,17 +68,19 @@ export class Loaded3D {
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));
     this.times.value = scale;
-    this.shown = { ...shown, most };
+    this.shown = { ...shown, most, strength: loaded.strength, force: this.marks.force };
   }
 
   paint(theme: Theme): void {
     this.creases.ink.value = theme.linear("--crease");
     this.before.ink.value = theme.linear("--text-2");
     this.ties.ink.value = theme.linear("--tie");
+    this.marks.paint(theme);
   }
 
   dispose(): void {
     this.map.dispose();
+    this.marks.dispose();
     for (const mesh of [this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh]) {
       mesh.geometry.dispose();
       mesh.material.dispose();
@@ -92,6 +97,7 @@ export class Loaded3D {
     this.creases.build(points, displacements, this.ends.rims);
     this.before.build(points, displacements, this.ends.border);
     this.ties.build(points, displacements, ties);
+    this.marks.build(loaded, deflection.number);
   }
 }
 

@@ -3,7 +3,7 @@
 type Point = [number, number];
 
 /** Metres in a design's units of length. */
-const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
+export const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
 const HEIGHT = 1.75;
 
 /** Shells of this many heights of a person are shown with one. */

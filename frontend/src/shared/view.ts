@@ -40,6 +40,12 @@ export interface Loaded {
   displacements: Float32Array;
   /** (C, T) in MPa, NaN where it is not known */
   stresses: Float32Array;
+  /** Stress (MPa) that panels bear; null if that is not known. */
+  strength: number | null;
+  /** (C, P, 3) loads on panels (N) */
+  loads: Float32Array;
+  /** (S, 2) supported nodes, and how each is held: see Held. */
+  held: Uint32Array;
 }
 
 export interface View {
@@ -72,6 +78,7 @@ export interface View {
   clipped: View[];
 }
 
+export const Held = { up: 0, pinned: 1, clamped: 2 } as const;
 export const Assignment = { border: 0, mountain: 1, valley: 2, unfolded: 3, cut: 4 } as const;
 
 const KINDS = { float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array } as const;
@@ -136,6 +143,9 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
       ties: array("loaded_ties"),
       displacements: array("displacements"),
       stresses: array("stresses"),
+      strength: header.strength ?? null,
+      loads: array("panel_loads"),
+      held: array("held"),
     };
   }
   for (let place; (place = header.arrays[`clipped_${view.clipped.length}`]); ) {

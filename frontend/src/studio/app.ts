@@ -4,6 +4,7 @@ import { blankCover, blankDesign } from "./curves/blank.ts";
 import { Banner } from "./page/banner.ts";
 import { CurveEditor } from "./curves/curve-editor.ts";
 import { h } from "./parts/dom.ts";
+import { StructureControls } from "./structure/structure.ts";
 import { DeploymentControls } from "./design/deployment.ts";
 import { Drop } from "./files/drop.ts";
 import { ExportMenu } from "./files/export-menu.ts";
@@ -112,6 +113,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,
+        new StructureControls(store, { stop: () => live.stopProof(), again: () => live.proveAgain() }).element,
         new SearchCard(store).element,
       ),
       stage.element,

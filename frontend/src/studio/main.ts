@@ -11,6 +11,7 @@ import "./curves/curves.css";
 import "./curves/drawing.css";
 import "./surface/surface.css";
 import "./design/parameters.css";
+import "./structure/structure.css";
 import "./shell/stage.css";
 import "./shell/results.css";
 import "./page/overlays.css";

@@ -5,8 +5,8 @@ to N bytes, N a multiple of four), then the arrays, each beginning at a multiple
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
 they lie in the flat sheet, and carried by their panels, which whole boards shift. Strips of flaps
 that are clipped on are views within the view, about the same ``origin``. A shell that was analysed
-as a structure is given as it was meshed, with displacements and stresses (in MPa) of every load
-case.
+as a structure is given as it was meshed, with displacements, stresses (in MPa) and loads on panels
+of every load case, and the nodes that are held.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.row import Sign
 from orishell.document import Document, DocumentState, FirstContact
+from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array
 
 VERSION = 1
@@ -78,6 +79,7 @@ class Header(TypedDict):
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]  # in the studio
     cases: NotRequired[list[NamedCase]]  # load cases, where the shell was analysed as a structure
+    strength: NotRequired[float | None]  # stress (MPa) that its panels bear; null if not known
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
@@ -125,6 +127,8 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
             {"name": case.name, "sign": case.sign, "balanced": case.balanced}
             for case in document.loaded.cases
         ]
+        strength = document.loaded.strength
+        header["strength"] = None if strength is None else strength / _megapascals(document)
     text = orjson.dumps(header)
     text += b" " * (-len(text) % 4)
     blocks = [array.tobytes() + b"\0" * (-array.nbytes % 4) for array in arrays.values()]
@@ -170,15 +174,44 @@ def _arrays(
         arrays["distance"] = document.distances.astype("<f4")
     if document.loaded is not None:
         loaded, cases = document.loaded, document.loaded.cases
-        megapascals = MILLIMETRES[document.require_unit()] ** 2
         arrays |= {
             "loaded_points": placed(loaded.points),
             "loaded_triangles": loaded.triangles.astype("<u4"),
             "loaded_panels": loaded.panels.astype("<u4"),
             "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
             "displacements": np.stack([case.displacements for case in cases]).astype("<f4"),
-            "stresses": (np.stack([case.stresses for case in cases]) / megapascals).astype("<f4"),
+            "stresses": (
+                np.stack([case.stresses for case in cases]) / _megapascals(document)
+            ).astype("<f4"),
+            "panel_loads": np.stack([_on_panels(loaded, case) for case in cases]).astype("<f4"),
+            "held": _held(loaded).astype("<u4"),
         }
     for number, strip in enumerate(document.clipped):
         arrays[f"clipped_{number}"] = np.frombuffer(_dump_about(origin, strip, None), "u1")
     return arrays
+
+
+def _megapascals(document: Document) -> float:
+    """Newtons per square of the document's unit in a megapascal."""
+    return MILLIMETRES[document.require_unit()] ** 2
+
+
+def _on_panels(loaded: LoadedShell, case: LoadedCase) -> Array:
+    """Loads of a case on every panel (P, 3), with its flaps those on what is meshed.
+
+    Nodes that panels share count for one of them.
+    """
+    owner = np.zeros(len(loaded.points), dtype=np.intp)
+    owner[loaded.triangles] = loaded.panels[:, None]
+    count = int(loaded.panels.max()) + 1
+    axes = [np.bincount(owner, weights=force, minlength=count) for force in case.forces.T]
+    return np.stack(axes, axis=1)
+
+
+def _held(loaded: LoadedShell) -> Array:
+    """Supported nodes, and how each is held (S, 2): 0 held up only, 1 pinned, 2 clamped."""
+    nodes = np.unique(loaded.held[:, 0])
+    at = np.searchsorted(nodes, loaded.held[:, 0])
+    along = np.bincount(at, weights=loaded.held[:, 1] < 3)
+    turned = np.bincount(at, weights=loaded.held[:, 1] >= 3)
+    return np.stack([nodes, np.where(turned > 0, 2, np.where(along > 1, 1, 0))], axis=1)

@@ -29,6 +29,7 @@ def loaded_shell(analysis: Analysis) -> LoadedShell:
         held=model.supports.as_if_pinned(),
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
+        strength=model.structure.strength,
         whole_boards=model.design.has_whole_boards,
         cases=tuple(_loaded(analysis, case) for case in analysis.cases),
     )

@@ -26,6 +26,7 @@ from orishell.studio.info import Info, NamedDesign
 from orishell.studio.labels import (
     describe_examples,
     describe_families,
+    describe_materials,
     describe_tables,
     describe_workshop,
 )
@@ -98,6 +99,7 @@ def make_app(
             ],
             "workshop": describe_workshop(),
             "tables": describe_tables(),
+            "materials": describe_materials(),
             "search": describe_search(),
             "limits": {"vertices": MAX_VERTICES, "bytes": limits.bytes, "seconds": limits.quick},
             "start": start,

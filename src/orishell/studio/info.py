@@ -52,6 +52,16 @@ class TableWords(TypedDict):
     keys: dict[str, KeyWords]
 
 
+class MaterialFacts(TypedDict):
+    """What panels may be made of."""
+
+    name: str
+    modulus: float  # Young's modulus (N/m2)
+    strength: float  # what it bears (N/m2)
+    density: float  # mass by volume (kg/m3)
+    conservative: str  # what is on the safe side in these values, and what is not
+
+
 class Example(TypedDict):
     """A design to begin with: its tables, and the text of its file."""
 
@@ -112,6 +122,7 @@ class Info(TypedDict):
     formats: list[FileFormat]
     workshop: list[Parameter]
     tables: dict[str, TableWords]
+    materials: list[MaterialFacts]
     search: SearchInfo
     limits: Largest
     start: NamedDesign | None

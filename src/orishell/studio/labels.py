@@ -18,7 +18,15 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.families.pattern import AnyPattern
 from orishell.families.registry import AUTO, FAMILIES
-from orishell.studio.info import Example, Family, KeyWords, Parameter, TableWords
+from orishell.structure.materials import materials
+from orishell.studio.info import (
+    Example,
+    Family,
+    KeyWords,
+    MaterialFacts,
+    Parameter,
+    TableWords,
+)
 from orishell.workshop import Workshop
 from orishell.workshop.palettes import Layer
 
@@ -61,6 +69,20 @@ def describe_examples() -> list[Example]:
 def describe_workshop() -> list[Parameter]:
     """The settings of the table [workshop]."""
     return _parameters(Workshop)
+
+
+def describe_materials() -> list[MaterialFacts]:
+    """What panels may be made of, by name."""
+    return [
+        {
+            "name": name,
+            "modulus": each.modulus,
+            "strength": each.strength,
+            "density": each.density,
+            "conservative": each.conservative,
+        }
+        for name, each in materials().items()
+    ]
 
 
 def _parameters(table: type[BaseModel]) -> list[Parameter]:

@@ -6,6 +6,7 @@ import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import type { Value } from "../state/types.ts";
+import { withPanel } from "../structure/table.ts";
 
 /** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
 const HINGE = 0.05;
@@ -92,7 +93,8 @@ export class PanelControls {
 
   /** Without a thickness panels are made of nothing, and the file has no such table. */
   private change(table: Record<string, Value>, gesture = ""): void {
-    this.store.set({ panel: Number(table["thickness"]) > 0 ? table : undefined }, "panels", gesture);
+    const panel = Number(table["thickness"]) > 0 ? table : undefined;
+    this.store.set(withPanel(this.store.design.value, panel), "panels", gesture);
   }
 
   private show(): void {

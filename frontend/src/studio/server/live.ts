@@ -41,6 +41,8 @@ export class Live {
   private drawn = 0;
   private timer = 0;
   private resting = false;
+  /** What was proved last, or was to be. */
+  private proved: Pending | null = null;
   private design = new AbortController();
   private rested = new AbortController();
 
@@ -108,6 +110,17 @@ export class Live {
     this.store.busy.set(null);
     this.store.fitting.set(null);
     this.store.freshness.set("outdated");
+  }
+
+  /** Break off the proof; the shell stays. */
+  stopProof(): void {
+    this.stopResting();
+    this.store.proof.set({ state: "stopped" });
+  }
+
+  /** Prove the shell that is shown, after that was stopped. */
+  proveAgain(): void {
+    this.restLater(this.proved);
   }
 
   private request(pending: Pending): void {
@@ -258,6 +271,7 @@ export class Live {
 
   private restLater(shown: Pending | null): void {
     if (shown) this.store.proof.set({ state: "waiting" });
+    this.proved = shown;
     this.stopResting();
     this.timer = window.setTimeout(() => void this.rest(shown), REST);
   }

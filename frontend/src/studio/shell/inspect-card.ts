@@ -2,9 +2,10 @@
 
 import { area, length, threeDigits } from "../../shared/colours.ts";
 import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
+import { worstUsed } from "../../shared/loaded.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";
 import { contactOf } from "../../shared/stops.ts";
-import { Assignment, panelName, type View } from "../../shared/view.ts";
+import { Assignment, type Loaded, panelName, type View } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import type { Chosen, Selection } from "./selection.ts";
@@ -25,6 +26,7 @@ export class InspectCard {
   private readonly close = button({ label: "Close the card", icon: "close", keys: "Escape", testid: "inspect-close", act: () => this.selection.chosen.set(null) });
   private readonly head = h("header", {}, this.title);
   private request = 0;
+  private worst: { of: Loaded; used: ReturnType<typeof worstUsed> } | null = null;
 
   constructor(
     private readonly store: Store,
@@ -77,7 +79,7 @@ export class InspectCard {
   private panel(view: View, panel: number, whole: boolean): HTMLElement[] {
     const unit = view.header.unit;
     const sheet = sheetOf(view);
-    const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)]];
+    const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)], ...this.used(view, panel)];
     if (!whole) return [list([...facts, ["Shortest side", length(sheet.shortest[panel]!, unit)]])];
     facts.push(["Corners", sectorAngles(view, panel).map(degrees).join("  ")]);
     const rows = SIDES.flatMap((side, k) =>
@@ -93,6 +95,15 @@ export class InspectCard {
     );
     const heads = ["Side", "Length", "Fold now", "At target"].map((text) => h("th", { scope: "col" }, text));
     return [list(facts), h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows))];
+  }
+
+  /** How much of its strength the panel uses, and under which loads. */
+  private used({ loaded }: View, panel: number): [string, string][] {
+    if (!loaded) return [];
+    if (this.worst?.of !== loaded) this.worst = { of: loaded, used: worstUsed(loaded) };
+    const { used } = this.worst;
+    const share = used?.shares[panel];
+    return share ? [["Utilisation", `${threeDigits(100 * share)} %, under ${loaded.cases[used!.cases[panel]!]!.name}`]] : [];
   }
 
   private crease(view: View, edge: number): HTMLElement[] {

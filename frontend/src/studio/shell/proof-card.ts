@@ -35,7 +35,7 @@ export class ProofCard {
     this.element.dataset["state"] = proof.state;
     this.element.dataset["tone"] = tone;
     this.mark.replaceChildren(...(tone === "quiet" ? [] : [icon(tone === "good" ? "done" : "warning")]));
-    this.refuse(proof.state === "done" ? proof.refusal : null);
+    this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
     this.bar.hidden = proof.state !== "running";
     if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
     else this.bar.removeAttribute("value");
@@ -66,6 +66,8 @@ export class ProofCard {
         return ["Verifying…", "quiet"];
       case "running":
         return [`${capital(proof.what)}…${proof.share > 0 ? ` ${Math.round(100 * proof.share)} %` : ""}`, "quiet"];
+      case "stopped":
+        return ["Stopped: not verified.", "quiet"];
       case "failed":
         return [sentence(this.store.labels.said(proof.fault.message)), "bad"];
       case "done":

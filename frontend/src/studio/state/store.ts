@@ -18,7 +18,8 @@ export type Proof =
   | { state: "running"; share: number; what: string }
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
   | { state: "done"; refusal: Fault | null }
-  | { state: "failed"; fault: Fault };
+  | { state: "failed"; fault: Fault }
+  | { state: "stopped" };
 
 /** What the shell on the screen is to the design. */
 export type Freshness = "current" | "computing" | "outdated";

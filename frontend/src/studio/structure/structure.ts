@@ -1,0 +1,211 @@
+// Does it carry its loads: material, supports and loads, and the verdict.
+
+import type { KeyWords } from "../../shared/api-types.ts";
+import { threeDigits } from "../../shared/colours.ts";
+import { capital } from "../../shared/words.ts";
+import { button, numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
+import { h } from "../parts/dom.ts";
+import { short } from "../parts/numbers.ts";
+import { WorkBar } from "../parts/work-bar.ts";
+import type { Store } from "../state/store.ts";
+import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
+import { wordsOfStructure } from "./verdict.ts";
+
+const NONE = "", OWN = "own";
+const FREE = "free", RIGID = "rigid", BOTH = "both";
+
+export class StructureControls {
+  readonly element: HTMLElement;
+  private readonly material: HTMLSelectElement;
+  private readonly facts = h("p", { class: "note", "data-testid": "structure-facts" });
+  private readonly boxes: Record<"thickness" | "friction" | "snow" | "wind" | "direction", HTMLInputElement>;
+  private readonly kind: Segmented<string>;
+  private readonly at: Segmented<string>;
+  private readonly creases: HTMLSelectElement;
+  private readonly combinations: Segmented<string>;
+  private readonly weight: HTMLInputElement;
+  private readonly roof: HTMLSelectElement;
+  private readonly terrain: HTMLSelectElement;
+  private readonly rows: Record<"thickness" | "friction" | "roof" | "terrain" | "direction", HTMLElement>;
+  private readonly rest: HTMLElement;
+  private readonly listed = h("p", { class: "note" });
+  private readonly work: WorkBar;
+  private readonly verdict = h("p", { class: "structure-verdict", role: "status", "data-testid": "structure-verdict" });
+  private readonly again: HTMLButtonElement;
+
+  constructor(private readonly store: Store, act: { stop(): void; again(): void }) {
+    const { info } = store;
+    const words = (table: string): Record<string, KeyWords> => info.tables[table]!.keys;
+    const structure = words("structure"), supports = words("structure.supports"), loads = words("load_case");
+    const snow = words("load_case.snow"), wind = words("load_case.wind");
+    const { material, thickness, combinations, crease_stiffness: creases } = structure;
+
+    this.material = choice("material", material!, [
+      [NONE, "Not analysed"],
+      [OWN, "Its own values"],
+      ...info.materials.map(({ name }): [string, string] => [name, capital(name)]),
+    ], (name) => this.change(withMaterial(store.design.value, name === NONE ? null : name), "material"));
+    this.material.options[1]!.disabled = true;
+    this.boxes = {
+      thickness: this.box("thickness", (mm) => this.change({ "structure.thickness": mm > 0 ? Number(short(mm / millimetres(store.design.value))) : undefined }, "thickness")),
+      friction: this.box("friction", (value) => this.change(withSupport(store.design.value, "friction", value), "friction")),
+      snow: this.box("snow", (load) => this.load("snow", "ground", load > 0 ? Number(short(load * kilonewtons(store.design.value))) : undefined), "none"),
+      wind: this.box("wind", (speed) => this.load("wind", "speed", speed > 0 ? speed : undefined), "none"),
+      direction: this.box("direction", (angle) => this.load("wind", "direction_deg", angle), "", -360),
+    };
+    this.kind = this.segments("kind", supports["kind"]!, (kind) => this.change(withSupport(store.design.value, "kind", kind), "supports"));
+    this.at = this.segments("at", supports["at"]!, (at) => this.change(withSupport(store.design.value, "at", at), "supports"));
+    this.creases = choice("creases", creases!, [
+      [FREE, "Free hinges"], [RIGID, "Rigid"], [BOTH, "Free to rigid"], [OWN, "As in the file"],
+    ], (value) => this.change({ "structure.crease_stiffness": value === BOTH ? undefined : value }, "creases"));
+    this.creases.options[3]!.disabled = true;
+    this.combinations = this.segments("combinations", combinations!, (value) => this.change(withCombinations(store.design.value, value), "combinations"));
+    this.weight = h("input", {
+      type: "checkbox", id: "structure-weight", "data-testid": "structure-weight",
+      onchange: () => this.load("self_weight", "", this.weight.checked || undefined),
+    });
+    this.roof = choice("roof", snow["shape"]!, Object.entries(snow["shape"]!.choices), (shape) => this.load("snow", "shape", shape));
+    this.terrain = choice("terrain", wind["terrain"]!, Object.entries(wind["terrain"]!.choices), (each) => this.load("wind", "terrain", each));
+    this.rows = {
+      thickness: row("thickness", thickness!, this.boxes.thickness, "mm"),
+      friction: row("friction", supports["friction"]!, this.boxes.friction, ""),
+      roof: row("roof", snow["shape"]!, this.roof),
+      terrain: row("terrain", wind["terrain"]!, this.terrain),
+      direction: row("direction", wind["direction_deg"]!, this.boxes.direction, "\u00b0"),
+    };
+    this.work = new WorkBar("Analysis", act.stop, "structure-work");
+    this.again = button({ label: "Analyse", text: "Analyse", testid: "structure-again", act: act.again });
+    this.rest = h(
+      "div",
+      { class: "parameter-list" },
+      this.rows.thickness,
+      this.facts,
+      named(supports["kind"]!, this.kind),
+      this.rows.friction,
+      named(supports["at"]!, this.at),
+      row("creases", creases!, this.creases),
+      row("weight", loads["self_weight"]!, this.weight),
+      row("snow", loads["snow"]!, this.boxes.snow, "kN/m\u00b2"),
+      this.rows.roof,
+      row("wind", loads["wind"]!, this.boxes.wind, "m/s"),
+      this.rows.terrain,
+      this.rows.direction,
+      named(combinations!, this.combinations),
+      this.listed,
+      this.work.element,
+      this.verdict,
+      this.again,
+    );
+    this.element = h(
+      "section",
+      { class: "structure", "aria-labelledby": "structure-title" },
+      h("h2", { id: "structure-title" }, info.tables["structure"]!.label),
+      row("material", material!, this.material),
+      this.rest,
+    );
+    store.design.bind(() => this.show());
+    store.proof.bind(() => this.say());
+  }
+
+  private change(changes: Changes, what: string, gesture = ""): void {
+    this.store.set(changes, what, gesture);
+  }
+
+  private load(load: Load, key: string, value: unknown): void {
+    this.change(withLoad(this.store.design.value, load, key, value), load === "self_weight" ? "own weight" : load, key && `type-${load}-${key}`);
+  }
+
+  private box(key: string, changed: (value: number) => void, placeholder = "", min = 0): HTMLInputElement {
+    const input = numberBox({ min, step: "any", placeholder, id: `structure-${key}`, "data-testid": `structure-${key}` }, changed);
+    // An emptied box takes its load away.
+    input.addEventListener("change", () => input.value === "" && placeholder && changed(0));
+    return input;
+  }
+
+  private segments(key: string, { label, choices }: KeyWords, chosen: (value: string) => void): Segmented<string> {
+    const values = Object.entries(choices).map(([value, text]) => ({ value, text, testid: `structure-${key}-${value.replace(" ", "-")}` }));
+    return segmented<string>(label, values, chosen);
+  }
+
+  private show(): void {
+    const design = this.store.design.value;
+    const table = structureOf(design), support = supportOf(design), cases = casesOf(design);
+    this.rest.hidden = !table;
+    const { material, thickness, combinations = "none", crease_stiffness: creases } = table ?? {};
+    this.material.value = !table ? NONE : String(material ?? OWN);
+    const known = this.store.info.materials.find(({ name }) => name === material);
+    this.facts.hidden = !known;
+    if (known) {
+      const { modulus, strength, density } = known;
+      this.facts.textContent = `Modulus ${threeDigits(modulus / 1e9)} GPa, strength ${threeDigits(strength / 1e6)} MPa, ${density} kg/m\u00b3, for a first design.`;
+      this.facts.title = known.conservative;
+    }
+    this.rows.thickness.hidden = Boolean(design.panel?.["thickness"]);
+    setNumber(this.boxes.thickness, thickness === undefined ? "" : short(Number(thickness) * millimetres(design)));
+    this.kind.set(String(support?.["kind"] ?? NONE));
+    this.at.set(String(support?.["at"] ?? NONE));
+    this.rows.friction.hidden = support?.["kind"] !== "friction";
+    setNumber(this.boxes.friction, short(Number(support?.["friction"] ?? 0)));
+    this.creases.value = stiffnessOf(creases);
+    this.combinations.set(String(combinations));
+    this.weight.checked = caseWith(design, "self_weight") >= 0;
+    const loaded = (load: Load): Record<string, unknown> | undefined => cases[caseWith(design, load)]?.[load] as Record<string, unknown> | undefined;
+    const snow = loaded("snow"), wind = loaded("wind");
+    setNumber(this.boxes.snow, snow ? short(Number(snow["ground"]) / kilonewtons(design)) : "");
+    setNumber(this.boxes.wind, wind ? short(Number(wind["speed"])) : "");
+    setNumber(this.boxes.direction, short(Number(wind?.["direction_deg"] ?? 0)));
+    this.rows.roof.hidden = !snow;
+    this.rows.terrain.hidden = this.rows.direction.hidden = !wind;
+    this.roof.value = String(snow?.["shape"] ?? "slope");
+    this.terrain.value = String(wind?.["terrain"] ?? "II");
+    // What these controls do not show.
+    const shown = (["self_weight", "snow", "wind"] as const).map((load) => caseWith(design, load));
+    const others = cases.filter((_, k) => !shown.includes(k)).map(({ name }) => String(name));
+    const words = [
+      table && !support ? "Supports: several are listed in the file; a choice here takes their place." : "",
+      others.length ? `Also in the file: ${others.join(", ")}.` : "",
+    ].filter(Boolean);
+    this.listed.textContent = words.join(" ");
+    this.listed.hidden = !words.length;
+  }
+
+  /** How far the analysis is, and what it found. */
+  private say(): void {
+    const { proof, report } = this.store;
+    const now = proof.value, found = now.state === "done" ? report.value?.structure : null;
+    if (now.state === "running") this.work.show(now.share, now.what);
+    else if (now.state === "waiting") this.work.begin("waiting");
+    else this.work.hide();
+    const said = found ? wordsOfStructure(found) : null;
+    this.verdict.hidden = !said;
+    this.verdict.textContent = said?.text ?? "";
+    this.verdict.dataset["tone"] = said?.tone ?? "";
+    this.again.hidden = now.state !== "stopped";
+  }
+}
+
+function stiffnessOf(value: unknown): string {
+  if (value === undefined) return BOTH;
+  if (Array.isArray(value)) return value[0] === FREE && value[1] === RIGID ? BOTH : OWN;
+  return value === FREE || value === RIGID ? value : OWN;
+}
+
+function choice(key: string, { label }: KeyWords, options: [string, string][], chosen: (value: string) => void): HTMLSelectElement {
+  const select = h("select", { id: `structure-${key}`, "data-testid": `structure-${key}`, "aria-label": label, onchange: () => chosen(select.value) });
+  select.append(...options.map(([value, text]) => new Option(text, value)));
+  return select;
+}
+
+function row(key: string, { label, help }: KeyWords, control: HTMLElement, unit?: string): HTMLElement {
+  return h(
+    "div",
+    { class: "parameter-head", title: help },
+    h("label", { for: `structure-${key}` }, label),
+    control,
+    unit === undefined ? null : h("span", { class: "unit" }, unit),
+  );
+}
+
+function named({ label, help }: KeyWords, { element }: Segmented<string>): HTMLElement {
+  return h("div", { class: "parameter-head", title: help }, h("span", {}, label), element);
+}

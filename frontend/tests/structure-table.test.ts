@@ -1,0 +1,75 @@
+import { expect, test } from "vitest";
+
+import { changed } from "../src/studio/state/changed.ts";
+import type { Design } from "../src/studio/state/types.ts";
+import { type Changes, kilonewtons, millimetres, supportOf, withCombinations, withLoad, withMaterial, withPanel, withSupport } from "../src/studio/structure/table.ts";
+
+const arch: Design = { shell: { family: "parallel-repeating", unit: "m" }, pattern: { rows: 5 } };
+const plywood = after(arch, withMaterial(arch, "birch plywood"));
+
+function after(design: Design, changes: Changes): Design {
+  return changed(design, changes);
+}
+
+test("a material makes a structure: pinned feet, own weight, panels of 15 mm in any unit", () => {
+  expect(plywood.structure).toEqual({
+    material: "birch plywood", thickness: 0.015, supports: [{ at: "feet", kind: "pinned" }],
+  });
+  expect(plywood.load_case).toEqual([{ name: "own weight", self_weight: true }]);
+  const inMillimetres: Design = { ...arch, shell: { ...arch.shell, unit: "mm" } };
+  expect(after(inMillimetres, withMaterial(inMillimetres, "steel")).structure!["thickness"]).toBe(15);
+  // Panels that have a thickness keep it.
+  const thick: Design = { ...arch, panel: { thickness: 0.01 } };
+  expect(after(thick, withMaterial(thick, "steel")).structure).not.toHaveProperty("thickness");
+  expect(after(plywood, withMaterial(plywood, null))).toEqual(arch);
+});
+
+test("another material takes the place of values that the file gives", () => {
+  const own: Design = { ...plywood, structure: { modulus: 3e9, strength: 1e7, poisson: 0.2, thickness: 0.02, supports: [] } };
+  expect(after(own, withMaterial(own, "steel")).structure).toEqual({ material: "steel", thickness: 0.02, supports: [] });
+});
+
+test("loads are those of the file: kilonewtons per square metre in its unit, a case for each", () => {
+  // 0.4 kN/m2 is 400 N per square metre, and 4e-4 N per square millimetre.
+  expect(0.4 * kilonewtons(arch)).toBeCloseTo(400, 9);
+  expect(0.4 * kilonewtons({ ...arch, shell: { ...arch.shell, unit: "mm" } })).toBeCloseTo(4e-4, 12);
+  expect(millimetres({ ...arch, shell: { ...arch.shell, unit: "ft" } })).toBeCloseTo(304.8, 9);
+  const snowed = after(plywood, withLoad(plywood, "snow", "ground", 400));
+  const blown = after(snowed, withLoad(snowed, "wind", "speed", 26));
+  expect(blown.load_case).toEqual([
+    { name: "own weight", self_weight: true },
+    { name: "snow", snow: { ground: 400 }, self_weight: true },
+    { name: "wind", wind: { terrain: "II", direction_deg: 0, speed: 26 }, self_weight: true },
+  ]);
+  const turned = after(blown, withLoad(blown, "wind", "direction_deg", 90));
+  expect(turned.load_case![2]).toMatchObject({ wind: { terrain: "II", direction_deg: 90, speed: 26 } });
+  // A code combines loads that are alone; without own weight none has it.
+  const coded = after(snowed, withCombinations(snowed, "EN 1990"));
+  expect(coded.load_case).toEqual([{ name: "own weight", self_weight: true }, { name: "snow", snow: { ground: 400 } }]);
+  expect(after(coded, withCombinations(coded, "none"))).toEqual(snowed);
+  expect(after(snowed, withLoad(snowed, "self_weight", "", undefined)).load_case).toEqual([{ name: "snow", snow: { ground: 400 } }]);
+  expect(after(snowed, withLoad(snowed, "snow", "", undefined))).toEqual(plywood);
+});
+
+test("a load that goes leaves the cases that combine it, and what else is in its own", () => {
+  const cases = [{ name: "a", snow: { ground: 1 }, pressure: 5 }, { name: "b", self_weight: true }, { name: "c", combine: { b: 1.35, a: 1.5 } }, { name: "d", combine: { b: 2 } }];
+  const design = { ...plywood, load_case: cases } as unknown as Design;
+  expect(after(design, withLoad(design, "snow", "", undefined)).load_case![0]).toEqual({ name: "a", pressure: 5 });
+  expect(after(design, withLoad(design, "self_weight", "", undefined)).load_case).toEqual([cases[0], { name: "c", combine: { a: 1.5 } }]);
+});
+
+test("only feet on the ground have friction", () => {
+  const rough = after(plywood, withSupport(plywood, "kind", "friction"));
+  expect(supportOf(rough)).toEqual({ at: "feet", kind: "friction", friction: 0.5 });
+  const held = after(rough, withSupport(rough, "kind", "fixed"));
+  expect(supportOf(held)).toEqual({ at: "feet", kind: "fixed" });
+  // Supports at single vertices are not what the controls show.
+  expect(supportOf({ ...plywood, structure: { supports: [{ at: [[0, 1]], kind: "pinned" }] as never } })).toBeNull();
+});
+
+test("a thickness stands in one table only", () => {
+  const thick = after(plywood, withPanel(plywood, { thickness: 0.01, membrane: 0.001 }));
+  expect(thick.structure).not.toHaveProperty("thickness");
+  expect(after(thick, withPanel(thick, undefined)).structure!["thickness"]).toBe(0.01);
+  expect(after(arch, withPanel(arch, { thickness: 0.01 }))).toEqual({ ...arch, panel: { thickness: 0.01 } });
+});
