@@ -107,7 +107,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
 
         page.get_by_test_id("load-scale").fill("4")
         await_frames(page)
-        assert "drawn 20 times" in page.locator(".orishell-legend").inner_text()
+        assert "displacements \u00d7 20" in page.locator(".orishell-legend").inner_text()
         larger = pixels(page, ".stage canvas")
         choose(page, "measure", "stress")
         assert "MPa" in page.locator(".orishell-legend").inner_text()
