@@ -112,6 +112,7 @@ def most_even_by_program(directions: Directions, column: Array) -> float:
         b_ub=np.append(-np.ones(count), np.zeros(count)),
         bounds=(None, None),
     )
+    assert found.fun is not None
     return float(found.fun)
 
 

@@ -97,8 +97,8 @@ def choose_flaps(
     if depth[0]:
         others = [planes.trimmed(np.append(inner, each)) for each in shifts]
         uncut = _below_feet(_locked(zigzag, shifts, np.array([each.trims for each in others])))
-        for number in np.flatnonzero(uncut < depth):
-            ends[number], kept[number], depth[number] = others[number], 1.0, uncut[number]
+        for k in np.flatnonzero(uncut < depth).tolist():
+            ends[k], kept[k], depth[k] = others[k], 1.0, uncut[k]
     best = int(np.where(tried, depth, np.inf).argmin())
     chosen = ends[best]
     return Flaps(

@@ -109,13 +109,11 @@ class FollowingSheets:
 
         between = np.concatenate([self.every, -self.every])
         bounds = np.repeat([high, -low], len(self.every))
-        found = [
-            linprog(
-                sign * weights @ self.row, between, bounds, self.scale[None], [1.0], (None, None)
-            )
-            for sign in (1.0, -1.0)
-        ]
-        if not all(each.success for each in found):
-            return None
-        least, greatest = (float(self.row @ each.x @ weights) for each in found)
-        return least, greatest
+        limits = []
+        for sign in (1.0, -1.0):
+            cost = sign * weights @ self.row
+            found = linprog(cost, between, bounds, self.scale[None], [1.0], (None, None))
+            if found.x is None:
+                return None
+            limits.append(float(self.row @ found.x @ weights))
+        return limits[0], limits[1]
