@@ -100,7 +100,7 @@ def longest_task(trace: bytes) -> float:
         for each in events
         if each["name"] == "thread_name" and each["args"]["name"] == "CrRendererMain"
     }
-    tasks = [
+    tasks: list[float] = [
         each["tdur"] / 1e3
         for each in events
         if (each["pid"], each["tid"]) in main

@@ -21,12 +21,14 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
-    LARGEST_RATIO,
     Wanted,
     advance_range,
     find_even_lengths,
     largest_square,
     sheet_exists,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.following_sheets import (
+    LARGEST_RATIO,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.numerics.arrays import Array
