@@ -11,6 +11,7 @@ from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
+from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
@@ -37,7 +38,8 @@ class Judged:
         count = len(self.pattern.inner)
         yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
         yield self._flat_folded()
-        yield from self._family()
+        if self.known is not None:
+            yield of_family(self.known)
         if isinstance(self.motion, Still):
             if self.motion.proved:
                 yield Row("fails", "folds", f"no: {self.motion.reason}")
@@ -75,23 +77,6 @@ class Judged:
         if faults:
             return Row("says", "vertices", "; ".join(faults))
         return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
-
-    def _family(self) -> Iterator[Row]:
-        known = self.known
-        if known is not None:
-            also = f" (also {', '.join(known.also)})" if known.also else ""
-            sides = [
-                f"{number} {name}"
-                for number, name in zip(
-                    known.beside, ("above", "below", "left", "right"), strict=True
-                )
-                if number
-            ]
-            apart = (
-                f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
-            )
-            finding = f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}"
-            yield Row("says", "family", finding)
 
     def _closes(self, motion: FoldingMotion, error: float) -> bool:
         """Whether all states close to an error of lengths."""
@@ -196,11 +181,14 @@ class Judged:
     def _nearby(self, motion: FoldingMotion) -> str:
         """How far vertices are to be moved so that it folds; empty if that is not known."""
         if motion.nearby is None:
-            return ""
-        moved = np.linalg.norm(motion.nearby - self.pattern.vertices, axis=1)
+            large = len(self.pattern.vertices) > MOST_MOVED
+            return f"a sheet nearby is looked for up to {MOST_MOVED} vertices" if large else ""
+        moved = np.linalg.norm(motion.nearby.vertices - self.pattern.vertices, axis=1)
+        nearest = "; of its kind none near it is nearer" if motion.nearby.nearest else ""
         return (
             f"a sheet nearby folds, its vertices moved by up to "
-            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} (tried)"
+            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} "
+            f"(tried){nearest}"
         )
 
 
@@ -227,9 +215,23 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         if seen and seen.met
         else None,
         "hinge_gap": None if motion.loose is None else said_of_gap(motion.loose),
-        "nearby": None if motion.nearby is None else motion.nearby.tolist(),
+        "nearby": None if motion.nearby is None else motion.nearby.vertices.tolist(),
+        "nearby_leaves": None if motion.nearby is None else motion.nearby.leaves,
+        "nearby_is_nearest": motion.nearby is not None and motion.nearby.nearest,
         "choices": list(motion.choices),
     }
+
+
+def of_family(known: Recognised) -> Row:
+    """The family that a sheet belongs to."""
+    also = f" (also {', '.join(known.also)})" if known.also else ""
+    sides = [
+        f"{number} {name}"
+        for number, name in zip(known.beside, ("above", "below", "left", "right"), strict=True)
+        if number
+    ]
+    apart = f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
+    return Row("says", "family", f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}")
 
 
 def said_of_gap(loose: LooseMotion) -> dict[str, Any]:
