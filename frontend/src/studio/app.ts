@@ -96,6 +96,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     save: () => void files.save(),
     help: () => help.list(),
     play: () => stage.fold.toggle(),
+    fit: () => stage.shell.fit(),
   });
   root.replaceChildren(
     skipLinks(),
