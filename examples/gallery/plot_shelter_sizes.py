@@ -25,7 +25,7 @@ for each in found.outcomes:
     print(f"scale {scale:g}, {rows} rows: {words}")
 
 # %%
-# What more rows cost. They come nearer to the arch, and weigh more, for the folds are steeper.
+# What more rows cost: they come nearer to the arch, and weigh more.
 
 figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 for rows in (7, 9, 11):

@@ -39,7 +39,7 @@ export class Variants extends Viewer {
     const slider = element("input", "", { type: "range", min: "0", max: String(values.length - 1), step: "1", value: String(this.at[k]!) });
     const name = element("label", "variant"), value = element("output", "variant-value");
     const say = (): void => {
-      value.textContent = this.valueOf(k, this.at[k]!);
+      value.textContent = this.wordsOf(k, this.at[k]!);
       slider.setAttribute("aria-valuetext", value.textContent);
       slider.style.setProperty("--share", String(values.length > 1 ? this.at[k]! / (values.length - 1) : 1));
     };
@@ -55,7 +55,7 @@ export class Variants extends Viewer {
     return name;
   }
 
-  private valueOf(variable: number, number: number): string {
+  private wordsOf(variable: number, number: number): string {
     const { unit, values } = this.page.variables[variable]!;
     const text = written(values[number]);
     return unit === "\u00b0" ? text + unit : unit ? `${text}\u00a0${unit}` : text;
@@ -78,7 +78,7 @@ export class Variants extends Viewer {
     const { variables, variants, figures } = this.page;
     const shown = variants[this.chosen]!;
     const asked = numbered(this.page, this.at);
-    const words = (variant: Variant): string => variables.map(({ label }, k) => `${label} ${this.valueOf(k, variant.at[k]!)}`).join(", ");
+    const words = (variant: Variant): string => variables.map(({ label }, k) => `${label} ${this.wordsOf(k, variant.at[k]!)}`).join(", ");
     this.said.textContent = asked === shown ? "" : `${why(asked)} Shown is the nearest: ${words(shown)}.`;
     this.said.hidden = asked === shown;
     const { deployed } = this.view.header.report;
