@@ -26,6 +26,7 @@ import { forgetWhatIsStale } from "./state/stale.ts";
 import type { Store } from "./state/store.ts";
 import { announceTheme } from "./parts/theme.ts";
 import { aimOf } from "./state/aims.ts";
+import { DrawingForm, PATTERNS } from "./surface/drawing-form.ts";
 import { fitBar } from "./surface/fit-bar.ts";
 import { SurfaceEditor } from "./surface/surface-editor.ts";
 import { keepSurfaceDrawn } from "./surface/keep-drawn.ts";
@@ -34,12 +35,13 @@ import { Toolbar } from "./page/toolbar.ts";
 import { tourHint } from "./page/tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
-  const files = new Files(store, () => {
-    stage.forgetCamera();
+  store.home.watch(() => {
+    stage.beginAnew();
     results.forgetView();
     editors.forEach((editor) => editor.refit());
     surface.refit();
   });
+  const files = new Files(store, { endings: PATTERNS, read: (file) => void drawing.read(file) });
   const example = (name: string): void => {
     const found = store.info.examples.find((each) => each.name === name);
     if (found) void files.take(found.text, found.name);
@@ -63,11 +65,12 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
+  const drawing = new DrawingForm(store, (work) => store.open(work));
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
-    blank: () => files.begin(blankDesign(store)),
+    blank: () => store.open(blankDesign(store)),
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
@@ -78,6 +81,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     design: (file) => void files.read(file),
     curve: (name, file) => void editors[name === "f" ? 0 : 1]!.read(file),
     surface: (file) => void surface.read(file),
+    pattern: (file) => void drawing.read(file),
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
@@ -103,7 +107,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         { class: "inputs", role: "region", "aria-label": "Design" },
         tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element, familyTrials(store)),
-        targetSection(store, editors, surface),
+        targetSection(store, editors, surface, drawing),
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,

@@ -33,7 +33,8 @@ export class StandingShell extends Shell3D {
     super.show(view, keepCamera);
     this.standing = view;
     const ground = groundOf(view);
-    this.person.place(view, BESIDE.person(view) ? headroomOf(view, ground.atTarget, roomOfPerson(view.header.unit)) : null);
+    const room = BESIDE.person(view) ? headroomOf(view, ground.atTarget, roomOfPerson(view.header.unit)) : null;
+    if (this.person.place(room)) this.refit();
     this.again.person();
     this.explainMark("feet", feetOf(view, ground).length > 0);
     this.explainMark("flaps", flapSides(view).length > 0);

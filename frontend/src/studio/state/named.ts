@@ -28,6 +28,11 @@ export function workOf(opened: Named | Work): Work {
   return "home" in opened ? opened : { ...opened, home: { file: opened, slot: null, text: "" } };
 }
 
+/** Whether a design is in no file, or in one of another name. */
+export function isUnsaved({ name, design, home }: Work): boolean {
+  return !Object.is(home.file?.design, design) || home.file?.name !== name;
+}
+
 /** What was read, if it is a design with its name; throws where the points of a curve are none. */
 export function namedOf(value: unknown): Named | null {
   const found = value as Partial<Named> | null;
@@ -36,8 +41,9 @@ export function namedOf(value: unknown): Named | null {
   const { pattern, target } = design;
   if (!isTable(pattern) || (target !== undefined && !isTable(target))) return null;
   if (!target) return { name: found.name, design: design as Design };
-  const { f, g, surface } = target;
-  if (surface === undefined ? ![f, g].every(isTable) : !isTable(surface)) return null;
+  const { f, g, surface, pattern: drawn } = target;
+  const other = surface ?? drawn;
+  if (other === undefined ? ![f, g].every(isTable) : !isTable(other)) return null;
   for (const table of [f, g]) if (table) handlesIn(table);
   return { name: found.name, design: design as Design };
 }
