@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { scaleOf } from "../src/front/scales.ts";
-import { difference, written } from "../src/front/words.ts";
+import { difference } from "../src/front/words.ts";
+import { written } from "../src/shared/written.ts";
 import { Scale } from "../src/shared/plot.ts";
 import { together, type Stop } from "../src/shared/stops.ts";
 

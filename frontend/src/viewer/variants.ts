@@ -4,7 +4,7 @@ import type { Variant, VariantsPage } from "../shared/api-types.ts";
 import { threeDigits } from "../shared/colours.ts";
 import { inflated } from "../shared/packed.ts";
 import { decodeView, type View } from "../shared/view.ts";
-import { written } from "../front/words.ts";
+import { written } from "../shared/written.ts";
 import { element } from "./elements.ts";
 import { nearest, numbered } from "./nearest.ts";
 import { Viewer } from "./panel.ts";
