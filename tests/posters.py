@@ -12,7 +12,7 @@ import json
 import sys
 from contextlib import closing
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PIL import Image
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[1]
 POSTERS, LIVE = ROOT / "docs" / "posters", ROOT / "build" / "docs" / "live"
 NOTED = POSTERS / "designs.json"
-SIZE = {"width": 720, "height": 450}
+SIZE: Any = {"width": 720, "height": 450}
 QUALITY = 70
 ONLY_THE_SHELL = """
 html, body, .orishell-viewer { background: none !important; }
