@@ -1,6 +1,6 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
-# make thorough  the same, with what is long and rarely fails, and four times as many random examples
+# make thorough  the same, with what is long and rarely fails, and eight times as many random examples
 # make portable  those that compare numbers, as other processors round them
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)

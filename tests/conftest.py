@@ -100,6 +100,6 @@ def pytest_terminal_summary(
         each.nodeid.split("[")[0] for each in terminalreporter.getreports("left out")
     )
     if left_out:
-        terminalreporter.section(f"{LEFT_OUT}, and four times as many random examples")
+        terminalreporter.section(f"{LEFT_OUT}, and eight times as many random examples")
         for name, count in sorted(left_out.items()):
             terminalreporter.write_line(f"{count:3d} {name}")

@@ -1,7 +1,7 @@
 """What only ``make thorough`` runs: what takes long and rarely fails, and most random examples.
 
-``make test`` keeps a quick member of each kind, and a quarter of the examples. Hypothesis draws
-fewer of them, not the first ones of all: a quarter that passes says nothing of the rest, so
+``make test`` keeps a quick member of each kind, and an eighth of the examples. Hypothesis draws
+fewer of them, not the first ones of all: an eighth that passes says nothing of the rest, so
 ``make thorough`` before a release, and after a change of the core.
 """
 
@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 THOROUGH = os.environ.get("ORISHELL_THOROUGH") == "1"
-LEAST = 10
+LEAST = 6
 LEFT_OUT = "only make thorough runs it"
 
 thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
@@ -23,7 +23,7 @@ thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
 
 def examples(count: int) -> int:
     """Of so many in all."""
-    return count if THOROUGH else min(count, max(count // 4, LEAST))
+    return count if THOROUGH else min(count, max(count // 8, LEAST))
 
 
 def led_by(values: Iterable[Any], count: int = 1) -> list[Any]:

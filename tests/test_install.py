@@ -82,9 +82,11 @@ def ran(
     return done.stdout
 
 
-def build_wheel(source: Path, place: Path, variables: Mapping[str, str] = NONE) -> Path:
+def build_wheel(
+    source: Path, place: Path, variables: Mapping[str, str] = NONE, *options: str
+) -> Path:
     pip = (sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", place)
-    ran(*pip, source, where=place.parent, variables=variables)
+    ran(*pip, *options, source, where=place.parent, variables=variables)
     (wheel,) = place.glob("*.whl")
     return wheel
 
@@ -111,17 +113,18 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
     pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-compile")
     ran(*pip, "--target", tools, "hatchling", where=nowhere)
     hatch = (sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", tmp_path / "sdist")
-    ran(*hatch, where=tree, variables={"PYTHONPATH": str(tools), "PATH": str(nowhere)})
+    bare = {"PYTHONPATH": str(tools), "PATH": str(nowhere)}
+    ran(*hatch, where=tree, variables=bare)
     (source,) = (tmp_path / "sdist").iterdir()
-    again = build_wheel(source, tmp_path / "again", {"PATH": str(nowhere)})
+    again = build_wheel(source, tmp_path / "again", bare, "--no-build-isolation")
     assert again.read_bytes() == wheel.read_bytes()
     shutil.rmtree(tree)
 
-    ran(sys.executable, "-m", "venv", tmp_path / "environment", where=nowhere)
+    ran(sys.executable, "-m", "venv", "--without-pip", tmp_path / "environment", where=nowhere)
     python = tmp_path / "environment" / "bin" / "python"
     command = python.with_name("orishell")
     quickly = ("install", "--quiet", "--no-compile", "-c", ROOT / "constraints.txt")
-    install = (python, "-m", "pip", *quickly)
+    install = (sys.executable, "-m", "pip", "--python", python, *quickly)
     ran(*install, f"{wheel}[studio]", where=nowhere)
 
     ran(command, "new", "parallel-repeating", "shell.toml", where=nowhere)

@@ -90,7 +90,7 @@ def dropped(client: httpx.Client, text: str, unit: str = "m") -> Any:
 
 def test_a_dropped_mesh_becomes_part_of_the_design(client: httpx.Client) -> None:
     found = dropped(client, obj())
-    assert fits(found, api.DroppedSurface)
+    assert fits(found, api.DroppedTarget)
     assert "128 triangles of roof.obj" in found["note"]
     assert len(found["table"]["vertices"]) == 81
     design = of_surface(**found["table"])

@@ -334,6 +334,11 @@ export interface DrawnSheet {
   svg: string;
 }
 
+/** What is known of a drawn sheet before a shell is made of it. */
+export interface DrawnSheetFacts {
+  rows: Row[];
+}
+
 /** A target surface, to be drawn before a shell is fitted to it; arrays in base64. */
 export interface DrawnSurface {
   /** (rows, columns, 3) in single precision. */
@@ -356,8 +361,8 @@ export interface DroppedCurve {
   note: string;
 }
 
-/** A mesh whose file was dropped onto the page, and a note on how it was read. */
-export interface DroppedSurface {
+/** A surface or a drawn sheet whose file was dropped onto the page, and how it was read. */
+export interface DroppedTarget {
   table: Record<string, unknown>;
   note: string;
 }

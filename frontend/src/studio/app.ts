@@ -28,6 +28,7 @@ import { forgetWhatIsStale } from "./state/stale.ts";
 import type { Store } from "./state/store.ts";
 import { announceTheme } from "./parts/theme.ts";
 import { aimOf } from "./state/aims.ts";
+import { DrawingForm, PATTERNS } from "./surface/drawing-form.ts";
 import { fitBar } from "./surface/fit-bar.ts";
 import { Sketch } from "./curves/sketch.ts";
 import { SurfaceEditor } from "./surface/surface-editor.ts";
@@ -42,7 +43,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     results.forgetView();
     editors.forEach((editor) => editor.refit());
     surface.refit();
-  });
+  }, { endings: PATTERNS, read: (file) => void drawing.read(file) });
   const examples = new ExampleCards(examplesOf(store.info), ({ text, name }) => void files.take(text, name));
   const banner = new Banner(store, {
     goTo: (key) => parameters.focus(key),
@@ -65,6 +66,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
+  const drawing = new DrawingForm(store, (work) => files.begin(work));
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
@@ -84,6 +86,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     design: (file) => void files.read(file),
     curve: (name, file) => void (name === "f" ? f : g).read(file),
     surface: (file) => void surface.read(file),
+    pattern: (file) => void drawing.read(file),
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
@@ -110,7 +113,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         { class: "inputs", role: "region", "aria-label": "Design" },
         tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element, familyTrials(store)),
-        targetSection(store, editors, surface),
+        targetSection(store, editors, surface, drawing),
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,

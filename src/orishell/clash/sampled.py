@@ -75,6 +75,5 @@ def _narrowed(
 def _touching(motion: Followed, parts: Parts, folds: Array) -> Integers:
     """Pairs (P, 2) of panels that touch in a state with fold angles (E,)."""
     points = parts.extended(motion.placing.placed(folds)[0])
-    diagonal = float(np.linalg.norm(np.ptp(motion.pattern.vertices, axis=0)))
-    found = parts.panels[find_contacts(points, parts.faces, TOLERANCE * diagonal)]
+    found = parts.panels[find_contacts(points, parts.faces, TOLERANCE * motion.pattern.diagonal)]
     return np.unique(np.sort(found[found[:, 0] != found[:, 1]], axis=1), axis=0)

@@ -41,7 +41,9 @@ def near_panels(
     return first[real], second[real]
 
 
-def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Integers:
+def find_contacts(
+    positions: Array, faces: Integers, tolerance: float, held: Array | None = None
+) -> Integers:
     """Return all pairs (P, 2) of panels that touch, cross or overlap, in ascending order.
 
     The smaller number is the first. Panels that share a crease count when it is folded flat, panels
@@ -55,16 +57,21 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
         Corners (F, 4) of planar, convex panels, in order around each.
     tolerance
         Distance at which panels count as touching (length).
+    held
+        Corners (F, 4, 3) where panels hold them, if that is only near the vertices. Panels with
+        common vertices are then looked at where vertices are, with so much more tolerance.
     """
-    first, second = near_panels(positions, faces, tolerance)
+    off = 0.0 if held is None else 2 * float(lengths(held - positions[faces]).max(initial=0.0))
+    first, second = near_panels(positions, faces, tolerance + off)
+    own = positions[faces] if held is None else held
     found = []
     for k in range(0, len(first), CHUNK):
         chunk = (first[k : k + CHUNK], second[k : k + CHUNK])
         shared = np.asarray(common_corners(faces, *chunk).any(axis=(1, 2)))
         touching = np.zeros(len(shared), np.bool_)
         beside = (chunk[0][shared], chunk[1][shared])
-        touching[shared] = touching_neighbours(positions, faces, beside, tolerance)
-        apart = [corners_of(positions, faces[panels[~shared]]) for panels in chunk]
+        touching[shared] = touching_neighbours(positions, faces, beside, tolerance + off)
+        apart = [np.ascontiguousarray(own[panels[~shared]].T) for panels in chunk]
         touching[~shared] = nearest(apart[0], apart[1])[0] <= tolerance
         found.append(np.stack(chunk, axis=-1)[touching])
     contacts = np.concatenate([np.empty((0, 2), np.int64), *found])

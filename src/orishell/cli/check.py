@@ -52,7 +52,7 @@ def check(
     """Check a crease pattern and its folded states.
 
     Says whether it folds, in how many ways, how far, and what meets first. Folded states of a FOLD
-    file are examined if its panels are quadrilaterals; further vertices may lie on their sides.
+    file are examined: lengths, planes, fold angles, contact in each.
     """
     from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.io.output import require_one_run

@@ -51,6 +51,8 @@ class InputError(OrishellError):
         What was found there and what would have been accepted.
     remedy
         What to do about it.
+    changes
+        What of it a program may do: values by the names under which the reader takes them.
     detail
         Further lines, for example the formula with a caret under the fault.
     whole
@@ -69,6 +71,7 @@ class InputError(OrishellError):
         got: str = "",
         expected: str = "",
         remedy: str = "",
+        changes: Mapping[str, Value] | None = None,
         detail: str = "",
         whole: bool = False,
     ) -> None:
@@ -81,6 +84,7 @@ class InputError(OrishellError):
         self.got = got
         self.expected = expected
         self.remedy = remedy
+        self.changes = dict(changes or {})
         self.detail = detail
 
     def located(self, where: str) -> Self:

@@ -84,17 +84,9 @@ class DrawingTable(Table):
         return Drawing(flat, CreaseValues(rows, columns.T))
 
     def _read(self, path: Path, unit: str) -> Drawing:
-        from orishell.io.patterns import read_pattern
-
-        found = read_pattern(path, unit=self.unit, weld=self.weld)
-        if found.flat is None:
-            raise InputError(found.not_flat, where=str(path))
-        try:
-            drawn = drawing_of(found.flat)
-        except InputError as error:
-            raise error.located(f"{path}:") from None
+        drawn, own, _ = read_drawing(path, self.unit, self.weld)
         # Without a unit of its own the file is in the design's.
-        factor = 1.0 if found.unit == "unit" else conversion(found.unit, unit)
+        factor = conversion(own or unit, unit)
         return Drawing(self.scale * factor * drawn.flat, drawn.signs)
 
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
@@ -104,6 +96,26 @@ class DrawingTable(Table):
         made = self.having(scale=1.0)._made(directory, unit)
         table = self.model_dump(exclude_unset=True, include={"scale"})
         return {**table, **table_of(made)}
+
+
+def read_drawing(
+    path: Path, unit: str | None, weld: float | None
+) -> tuple[Drawing, str | None, tuple[str, ...]]:
+    """A drawn sheet in a file, the unit of its coordinates, if that is known, and notes.
+
+    unit, weld: As :func:`~orishell.io.read_pattern` takes them. Raises InputError if there is no
+    grid of panels.
+    """
+    from orishell.io.patterns import read_pattern
+
+    found = read_pattern(path, unit=unit, weld=weld)
+    if found.flat is None:
+        raise InputError(found.not_flat, where=str(path))
+    try:
+        drawn = drawing_of(found.flat)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+    return drawn, None if found.unit == "unit" else found.unit, found.notes
 
 
 def table_of(drawing: Drawing) -> dict[str, Any]:

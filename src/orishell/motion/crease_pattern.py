@@ -47,6 +47,11 @@ class CreasePattern:
         """Signs (E,) of fold angles: +1 valley, -1 mountain, 0 flat, NaN where nothing is said."""
         return np.array([SENSE.get(letter, np.nan) for letter in self.letters.tolist()])
 
+    @property
+    def diagonal(self) -> float:
+        """Diagonal of the flat sheet's bounding box."""
+        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
     @cached_property
     def inner(self) -> Integers:
         """Numbers (I,) of the vertices that panels surround: all edges there are creases."""

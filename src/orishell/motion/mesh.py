@@ -137,13 +137,32 @@ def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
         Vertices (V, 3) in one state.
     """
     normals = unit_normals(positions[mesh.faces])
-    edges, (left, right) = mesh.edges[mesh.crease], mesh.edge_faces[mesh.crease].T
-    axis = positions[edges[:, 1]] - positions[edges[:, 0]]
+    return folds_between(normals, mesh.edges, mesh.edge_faces, mesh.crease, positions)
+
+
+def folds_between(
+    normals: Array, edges: Integers, edge_faces: Integers, crease: Booleans, positions: Array
+) -> Array:
+    """The same of panels of any number of corners.
+
+    Parameters
+    ----------
+    normals
+        Unit normals (F, 3) of the panels.
+    edges, edge_faces
+        Vertices (E, 2) of every edge, and panels (E, 2) to the left and to the right of it.
+    crease
+        Which edges (E,) join two panels.
+    positions
+        Vertices (V, 3) in one state.
+    """
+    ends, (left, right) = positions[edges[crease]], edge_faces[crease].T
+    axis = ends[:, 1] - ends[:, 0]
     length = np.linalg.norm(axis, axis=1)
     sine = (np.cross(normals[right], normals[left]) * axis).sum(axis=1)
     cosine = (normals[left] * normals[right]).sum(axis=1)
-    angles = np.zeros(len(mesh.edges))
-    angles[mesh.crease] = np.arctan2(sine / np.where(length > 0, length, 1.0), cosine)
+    angles = np.zeros(len(edges))
+    angles[crease] = np.arctan2(sine / np.where(length > 0, length, 1.0), cosine)
     return angles
 
 

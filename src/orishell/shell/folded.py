@@ -200,8 +200,7 @@ def fold_pattern(
         degrees = np.rad2deg(motion.folds[number])
         states.append(DocumentState(positions, degrees, float(np.rad2deg(motion.drives[number]))))
         progress(0.7 + 0.1 * (number + 1) / frames, "placing panels")
-    diagonal = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
-    if play > TORN * max(ROUNDING, motion.residuals.max()) * diagonal:
+    if play > TORN * max(ROUNDING, motion.residuals.max()) * read.flat.diagonal:
         raise DesignError(
             "the motion that was found tears the sheet at a hole",
             size=f"panels part by {plain(play)} {read.unit}; others were not looked for",

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Any, Literal, NotRequired, TypedDict
 
+from orishell.conventions.row import Row
 from orishell.document import FirstContact
 from orishell.io.view import Curves
 from orishell.shell.families import FamilyChoice, FamilyTrial
@@ -117,11 +118,17 @@ class DrawnSurface(TypedDict):
     factor: float  # by which coordinates of its table are multiplied
 
 
-class DroppedSurface(TypedDict):
-    """A mesh whose file was dropped onto the page, and a note on how it was read."""
+class DroppedTarget(TypedDict):
+    """A surface or a drawn sheet whose file was dropped onto the page, and how it was read."""
 
     table: dict[str, Any]
     note: str
+
+
+class DrawnSheetFacts(TypedDict):
+    """What is known of a drawn sheet before a shell is made of it."""
+
+    rows: list[Row]
 
 
 class Verified(TypedDict):

@@ -122,7 +122,7 @@ def make_app(
         _add_stream(app, task, slow)
     _add_stream(app, "search", search)
     _add_task(app, "ranges", slow)
-    for task in ("parse", "format", "curve", "surface", "mesh"):
+    for task in ("parse", "format", "curve", "surface", "mesh", "pattern", "drawing"):
         _add_task(app, task, quick)
 
     if PAGES.is_dir():

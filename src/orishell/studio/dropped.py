@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import base64
 import contextlib
 import re
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +25,7 @@ from orishell.design_file.target import MOST_POINTS
 from orishell.io.view import Drawn
 from orishell.numerics.arrays import Array
 from orishell.studio.api import DroppedCurve
+from orishell.studio.dropped_file import dropped_file
 from orishell.studio.ranges import few_points
 
 DRAWN = 200
@@ -62,27 +61,10 @@ def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
     Points that were measured close to each other become a spline through few. The content is in
     base64. Raises InputError if it holds no curve.
     """
-    try:
-        data = base64.b64decode(content, validate=True)
-    except ValueError:
-        raise InputError("the content is not base64", where=name) from None
-    ending = Path(name).suffix.lower()
-    if ending not in {".csv", ".txt", ".svg", ".dxf"}:
-        raise InputError(
-            "this is not a file of a curve", where=name, got=ending, expected=".csv, .svg or .dxf"
-        )
-    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        path = Path(directory) / f"curve{ending}"
-        path.write_bytes(data)
-        try:
-            if ending in {".csv", ".txt"}:
-                return _read_points(path, name, unit)
-            return _read_drawing(path, ending, name, unit)
-        except InputError as error:
-            for field, text in vars(error).items():
-                if isinstance(text, str):
-                    setattr(error, field, text.replace(str(path), name))
-            raise
+    with dropped_file(name, content, (".csv", ".txt", ".svg", ".dxf"), "a curve") as path:
+        if path.suffix in {".csv", ".txt"}:
+            return _read_points(path, name, unit)
+        return _read_drawing(path, path.suffix, name, unit)
 
 
 def _read_points(path: Path, name: str, unit: str) -> DroppedCurve:

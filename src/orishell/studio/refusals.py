@@ -39,7 +39,8 @@ def describe_error(error: OrishellError) -> Refusal:
             if error.file == f"{NAME}.toml":  # it has no name that anybody gave it
                 error.file = ""
             facts = _facts(error, "where", "got", "expected", "remedy", "detail")
-            return make_refusal("input", error.what, **facts)
+            tried = [{"text": error.remedy, "changes": error.changes}] if error.changes else []
+            return make_refusal("input", error.what, remedies=tried, **facts)
         case _:
             return make_refusal("fault", str(error))
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import base64
-import tempfile
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,11 +10,12 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion, plain
 from orishell.design import FormulaSurface, PiecedSurface
-from orishell.design.mesh_files import read_mesh
+from orishell.design.mesh_files import ENDINGS, read_mesh
 from orishell.design.open_mesh import open_mesh
 from orishell.design_file import DesignFile
 from orishell.numerics.arrays import Array
-from orishell.studio.api import DrawnSurface, DroppedSurface, Patch
+from orishell.studio.api import DrawnSurface, DroppedTarget, Patch
+from orishell.studio.dropped_file import dropped_file
 
 COARSE, ENOUGH = 6, 0.8
 """Panels along the longer side of the sheet that is shown first, and the share of the panels that
@@ -80,23 +79,13 @@ def _rotated(point: Array, turn: float) -> Array:
     return np.array([[c, -s], [s, c]]) @ point
 
 
-def read_dropped_mesh(name: str, content: str, unit: str) -> DroppedSurface:
+def read_dropped_mesh(name: str, content: str, unit: str) -> DroppedTarget:
     """The table of a surface in the file of a mesh, and a note on how it was read.
 
     The content is in base64. Raises InputError if it holds no open piece of surface.
     """
-    try:
-        data = base64.b64decode(content, validate=True)
-    except ValueError:
-        raise InputError("the content is not base64", where=name) from None
-    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        path = Path(directory) / f"mesh{Path(name).suffix.lower()}"
-        path.write_bytes(data)
-        try:
-            mesh = open_mesh(*read_mesh(path))
-        except InputError as error:
-            error.file = name
-            raise
+    with dropped_file(name, content, ENDINGS, "a mesh") as path:
+        mesh = open_mesh(*read_mesh(path))
     if len(mesh.triangles) > MOST_TRIANGLES:
         raise InputError(
             "the mesh has too many triangles for the studio",

@@ -32,9 +32,10 @@ from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
+    DrawnSheetFacts,
     DrawnSurface,
     DroppedCurve,
-    DroppedSurface,
+    DroppedTarget,
     Parsed,
     Ranges,
     SearchState,
@@ -43,6 +44,7 @@ from orishell.studio.api import (
     Verified,
     Written,
 )
+from orishell.studio.drawings import describe_drawing, read_dropped_pattern
 from orishell.studio.dropped import read_dropped, sampled
 from orishell.studio.pages import design_name, file_name, zipped
 from orishell.studio.processes import Send, ignore, require_small
@@ -160,9 +162,20 @@ class Task:
             raise InputError("there is no surface", where="target")
         return draw_surface(file.surface, file.tables["target"]["surface"], file.unit)
 
-    def read_mesh(self) -> DroppedSurface:
+    def read_mesh(self) -> DroppedTarget:
         """The table of a surface in the file of a mesh that was dropped onto the page."""
         return read_dropped_mesh(*self._dropped())
+
+    def read_pattern(self) -> DroppedTarget:
+        """The table of a drawn sheet in the file of a pattern that was dropped onto the page."""
+        return read_dropped_pattern(*self._dropped(), self.payload.get("weld"))
+
+    def describe_drawing(self) -> DrawnSheetFacts:
+        """What is known of a drawn sheet, before a shell is made of it."""
+        file = self._design()
+        if file.drawing is None:
+            raise InputError("there is no drawn sheet", where="target")
+        return {"rows": list(describe_drawing(file.drawing, file.unit))}
 
     def find_ranges(self) -> Ranges:
         """Values of the numeric parameters that work."""
@@ -273,6 +286,8 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "fit": Task.fit,
     "surface": Task.draw_surface,
     "mesh": Task.read_mesh,
+    "pattern": Task.read_pattern,
+    "drawing": Task.describe_drawing,
     "verify": Task.verify,
     "ranges": Task.find_ranges,
     "parse": Task.parse,

@@ -8,6 +8,7 @@ import * as tables from "./curve-table.ts";
 import { BLANK, FALLBACK, FILES, LEVELS, MODES, TITLES, WIDTHS, WORDS } from "./curve-words.ts";
 import { Dimensions } from "./dimensions.ts";
 import { h, pickFile, setAttribute } from "../parts/dom.ts";
+import { hasEnding, listenForFiles } from "../parts/file-target.ts";
 import { faultOf, isAbout } from "../state/faults.ts";
 import { FormulaFields } from "./formula-fields.ts";
 import { headOf, profileGround } from "./ground.ts";
@@ -113,7 +114,11 @@ export class CurveEditor {
     );
     this.away = h("p", { class: "note curve-away" }, `The ${TITLES[name]} ${name} is being drawn on the canvas.`);
     this.element = this.build();
-    this.listenForFiles();
+    listenForFiles(this.element, (file) => {
+      const taken = hasEnding(file, FILES);
+      if (taken) void this.read(file);
+      return taken;
+    });
     store.design.bind(() => this.refresh());
     store.curves.bind(() => {
       this.stale = false;
@@ -312,27 +317,6 @@ export class CurveEditor {
     } catch (error) {
       this.note.say(sentence(faultOf(error).message), true);
     }
-  }
-
-  private listenForFiles(): void {
-    const { element } = this;
-    const files = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
-    element.addEventListener("dragover", (event) => {
-      if (!files(event)) return;
-      event.preventDefault();
-      element.classList.add("dropping");
-    });
-    element.addEventListener("dragleave", (event) => {
-      if (!element.contains(event.relatedTarget as Node | null)) element.classList.remove("dropping");
-    });
-    element.addEventListener("drop", (event) => {
-      element.classList.remove("dropping");
-      const file = event.dataTransfer?.files[0];
-      if (!file || /\.toml$/i.test(file.name)) return;
-      event.preventDefault();
-      event.stopPropagation();
-      void this.read(file);
-    });
   }
 
   private showFault(): void {

@@ -24,7 +24,7 @@ export function isCurve(table: CurveTable): boolean {
 }
 
 export function isWhole({ target }: Design): boolean {
-  return !target || target.surface !== undefined || (["f", "g"] as const).every((name) => isCurve(target[name] ?? NO_CURVE));
+  return !target || (target.surface ?? target.pattern) !== undefined || (["f", "g"] as const).every((name) => isCurve(target[name] ?? NO_CURVE));
 }
 
 export function scaleOf({ scale = 1 }: CurveTable): Point {

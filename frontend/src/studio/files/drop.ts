@@ -1,16 +1,20 @@
-// Files that are dropped onto the page: a design file opens, a mesh becomes the surface, a drawing f or g, as asked.
+// Files that are dropped onto the page: a design file opens, a mesh becomes the surface, a crease pattern the
+// sheet; a drawing is one, or f or g, as asked.
 
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import type { CurveName } from "../state/types.ts";
 
 const MESH = /\.(obj|stl|ply|glb|gltf)$/i;
+const PATTERN = /\.fold$/i;
+const EITHER = /\.(svg|dxf)$/i;
 const DRAWING = /\.(csv|txt|svg|dxf)$/i;
 
 export interface DropEvents {
   design(file: File): void;
   curve(name: CurveName, file: File): void;
   surface(file: File): void;
+  pattern(file: File): void;
   /** Said of a file that is none of these. */
   refused(words: string): void;
 }
@@ -18,11 +22,13 @@ export interface DropEvents {
 export class Drop {
   readonly element: HTMLDialogElement;
   private readonly question = h("h2", { id: "drop-title" });
+  private readonly pattern: HTMLButtonElement;
   private file: File | null = null;
 
   constructor(private readonly events: DropEvents) {
-    const choice = (name: CurveName, text: string): HTMLButtonElement =>
+    const choice = (name: CurveName | "pattern", text: string): HTMLButtonElement =>
       button({ label: text, text, class: "button primary", testid: `drop-as-${name}`, act: () => this.use(name) });
+    this.pattern = choice("pattern", "A crease pattern");
     this.element = h(
       "dialog",
       { class: "dialog drop-choice", "aria-labelledby": "drop-title", "data-testid": "drop-choice" },
@@ -30,8 +36,9 @@ export class Drop {
       h(
         "div",
         { class: "actions" },
-        choice("f", "As f, the profile"),
-        choice("g", "As g, the path"),
+        choice("f", "f, the profile"),
+        choice("g", "g, the path"),
+        this.pattern,
         button({ label: "Cancel", text: "Cancel", act: () => this.element.close() }),
       ),
     );
@@ -66,18 +73,23 @@ export class Drop {
   private take(file: File): void {
     if (/\.toml$/i.test(file.name)) return this.events.design(file);
     if (MESH.test(file.name)) return this.events.surface(file);
+    if (PATTERN.test(file.name)) return this.events.pattern(file);
     if (!DRAWING.test(file.name)) {
-      return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF) or mesh (OBJ, STL, PLY, glTF)`);
+      return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF), crease pattern (FOLD) or mesh (OBJ, STL, PLY, glTF)`);
     }
     this.file = file;
-    this.question.textContent = `Which curve is ${file.name}?`;
+    this.question.textContent = `What is ${file.name}?`;
+    this.pattern.hidden = !EITHER.test(file.name);
     if (!this.element.open) this.element.showModal();
   }
 
-  private use(name: CurveName): void {
+  private use(name: CurveName | "pattern"): void {
     this.element.close();
-    if (this.file) this.events.curve(name, this.file);
+    const { file, events } = this;
     this.file = null;
+    if (!file) return;
+    if (name === "pattern") events.pattern(file);
+    else events.curve(name, file);
   }
 }
 

@@ -5,7 +5,8 @@ import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
-import type { Named } from "../state/named.ts";
+import { hasEnding } from "../parts/file-target.ts";
+import type { Named, Work } from "../state/named.ts";
 import type { Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -17,14 +18,18 @@ export class Files {
     private readonly store: Store,
     /** Called before another design takes the place of the present one. */
     private readonly opening: () => void,
+    /** Files of other kinds that open as a design, and what takes them. */
+    private readonly patterns: { endings: string; read: (file: File) => void },
   ) {
     // A reload is to bring back what was made of the design of a link.
     store.steps.watch(() => this.linked && this.leaveLink());
   }
 
   async open(): Promise<void> {
-    const file = await pickFile(".toml");
-    if (file) await this.read(file);
+    const { endings, read } = this.patterns;
+    const file = await pickFile(`.toml,${endings}`);
+    if (file && hasEnding(file, endings)) read(file);
+    else if (file) await this.read(file);
   }
 
   async read(file: File): Promise<void> {
@@ -39,7 +44,7 @@ export class Files {
   }
 
   /** Take another design in place of the present one; undo brings that back. */
-  begin(named: Named): void {
+  begin(named: Named | Work): void {
     this.opening();
     this.store.open(named);
   }

@@ -42,7 +42,7 @@ export class Toolbar {
         "div",
         { class: "group" },
         button({ label: "New design, to be drawn", icon: "blank", text: "New", class: "button with-word", testid: "new", act: events.blank }),
-        button({ label: "Open a design file", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
+        button({ label: "Open a design file, or a crease pattern", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
         button({ label: "Save the design file", icon: "save", text: "Save", class: "button with-word", keys: "Ctrl+S", testid: "save", act: events.save }),
         button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
       ),

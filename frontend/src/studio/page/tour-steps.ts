@@ -16,7 +16,7 @@ export const STEPS: Step[] = [
   {
     region: ".inputs > .target",
     title: "Say what it follows",
-    text: "Two curves: f is the profile, g the path that it is swept along. Or any surface: type a formula, or drop a mesh. Drag points and corners, or drop a drawing.",
+    text: "Two curves: f is the profile, g the path that it is swept along. Or a surface: type a formula, or drop a mesh. Drag points and corners; drop a drawing or crease pattern.",
   },
   {
     region: ".parameters",

@@ -22,6 +22,6 @@ export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | nu
     text,
     class: "button primary",
     testid: "use-nearest",
-    act: () => store.set(remedy.changes, said),
+    act: () => (fault.again ? fault.again(remedy.changes) : store.set(remedy.changes, said)),
   });
 }

@@ -90,7 +90,17 @@ export function fetchSurface(design: Design): Promise<Api.DrawnSurface> {
   return json("surface", { design });
 }
 
-export async function readSurface(file: File, unit: string): Promise<Api.DroppedSurface> {
+/** The drawn sheet in a file; `asked` is what its reader is told. */
+export async function readPattern(file: File, unit: string, asked: Record<string, unknown>): Promise<Api.DroppedTarget> {
+  return json("pattern", { ...asked, name: file.name, content: await base64(file), unit });
+}
+
+/** What is known of the drawn sheet of a design. */
+export function describeDrawing(design: Design): Promise<Api.DrawnSheetFacts> {
+  return json("drawing", { design });
+}
+
+export async function readSurface(file: File, unit: string): Promise<Api.DroppedTarget> {
   return json("mesh", { name: file.name, content: await base64(file), unit });
 }
 

@@ -36,8 +36,9 @@ export function namedOf(value: unknown): Named | null {
   const { pattern, target } = design;
   if (!isTable(pattern) || (target !== undefined && !isTable(target))) return null;
   if (!target) return { name: found.name, design: design as Design };
-  const { f, g, surface } = target;
-  if (surface === undefined ? ![f, g].every(isTable) : !isTable(surface)) return null;
+  const { f, g, surface, pattern: drawn } = target;
+  const other = surface ?? drawn;
+  if (other === undefined ? ![f, g].every(isTable) : !isTable(other)) return null;
   for (const table of [f, g]) if (table) handlesIn(table);
   return { name: found.name, design: design as Design };
 }

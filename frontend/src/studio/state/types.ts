@@ -1,6 +1,7 @@
 // What the page holds beside what the server sends: the design as it is edited, faults of its own.
 
 import type * as Api from "../../shared/api-types.ts";
+import type { Remedy } from "../../shared/api-types.ts";
 import type { Known } from "../../shared/view.ts";
 
 export type { Curves, DroppedCurve, FileFormat, Info, Lock, Parameter, Range, Remedy, Verified } from "../../shared/api-types.ts";
@@ -54,6 +55,8 @@ export interface DrawingTable {
   vertices?: Point[][];
   row_creases?: string[];
   column_creases?: string[];
+  unit?: string;
+  scale?: number;
   [more: string]: Value | undefined;
 }
 
@@ -116,4 +119,6 @@ export type Fault = Omit<Api.Fault, "kind"> & {
   kind: Api.Fault["kind"] | "network" | "http" | "page";
   /** Whether what works is still being looked for. */
   searching: boolean;
+  /** Of a file: read it again with changes that mend it. */
+  again?: (changes: Remedy["changes"]) => void;
 };

@@ -3,10 +3,12 @@
 import { sentence } from "../../shared/words.ts";
 import { button, numberBox, segmented, setNumber } from "../parts/controls.ts";
 import { h, pickFile } from "../parts/dom.ts";
+import { listenForFiles } from "../parts/file-target.ts";
 import { Note } from "../parts/note.ts";
 import { short } from "../parts/numbers.ts";
 import { readSurface } from "../server/api.ts";
-import { ServerFault, faultOf, isAboutSurface, ownFault } from "../state/faults.ts";
+import { faultOf, isAboutSurface } from "../state/faults.ts";
+import { requireSmall } from "../state/file-size.ts";
 import { designFor } from "../state/aims.ts";
 import { changed } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
@@ -17,8 +19,6 @@ import { READY_MADE } from "./ready-made.ts";
 import { SurfaceFields } from "./surface-fields.ts";
 import { type Kind, cornersOf, kindOf, patchOf, withCorner, withPatch } from "./surface-table.ts";
 
-/** Of the bytes of a request those of a file at most: base64 has four characters for three. */
-const SHARE = 0.74;
 export const MESHES = ".obj,.stl,.ply,.glb,.gltf";
 const KINDS = [
   { value: "height", text: "z(x, y)", title: "a height over x and y" },
@@ -116,7 +116,7 @@ export class SurfaceEditor {
       this.curves,
     );
     this.plan.element.append(h("div", { class: "drop-hint" }, "Drop an OBJ, STL, PLY or glTF file"));
-    this.listenForFiles();
+    listenForFiles(this.element);
     store.design.bind(() => this.refresh());
     store.surface.watch(() => this.refresh());
     store.surfaceAt.watch(() => this.refresh());
@@ -214,7 +214,7 @@ export class SurfaceEditor {
     files.set(files.value + 1);
     this.note.say(`Reading ${file.name}\u2026`);
     try {
-      requireSmall(file, this.store.info.limits.bytes);
+      requireSmall(file, this.store.info.limits.bytes, "meshes", ": make it coarser, or write it in a binary format");
       const { table, note } = await readSurface(file, this.store.design.value.shell.unit);
       this.refit();
       const { store } = this;
@@ -227,30 +227,10 @@ export class SurfaceEditor {
     }
   }
 
-  private listenForFiles(): void {
-    const { element } = this;
-    element.addEventListener("dragover", (event) => {
-      if (!event.dataTransfer?.types.includes("Files")) return;
-      event.preventDefault();
-      element.classList.add("dropping");
-    });
-    element.addEventListener("dragleave", (event) => {
-      if (!element.contains(event.relatedTarget as Node | null)) element.classList.remove("dropping");
-    });
-    element.addEventListener("drop", () => element.classList.remove("dropping"));
-  }
-
   private showFault(): void {
     const fault = this.store.fault.value;
     const mine = isAboutSurface(fault);
     this.element.classList.toggle("faulty", mine);
     this.note.showFault(mine ? this.store.labels.said(fault!.what) : null);
   }
-}
-
-function requireSmall(file: File, bytes: number): void {
-  const most = (SHARE * bytes) / 1e6, size = file.size / 1e6;
-  if (size <= most) return;
-  const limit = `the studio reads meshes of up to ${short(most, 3)} MB: make it coarser, or write it in a binary format`;
-  throw new ServerFault(ownFault("page", `${file.name} has ${short(size, 3)} MB; ${limit}`));
 }

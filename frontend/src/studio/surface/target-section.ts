@@ -5,9 +5,10 @@ import { segmented } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { type Aim, aimOf, designFor } from "../state/aims.ts";
 import type { Store } from "../state/store.ts";
+import type { DrawingForm } from "./drawing-form.ts";
 import type { SurfaceEditor } from "./surface-editor.ts";
 
-export function targetSection(store: Store, editors: CurveEditor[], surface: SurfaceEditor): HTMLElement {
+export function targetSection(store: Store, editors: CurveEditor[], surface: SurfaceEditor, drawing: DrawingForm): HTMLElement {
   const aims: { value: Aim; text: string; testid: string; title: string }[] = [
     { value: "curves", text: "Curves", testid: "aim-curves", title: "the curve f, swept along g" },
     { value: "surface", text: "Surface", testid: "aim-surface", title: "any surface, by formulas or as a mesh" },
@@ -15,7 +16,6 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     { value: "none", text: "None", testid: "aim-none", title: "the sheet is designed by its own numbers" },
   ];
   const none = h("p", { class: "note" }, "The sheet is designed by the numbers of its pattern alone.");
-  const drawing = h("p", { class: "note" }, "The sheet is the drawn one that the design file holds.");
   const possible = (each: Aim): boolean => Object.values(store.info.families).some(({ aims }) => aims.includes(each));
   const aim = segmented<Aim>("What the shell follows", aims.filter(({ value }) => possible(value)), (value) => aimAt(store, value));
   store.design.bind((design) => {
@@ -23,7 +23,7 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     aim.set(now);
     for (const { element } of editors) element.hidden = now !== "curves";
     surface.element.hidden = now !== "surface";
-    drawing.hidden = now !== "drawing";
+    drawing.element.hidden = now !== "drawing";
     none.hidden = now !== "none";
   });
   return h(
@@ -32,7 +32,7 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     h("div", { class: "target-head" }, h("h2", { id: "curves-title" }, "Target"), aim.element),
     ...editors.map(({ element }) => element),
     surface.element,
-    drawing,
+    drawing.element,
     none,
   );
 }

@@ -16,6 +16,7 @@ several creases fold flat together bounds are larger than any that shows somethi
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -99,8 +100,19 @@ def fold_rates(
 
     which: Creases of rows and of columns that are asked for.
     """
+    middle = 0.5 * (start + stop)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return _fold_rates(drive, start, stop, which)
+        wide, narrow = (
+            _fold_rates(drive, *ends, which) for ends in ((start, stop), (middle, middle))
+        )
+    rows, columns = (
+        replace(
+            each,
+            middle=(np.where(at.high < LARGEST, at.high, np.nan), 0.5 * (stop - start)),
+        )
+        for each, at in zip(wide, narrow, strict=True)
+    )
+    return rows, columns
 
 
 def _fold_rates(
@@ -191,7 +203,7 @@ def _across(
     u, w = columns[:, i].pairs(columns[:, i + 1])
     right = (own.share[:-1] < own.share[1:]).astype(int)
     lower = (columns.share[:, i] < columns.share[:, i + 1]).astype(int)
-    vertices = cross.vertices.in_row(i)
+    vertices = cross.vertices.at(i)
     rate = _of_vertices(vertices, (right, lower), (v, o), (u, w))
     return u, _then(_along(known, leading, v), rate)
 

@@ -7,7 +7,9 @@ phi between them never changes. With p and q the sizes of their rates, g the pro
 
     size(Omega)^2 = (p - q)^2 + 2 p q (1 + g cos phi),
 
-the pair's axes turn with what comes before them, and one of them about the other:
+where p - q stays, in a range of the drive, as near to what it is in the middle as half the range
+times the most by which p' and q' differ. The pair's axes turn with what comes before them, and one
+of them about the other:
 
     size(Omega') <= size(rho_k'' a_k + rho_l'' a_l) + W size(Omega) + p q sin phi,
 
@@ -41,6 +43,9 @@ class Rates:
     # Least and largest rho'' by the sign of rho; None where all creases fold faster and faster, or
     # all slower and slower.
     bends: tuple[Array, Array] | None = None
+    # Size of rho' in the middle of the ranges, nan where it has none, and half the width (S,) of
+    # these; None if they are not known
+    middle: tuple[Array, Array] | None = None
 
     def half(self) -> Rates:
         """Those of half the angles: of one crease that nothing is paired with."""
@@ -142,6 +147,8 @@ def _chain(
         cosine = (axes[crease] * axes[other]).sum(axis=-1)[..., None]
         same = (signs[crease] * signs[other])[..., None] * cosine
         apart = np.maximum(high - low[other], before - low[crease])
+        if rates.bends is not None and rates.middle is not None:
+            apart = np.fmin(apart, _apart(rates.bends, rates.middle, crease, other))
         both = np.sqrt(apart**2 + 2 * high * before * np.maximum(1 + same, 0))
         if rates.bends is None:
             sharper, other_second = np.maximum(second, rates.second[other]), rates.second[other]
@@ -154,6 +161,15 @@ def _chain(
         w = w + both
         found.append((w, bent))
     return found
+
+
+def _apart(
+    bends: tuple[Array, Array], middle: tuple[Array, Array], crease: int, other: int
+) -> Array:
+    """By how much two rates differ: as in the middle, and by what they then bend otherwise."""
+    (down, up), (rate, reach) = bends, middle
+    bent = np.maximum(up[crease] - down[other], up[other] - down[crease])
+    return np.asarray(np.abs(rate[crease] - rate[other]) + reach * bent)
 
 
 def _longest(bends: tuple[Array, Array], crease: int, other: int, same: Array) -> Array:

@@ -56,6 +56,7 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
         wider = _tried(lines, tolerance, error.gap)
         if wider is not None:
             error.remedy = f"weld = {wider:g} joins them"
+            error.changes = {"weld": wider}
         raise
     return found if weld is not None else _with_short_edge(found, lines, tolerance)
 

@@ -197,6 +197,7 @@ def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]
                 pass
             else:
                 error.remedy = f"weld = {wider:g} joins them"
+                error.changes = {"weld": wider}
         raise
 
 

@@ -20,6 +20,8 @@ UNCERTAIN = 100.0
 """In others it may be so many times what the state misses by."""
 GAP = 1e3
 """Singular values that are zero are less than others by this factor at least."""
+NEAR, NEARLY = 3.0, 10.0
+"""The same two factors in states that close nearly only."""
 
 
 @record
@@ -33,7 +35,7 @@ class Freedom:
     least_other: float  # the least that does not; infinite if there is none
 
 
-def find_freedom(closure: Closure, folds: Array) -> Freedom:
+def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Freedom:
     """Count the singular values of the equations' derivatives that are zero in a state.
 
     In the flat state, and where creases are folded flat, there are more than the sheet has motions.
@@ -42,12 +44,16 @@ def find_freedom(closure: Closure, folds: Array) -> Freedom:
     ----------
     folds
         Fold angles (N,) of the unknowns in a closed state (radians).
+    nearly
+        Whether the state closes nearly only: singular values up to
+        three times what it misses by are zero.
     """
     drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
     if not closure.fans:
         return Freedom(drive, unknowns, 0.0, np.inf)
     left, entries = closure.residuals(folds)
-    zero = max(ZERO, UNCERTAIN * float(np.abs(left).max()))
+    missed = float(np.abs(left).max())
+    zero = max(ZERO, (NEAR if nearly else UNCERTAIN) * missed)
     block = unknowns if unknowns <= DENSE else BLOCK
     while True:
         values = _least_values(closure, entries, min(block, unknowns))
@@ -57,7 +63,9 @@ def find_freedom(closure: Closure, folds: Array) -> Freedom:
         block *= 2
     largest = float(values[zeros - 1]) if zeros else 0.0
     other = float(values[zeros]) if zeros < len(values) else np.inf
-    clear = other >= GAP * max(largest, np.finfo(float).eps)
+    clear = other >= (NEARLY if nearly else GAP) * max(largest, np.finfo(float).eps)
+    if nearly and not zeros:  # there is a motion nearly
+        clear = False
     return Freedom(drive, zeros if clear else None, largest, other)
 
 

@@ -22,6 +22,19 @@ class _Hinged(NamedTuple):
     sides: Array  # 1 where the panel is to the left of its crease, -1 where to the right
 
 
+class Poses(NamedTuple):
+    """How panels are placed in space, from where they lie in the flat sheet."""
+
+    turns: Array  # rotations (F, 3, 3)
+    places: Array  # of the flat sheet's origin (F, 3)
+
+    def carried(self, panels: Integers, points: Array) -> Array:
+        """Points (N, ..., 3) of the flat sheet as panels (N,) hold them."""
+        places = self.places[panels]
+        spread = places.reshape(len(panels), *(1,) * (points.ndim - 2), 3)
+        return np.asarray(np.einsum("kij,k...j->k...i", self.turns[panels], points) + spread)
+
+
 @record
 class Placing:
     """How the panels of a pattern are placed: a middle one first, then neighbours, and so on."""
@@ -41,33 +54,58 @@ class Placing:
         folds
             Fold angles (E,) of all edges, valley positive (radians).
         """
-        pattern = self.pattern
-        flat = np.column_stack([pattern.vertices, np.zeros(len(pattern.vertices))])
-        turns = np.tile(np.eye(3), (len(pattern.faces), 1, 1))
-        places = np.zeros((len(pattern.faces), 3))
-        for panels, before, edges, sides in self._levels:
-            ends = flat[pattern.edges[edges]]
-            turn = _turns(ends[:, 1] - ends[:, 0], sides * folds[edges])
-            moved = ends[:, 0] - np.einsum("kij,kj->ki", turn, ends[:, 0])
-            turns[panels] = turns[before] @ turn
-            places[panels] = places[before] + np.einsum("kij,kj->ki", turns[before], moved)
-
-        def carried(panels: Integers, vertices: Integers) -> Array:
-            points = np.einsum("kij,k...j->k...i", turns[panels], flat[vertices])
-            spread = (len(panels), *(1,) * (vertices.ndim - 1), 3)
-            return np.asarray(points + places[panels].reshape(spread))
-
+        pattern, flat = self.pattern, self.flat
+        poses = self.poses(folds)
         panels, corners = np.nonzero(pattern.faces >= 0)
         vertices = pattern.faces[panels, corners]
-        points = carried(panels, vertices)
+        points = poses.carried(panels, flat[vertices])
         count = np.bincount(vertices, minlength=len(flat))
         sums = np.stack([np.bincount(vertices, each, len(flat)) for each in points.T], axis=-1)
         found = np.where(count[:, None] > 0, sums / np.maximum(count, 1)[:, None], flat)
         creases = pattern.crease
-        first, second = (
-            carried(panels, pattern.edges[creases]) for panels in pattern.edge_faces[creases].T
-        )
+        ends = flat[pattern.edges[creases]]
+        first, second = (poses.carried(each, ends) for each in pattern.edge_faces[creases].T)
         return found, float(lengths(first - second).max(initial=0.0))
+
+    def poses(self, folds: Array) -> Poses:
+        """How every panel is placed in that state.
+
+        Parameters
+        ----------
+        folds
+            Fold angles (E,) of all edges, valley positive (radians).
+        """
+        count = len(self.pattern.faces)
+        poses = Poses(np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3)))
+        for panels, before, edges, sides in self._levels:
+            self._hang(poses, panels, before, edges, sides * folds[edges])
+        return poses
+
+    def beside(self, poses: Poses, edge: int, fold: float) -> Poses:
+        """The same, the panel to the right of a crease turned about it to a fold angle (radians).
+
+        All other panels stay where they are.
+        """
+        left, right = self.pattern.edge_faces[edge : edge + 1].T
+        found = Poses(poses.turns.copy(), poses.places.copy())
+        self._hang(found, right, left, np.array([edge]), np.array([-fold]))
+        return found
+
+    def _hang(
+        self, poses: Poses, panels: Integers, before: Integers, edges: Integers, angles: Array
+    ) -> None:
+        """Place panels (K,) beside others, turned about creases by angles (K,) (radians)."""
+        ends = self.flat[self.pattern.edges[edges]]
+        turn = _turns(ends[:, 1] - ends[:, 0], angles)
+        moved = ends[:, 0] - np.einsum("kij,kj->ki", turn, ends[:, 0])
+        poses.turns[panels] = poses.turns[before] @ turn
+        poses.places[panels] = poses.carried(before, moved)
+
+    @cached_property
+    def flat(self) -> Array:
+        """Vertices (V, 3) of the flat sheet."""
+        vertices = self.pattern.vertices
+        return np.column_stack([vertices, np.zeros(len(vertices))])
 
     @cached_property
     def _levels(self) -> list[_Hinged]:

@@ -14,9 +14,9 @@ from orishell.conventions.errors import DesignError, OrishellError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.families.drawn import DrawnSheet, drawn_sheet
-from orishell.families.drawn.nearest import find_nearby
+from orishell.families.drawn.nearest import Nearby, find_nearby
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following import follow
+from orishell.motion.following import TOLERANCE, follow
 from orishell.motion.following.dofs import Freedom, find_freedom
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
@@ -24,6 +24,7 @@ from orishell.motion.following.rigid import find_rigid
 from orishell.motion.following.system import Closure
 from orishell.motion.sizes import diagonal
 from orishell.numerics.arrays import Array
+from orishell.verification.pattern.loose import LooseMotion, find_loose
 from orishell.verification.pattern.on_grid import OnGrid
 
 STATES = 25
@@ -35,6 +36,8 @@ CLEAR_UNTIL = np.pi * (1 - SHORT_OF_END)
 """The drive up to which it is (radians)."""
 TOUCHING = 1e-9
 """Panels touch that are nearer than this share of the sheet's diagonal."""
+LOOSEST = 1e-2
+"""By how much vertices of a sheet that nearly folds may miss closing where it is followed."""
 
 Way = Literal["closed form", "followed"]
 
@@ -58,11 +61,13 @@ class FoldingMotion:
     # what is proved of contact on the way; None if nothing is
     proof: PathResult | None = None
     seen: SampledContact | None = None  # what was seen of contact in states; None if not looked at
+    # with rigid panels and hinges that give way; None if it closes, or does not even nearly
+    loose: LooseMotion | None = None
     # letters of all edges, one word for each choice of mountains and valleys that folds it where
     # letters are missing, the best first; empty if none is missing, or if that is not known
     choices: tuple[str, ...] = ()
-    # vertices (V, 2) of a sheet nearby that folds; None if there is no need, or none was found
-    nearby: Array | None = None
+    # a sheet nearby that folds, vertices (V, 2); None if there is no need, or none was found
+    nearby: Nearby | None = None
 
     @property
     def play(self) -> float:
@@ -74,8 +79,13 @@ class FoldingMotion:
         """That of the worst vertex in the worst state."""
         return float(self.misses.max(initial=0.0))
 
-    def closed_states(self, limits: Array, play: float) -> int:
-        """How many states, from flat on, close: vertices, and creases round holes.
+    @property
+    def half_way(self) -> int:
+        """The number of the state whose drive is nearest to 90 degrees."""
+        return int(np.abs(self.drives - np.pi / 2).argmin())
+
+    def closes(self, limits: Array, play: float) -> bool:
+        """Whether all states close: vertices, and creases round holes.
 
         Parameters
         ----------
@@ -84,8 +94,7 @@ class FoldingMotion:
         play
             How far panels may part (length).
         """
-        open_states = (self.misses > limits).any(axis=1) | ~(self.plays <= play)
-        return int(np.append(open_states, True).argmax())
+        return bool((self.misses <= limits).all() and (self.plays <= play).all())
 
     @property
     def degrees_of_freedom(self) -> int | None:
@@ -141,10 +150,7 @@ def find_motion(
         except DesignError as error:
             if error.place:  # else parts of it fold by themselves
                 return Still(_said(error), proved=not missing)
-    try:
-        return _followed(pattern, progress)
-    except OrishellError as error:
-        return Still(_said(error), proved=False)
+    return _if_followed(pattern, progress)
 
 
 def _said(error: OrishellError) -> str:
@@ -191,12 +197,13 @@ def _in_closed_form(
         plays=_plays(pattern, folds),
     )
     if found.miss > TOUCHING:
+        found = _loosely(found, pattern, progress)
         moved = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
         if moved is None:
             return found
         nearby = pattern.vertices.copy()
-        nearby[grid.numbers] = moved
-        return replace(found, nearby=nearby)
+        nearby[grid.numbers] = moved.vertices
+        return replace(found, nearby=replace(moved, vertices=nearby))
     size = TOUCHING * diagonal(sheet.positions(0.0))
     at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))
     return replace(
@@ -214,10 +221,27 @@ ENDS = {
 }
 
 
-def _followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion:
-    found = follow(pattern, states=STATES, progress=stretch(progress, 0.0, 0.7))
+def _if_followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion | Still:
+    """The motion followed, to closed states or, of a sheet with all letters, to nearly closed."""
+    try:
+        return _followed(pattern, TOLERANCE, progress)
+    except OrishellError as error:
+        still = Still(_said(error), proved=False)
+    if np.isnan(pattern.signs[pattern.crease]).any():
+        return still
+    try:
+        found = _followed(pattern, LOOSEST, progress)
+    except OrishellError:
+        return still
+    return still if found.loose is None else found
+
+
+def _followed(pattern: CreasePattern, tolerance: float, progress: Progress) -> FoldingMotion:
+    found = follow(
+        pattern, states=STATES, tolerance=tolerance, progress=stretch(progress, 0.0, 0.7)
+    )
     closure = Closure.of(pattern)
-    return FoldingMotion(
+    motion = FoldingMotion(
         way="followed",
         letters=found.letters,
         drives=np.minimum(found.drives, np.pi),
@@ -228,8 +252,17 @@ def _followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion:
         ends=ENDS[found.end],
         freedom=found.freedom,
         plays=_plays(pattern, found.folds),
-        seen=look_for_contact(found, stretch(progress, 0.7, 1.0)),
     )
+    rest = stretch(progress, 0.7, 1.0)
+    if motion.miss > TOUCHING or motion.play > TOUCHING * pattern.diagonal:
+        return _loosely(motion, pattern, rest)
+    return replace(motion, seen=look_for_contact(found, rest))
+
+
+def _loosely(found: FoldingMotion, pattern: CreasePattern, progress: Progress) -> FoldingMotion:
+    """The same of a sheet that closes nearly only, with hinges that give way."""
+    loose = find_loose(pattern, found.drives, found.folds, progress)
+    return replace(found, loose=loose, freedom=() if loose is None else loose.freedom)
 
 
 def _misses(closure: Closure, folds: Array) -> Array:

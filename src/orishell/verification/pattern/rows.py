@@ -11,10 +11,12 @@ from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
+from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.dofs import Freedom
+from orishell.verification.pattern.loose import LARGEST, WIDEST, LooseMotion
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
@@ -36,7 +38,8 @@ class Judged:
         count = len(self.pattern.inner)
         yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
         yield self._flat_folded()
-        yield from self._family()
+        if self.known is not None:
+            yield of_family(self.known)
         if isinstance(self.motion, Still):
             if self.motion.proved:
                 yield Row("fails", "folds", f"no: {self.motion.reason}")
@@ -46,8 +49,8 @@ class Judged:
         motion = self.motion
         yield self._folds(motion)
         yield from of_letters(self.pattern, len(motion.choices))
-        if self._closed(motion, self.tolerance) > 1:
-            yield of_freedom(motion.freedom)
+        if motion.loose is not None or self._closes(motion, self.tolerance):
+            yield self._freedom(motion)
             yield self._reaches(motion)
 
     def _flat_folded(self) -> Row:
@@ -75,32 +78,14 @@ class Judged:
             return Row("says", "vertices", "; ".join(faults))
         return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
 
-    def _family(self) -> Iterator[Row]:
-        known = self.known
-        if known is not None:
-            also = f" (also {', '.join(known.also)})" if known.also else ""
-            sides = [
-                f"{number} {name}"
-                for number, name in zip(
-                    known.beside, ("above", "below", "left", "right"), strict=True
-                )
-                if number
-            ]
-            apart = (
-                f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
-            )
-            finding = f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}"
-            yield Row("says", "family", finding)
-
-    def _closed(self, motion: FoldingMotion, error: float) -> int:
-        """How many states close to an error of lengths."""
+    def _closes(self, motion: FoldingMotion, error: float) -> bool:
+        """Whether all states close to an error of lengths."""
         at = np.searchsorted(self.pattern.inner, motion.vertices)
-        return motion.closed_states(error / shortest_creases(self.pattern)[at], error)
+        return motion.closes(error / shortest_creases(self.pattern)[at], error)
 
     def _folds(self, motion: FoldingMotion) -> Row:
-        states = len(motion.drives)
-        closed = f"vertices close to {motion.miss:.1g} rad in {states} states"
-        if self._closed(motion, self.rounding) == states:
+        closed = f"vertices close to {motion.miss:.1g} rad in {len(motion.drives)} states"
+        if self._closes(motion, self.rounding):
             whole = self.known is not None and not any(self.known.beside)
             if motion.way == "followed":
                 said = f"as far as numbers tell: {closed}, followed"
@@ -113,29 +98,66 @@ class Judged:
             else:
                 said = f"to rounding: {closed}, by a closed form"
             return Row("holds", "folds", f"rigidly, {said}")
-        count = self._closed(motion, self.tolerance)
-        if count == states:
-            play = quantity(motion.play, self.unit)
-            said = f"{closed}; hinges need a play of {play}"
+        if motion.loose is not None:
+            return self._folds_loosely(motion, motion.loose)
+        if self._closes(motion, self.tolerance):
+            said = f"{closed}; hinges need a play of {quantity(motion.play, self.unit)}"
             return Row("holds", "folds", f"rigidly, to the tolerance: {said}")
-        beyond = (
-            f"vertices miss closing by {motion.misses[count].max():.1g} rad at "
-            f"{in_degrees(motion.drives[count])} degrees, most at vertex "
-            f"{motion.vertices[motion.misses[count].argmax()]}"
+        half = motion.half_way
+        worst = motion.vertices[motion.misses[half].argmax()]
+        said = f"not with these letters: {self._missed(motion)}, most at vertex {worst}"
+        if len(self.pattern.faces) > LARGEST:
+            said += f"; how far hinges must give way is not looked at beyond {LARGEST} panels"
+        return Row("fails", "folds", said, self._nearby(motion))
+
+    def _missed(self, motion: FoldingMotion) -> str:
+        half = motion.half_way
+        at = in_degrees(motion.drives[half])
+        return f"vertices miss closing by {motion.misses[half].max():.1g} rad at {at} degrees"
+
+    def _folds_loosely(self, motion: FoldingMotion, loose: LooseMotion) -> Row:
+        gap = (
+            f"hinges give way by {self._length(loose.gap)} (at {in_degrees(loose.widest)} degrees)"
         )
-        nearby = self._nearby(motion)
-        if count > 1:
-            upto = in_degrees(motion.drives[count - 1])
-            said = f"to the tolerance up to {upto} degrees; beyond, {beyond}"
-            return Row("warns", "folds", said, nearby)
-        half = int(np.abs(motion.drives - np.pi / 2).argmin())
-        at_half = f"{motion.misses[half].max():.1g} at {in_degrees(motion.drives[half])}"
-        return Row("fails", "folds", f"not with these letters: {beyond}, {at_half}", nearby)
+        looked = f"{gap}, in {len(loose.drives)} states up to {in_degrees(loose.until)} degrees"
+        if not loose.complete:
+            share = f"{100 * WIDEST:g} % of the shortest crease"
+            looked += f"; beyond, they would by more than {share}, or no state is found"
+        if loose.complete and loose.gap <= self.tolerance:
+            return Row("holds", "folds", f"rigidly, to the tolerance: {looked}")
+        said = f"nearly: panels stay rigid if {looked}; else "
+        return Row("fails", "folds", said + self._missed(motion), self._nearby(motion))
+
+    def _freedom(self, motion: FoldingMotion) -> Row:
+        loose = motion.loose
+        return of_freedom(motion.freedom, "" if loose is None else self._gap(loose))
+
+    def _length(self, value: float) -> str:
+        return quantity(value, self.unit, 2)
+
+    def _gap(self, loose: LooseMotion) -> str:
+        return f"a hinge gap of {self._length(loose.gap)}"
+
+    def _reaches_loosely(self, loose: LooseMotion) -> Row:
+        """How far it folds with hinges that give way, and which panels come near."""
+        gap = self._gap(loose)
+        looked = f"looked at every {in_degrees(loose.apart)} degrees, between not proved"
+        free = f"free of contact in {loose.clear} states to within {gap}"
+        if loose.near is None:
+            said = f"{in_degrees(loose.until)} degrees at least: {free}, {looked}"
+            return Row("says", "reaches", said)
+        first, second = loose.near
+        said = (
+            f"not known beyond {in_degrees(loose.clear_until)} degrees: at "
+            f"{in_degrees(float(loose.drives[loose.clear]))} panels {first} and {second} meet, or "
+            f"are nearer than {gap}; before, {free}, {looked}"
+        )
+        return Row("warns", "reaches", said)
 
     def _reaches(self, motion: FoldingMotion) -> Row:
-        count = self._closed(motion, self.tolerance)
-        reached = f"{in_degrees(motion.drives[count - 1])} degrees"
-        ends = motion.ends if count == len(motion.drives) else "beyond it does not close"
+        if motion.loose is not None:
+            return self._reaches_loosely(motion.loose)
+        reached, ends = f"{in_degrees(motion.reached)} degrees", motion.ends
         if motion.proof is not None:
             contact = motion.proof.contact
             clear = f"nothing meets up to {in_degrees(motion.proved_clear)} degrees (proved)"
@@ -159,11 +181,14 @@ class Judged:
     def _nearby(self, motion: FoldingMotion) -> str:
         """How far vertices are to be moved so that it folds; empty if that is not known."""
         if motion.nearby is None:
-            return ""
-        moved = np.linalg.norm(motion.nearby - self.pattern.vertices, axis=1)
+            large = len(self.pattern.vertices) > MOST_MOVED
+            return f"a sheet nearby is looked for up to {MOST_MOVED} vertices" if large else ""
+        moved = np.linalg.norm(motion.nearby.vertices - self.pattern.vertices, axis=1)
+        nearest = "; of its kind none near it is nearer" if motion.nearby.nearest else ""
         return (
             f"a sheet nearby folds, its vertices moved by up to "
-            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} (tried)"
+            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} "
+            f"(tried){nearest}"
         )
 
 
@@ -189,8 +214,37 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         else tidy_degrees(seen.met)
         if seen and seen.met
         else None,
-        "nearby": None if motion.nearby is None else motion.nearby.tolist(),
+        "hinge_gap": None if motion.loose is None else said_of_gap(motion.loose),
+        "nearby": None if motion.nearby is None else motion.nearby.vertices.tolist(),
+        "nearby_leaves": None if motion.nearby is None else motion.nearby.leaves,
+        "nearby_is_nearest": motion.nearby is not None and motion.nearby.nearest,
         "choices": list(motion.choices),
+    }
+
+
+def of_family(known: Recognised) -> Row:
+    """The family that a sheet belongs to."""
+    also = f" (also {', '.join(known.also)})" if known.also else ""
+    sides = [
+        f"{number} {name}"
+        for number, name in zip(known.beside, ("above", "below", "left", "right"), strict=True)
+        if number
+    ]
+    apart = f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
+    return Row("says", "family", f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}")
+
+
+def said_of_gap(loose: LooseMotion) -> dict[str, Any]:
+    """The figures of a motion whose hinges give way."""
+    return {
+        "gap": loose.gap,
+        "at_deg": tidy_degrees(loose.widest),
+        "states": len(loose.drives),
+        "until_deg": tidy_degrees(loose.until),
+        "gaps": loose.gaps.tolist(),
+        "clear_states": loose.clear,
+        "clear_until_deg": tidy_degrees(loose.clear_until),
+        "near": list(loose.near or ()),
     }
 
 
@@ -204,8 +258,8 @@ def of_letters(pattern: CreasePattern, choices: int, taken: int = 1) -> Iterator
         yield Row("says", "letters", f"{missing} creases have none: {choice.get(choices, several)}")
 
 
-def of_freedom(states: Sequence[Freedom]) -> Row:
-    """Degrees of freedom in states, and the gap that tells them."""
+def of_freedom(states: Sequence[Freedom], within: str = "") -> Row:
+    """Degrees of freedom in states, and the gap that tells them, to within a gap of hinges."""
     if not states:
         return Row("warns", "freedom", "not known: what folds to a tolerance only has none")
     counts = {each.count for each in states}
@@ -217,7 +271,8 @@ def of_freedom(states: Sequence[Freedom]) -> Row:
     other = min(each.least_other for each in states)
     ways = "1 degree of freedom" if count == 1 else f"{count} degrees of freedom"
     below = f"{zero:.1g} below" if zero > 0 else "none below,"
-    said = f"{ways} in {len(states)} folded states (singular values: {below} and {other:.1g} above)"
+    ways += f" in {len(states)} folded states" + (f", to within {within}" if within else "")
+    said = f"{ways} (singular values: {below} and {other:.1g} above)"
     return Row("says", "freedom", said if count == 1 else f"{said}: this is one of many motions")
 
 

@@ -15,6 +15,7 @@ from orishell.motion.crease_pattern import CreasePattern
 from orishell.verification.pattern.motion import FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.rows import Judged, said_of_motion
+from orishell.verification.pattern.states import examine_states
 from orishell.verification.pattern.vertices import (
     VertexConditions,
     find_conditions,
@@ -105,15 +106,18 @@ def judge_pattern(
     if read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
-        size = float(np.linalg.norm(np.ptp(read.flat.vertices, axis=0)))
+        size = read.flat.diagonal
         findings = _find(read.flat, tolerance * size, progress)
         judged = Judged(
             findings.pattern, read.unit, findings.conditions, findings.recognised, findings.motion,
             tolerance * size, ROUNDING * size,
         )  # fmt: skip
         rows += judged.rows()
-    if read.states:
-        rows.append(Row("warns", "states", f"{len(read.states)} folded states are not examined"))
+    if read.states and read.flat is not None:
+        rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
+    elif read.states:
+        said = f"{len(read.states)} folded states are not examined: there is no flat sheet"
+        rows.append(Row("warns", "states", said))
     rows.sort(key=lambda row: ORDER.index(row.sign))
     return PatternVerdict(read, tolerance, findings, tuple(rows))
 

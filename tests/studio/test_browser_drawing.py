@@ -1,0 +1,108 @@
+"""A crease pattern in the studio as a person uses it: dropped or opened, mended, folded, kept."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import httpx
+
+from orishell.conventions.toml_file import parse_toml
+from orishell.design_file import starter_file
+from patterns import fold_of, miura, svg_of, waterbomb
+from samples import thorough
+from studio_pages import IDLE, choose, settle
+from viewer_pages import wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+ARCH = Path(__file__).parents[2] / "examples" / "arch_pattern.svg"
+
+
+def state(page: Page, of: str) -> Any:
+    return page.evaluate(f"window.__orishell.store.{of}")
+
+
+def drop(page: Page, name: str, text: str, at: str = ".results") -> None:
+    content = base64.b64encode(text.encode()).decode()
+    page.evaluate(
+        """([name, content, at]) => {
+            const data = new DataTransfer();
+            data.items.add(new File([atob(content)], name));
+            const how = { dataTransfer: data, bubbles: true, cancelable: true };
+            document.querySelector(at).dispatchEvent(new DragEvent("drop", how));
+        }""",
+        [name, content, at],
+    )
+
+
+def test_our_own_drawing_folds_and_is_kept(page: Page, client: httpx.Client) -> None:
+    choose(page, "orthodiagonal")
+    sheet = parse_toml(starter_file("pattern"))
+    drawn = client.post("/api/export", json={"design": sheet, "format": "svg"}).text
+    drop(page, "own.svg", drawn)
+    assert page.get_by_test_id("drop-choice").is_visible()
+    page.get_by_test_id("drop-as-pattern").click()
+    wait_until(page, "window.__orishell.store.name.value === 'own'")
+    settle(page)
+    assert state(page, "fault.value") is None
+    assert state(page, "report.value.parameters.fold_deg") == 90
+    assert state(page, "design.value.target.pattern.unit") == "mm"
+    facts = page.get_by_test_id("drawing-facts").inner_text()
+    assert "6 x 7 panels" in facts
+    assert "flat-foldable" in facts
+    assert "read from own.svg" in page.get_by_test_id("drawing-form").inner_text().lower()
+
+
+@thorough
+def test_a_drawing_can_be_scaled_and_comes_back_after_a_reload(page: Page) -> None:
+    drop(page, "own.fold", json.dumps(fold_of(miura())))
+    wait_until(page, "window.__orishell.store.name.value === 'own'")
+    settle(page)
+    width = state(page, "report.value.sheet.width")
+    page.get_by_test_id("drawing-scale").fill("2")
+    settle(page)
+    assert abs(state(page, "report.value.sheet.width") / width - 2) < 1e-9
+    # It is in no design file: the page brings it back.
+    page.once("dialog", lambda dialog: dialog.accept())
+    page.reload()
+    wait_until(page, IDLE)
+    assert state(page, "design.value.target.pattern.scale") == 2
+    assert state(page, "name.value") == "own"
+    assert "5 x 6 panels" in page.get_by_test_id("drawing-facts").inner_text()
+
+
+def test_a_pattern_of_origami_simulator_is_opened(page: Page) -> None:
+    with page.expect_file_chooser() as chooser:
+        page.get_by_test_id("open").click()
+    chooser.value.set_files(ARCH)
+    wait_until(page, "window.__orishell.store.name.value === 'arch_pattern'")
+    page.get_by_test_id("drawing-unit").select_option("cm")
+    settle(page)
+    assert state(page, "fault.value") is None
+    # 600 units of the drawing.
+    assert abs(state(page, "report.value.sheet.width") - 6) < 1e-3
+    assert state(page, "report.value.parameters.fold_deg") == 90
+
+
+def test_what_is_wrong_with_a_file_is_one_message_with_what_mends_it(page: Page) -> None:
+    before = state(page, "name.value")
+    drop(page, "bomb.svg", svg_of(waterbomb()), "[data-testid=drawing-form]")
+    banner = page.get_by_test_id("banner")
+    banner.wait_for()
+    assert "The panels do not make a grid." in banner.inner_text()
+    assert "bomb.svg: at (" in banner.inner_text()
+    assert state(page, "name.value") == before
+    # One line begins beside its corner, by more than is joined unasked: a thousandth of the sheet.
+    torn = re.sub(r'x1="([^"]+)"', lambda x: f'x1="{float(x[1]) + 0.01}"', svg_of(miura()), count=1)
+    drop(page, "torn.svg", torn, "[data-testid=drawing-form]")
+    wait_until(page, "document.querySelector('.banner').innerText.includes('torn.svg')")
+    page.get_by_test_id("use-nearest").click()
+    wait_until(page, "window.__orishell.store.name.value === 'torn'")
+    settle(page)
+    assert "5 x 6 panels" in page.get_by_test_id("drawing-facts").inner_text()
+    assert not banner.is_visible() or "torn.svg" not in banner.inner_text()
