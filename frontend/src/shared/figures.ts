@@ -29,9 +29,11 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
   const sheet: Size | null = report.sheet ?? measured(view, "flat");
   const shell: Size | null = report.deployed ?? measured(view, "shell");
   const { names } = view.header;
-  const count = names ? new Set(names).size : panelCount(view);  // parts of one have one name
-  const panels = count.toLocaleString("en").replaceAll(",", "\u202f");
-  add(list, "Panels", panels, grid && !view.header.names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
+  const sheets = names ? new Set(names).size : panelCount(view);  // parts of one have one name
+  // The report counts boards that are clipped on, too.
+  const { panels = sheets, clipped = 0 } = report.quantities ?? {};
+  const counted = grid && !names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "";
+  add(list, "Panels", panels.toLocaleString("en").replaceAll(",", "\u202f"), clipped ? `${counted || sheets}, and ${clipped} clipped on` : counted);
   if (sheet) {
     add(list, "Flat sheet", `${threeDigits(sheet.width)} \u00d7 ${length(sheet.height, unit)}`, "", "sheet");
     if (sheet.area) add(list, "Area", area(sheet.area, unit), "");

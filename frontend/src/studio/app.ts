@@ -38,12 +38,13 @@ import { Toolbar } from "./page/toolbar.ts";
 import { tourHint } from "./page/tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
-  const files = new Files(store, () => {
-    stage.forgetCamera();
+  store.home.watch(() => {
+    stage.beginAnew();
     results.forgetView();
     editors.forEach((editor) => editor.refit());
     surface.refit();
-  }, { endings: PATTERNS, read: (file) => void drawing.read(file) });
+  });
+  const files = new Files(store, { endings: PATTERNS, read: (file) => void drawing.read(file) });
   const examples = new ExampleCards(examplesOf(store.info), ({ text, name }) => void files.take(text, name));
   const banner = new Banner(store, {
     goTo: (key) => parameters.focus(key),
@@ -66,14 +67,14 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
-  const drawing = new DrawingForm(store, (work) => files.begin(work));
+  const drawing = new DrawingForm(store, (work) => store.open(work));
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
     blank: () => {
       const before = store.named;
-      files.begin(blankDesign(store));
+      store.open(blankDesign(store));
       sketch.begin(["f", "g"], before);
     },
     open: () => void files.open(),

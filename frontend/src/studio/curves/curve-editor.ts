@@ -88,9 +88,9 @@ export class CurveEditor {
     this.formula = new FormulaFields(name, (table, gesture) =>
       store.setCurve(name, table, `formula of ${name}`, gesture),
     );
-    this.dimensions = new Dimensions(name, (factors, what, gesture) => {
+    this.dimensions = new Dimensions(name, (table, what, gesture) => {
       if (this.large) this.plot.refit();
-      store.setCurve(name, tables.withScale(this.table, factors), what, gesture);
+      store.setCurve(name, table, what, gesture);
     });
     this.draw = button({
       label: `Draw ${name} anew`,

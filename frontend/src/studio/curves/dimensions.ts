@@ -1,7 +1,7 @@
 // How large a curve is: its extents as numbers that scale it.
 
 import { button, numberBox, setNumber } from "../parts/controls.ts";
-import { scaleOf } from "./curve-table.ts";
+import { scaleOf, withExtent, withScale } from "./curve-table.ts";
 import { h, s, setAttribute } from "../parts/dom.ts";
 import { icon } from "../parts/icons.ts";
 import { keptSwitch } from "../state/storage.ts";
@@ -42,12 +42,13 @@ export class Dimensions {
   private extents: Point = [0, 0];
   /** Extents and factors when the typing began: samples follow the typing later. */
   private base: { extents: Point; scale: Point } | null = null;
+  private typed: CurveTable | null = null;
   /** Each extent by itself, whether or not proportions are kept elsewhere. */
   private apart = false;
 
   constructor(
     private readonly name: CurveName,
-    private readonly scaled: (factors: Point, what: string, gesture: string) => void,
+    private readonly scaled: (table: CurveTable, what: string, gesture: string) => void,
   ) {
     this.boxes = MEASURES[name].map((measure) => this.box(measure));
     const lock = button({
@@ -75,6 +76,7 @@ export class Dimensions {
   /** Boxes beside the lines that they measure, each by itself; or in a row. */
   separate(on: boolean): void {
     this.apart = on;
+    for (const box of this.boxes) box.parentElement!.hidden = false;
   }
 
   /** Ready to be typed into, where that brings no keyboard onto the screen. */
@@ -107,6 +109,8 @@ export class Dimensions {
 
   show(table: CurveTable, samples: Point[], unit: string): void {
     const box = boxOf(samples);
+    // Another curve than what was typed of: an opened one, or an earlier one.
+    if (table !== this.table && table !== this.typed) this.base = null;
     this.table = table;
     // Without a curve boxes stay, empty: what is below does not move under the pointer that draws it.
     this.extents = box ? [box.high[0] - box.low[0], box.high[1] - box.low[1]] : [0, 0];
@@ -131,10 +135,10 @@ export class Dimensions {
         const axis = measure.axis(extents);
         const factor = value / extents[axis];
         if (!(factor > 0) || !Number.isFinite(factor)) return input.classList.add("unfinished");
-        const together = proportional.value && !this.apart;
-        const factors: Point = together ? [scale[0] * factor, scale[1] * factor] : [...scale];
-        if (!together) factors[axis] *= factor;
-        this.scaled(factors, `${word} of ${name}`, `size-${name}-${word}`);
+        this.typed = proportional.value && !this.apart
+          ? withScale(this.table, [scale[0] * factor, scale[1] * factor])
+          : withExtent(this.table, axis, value, scale.with(axis, scale[axis] * factor) as Point);
+        this.scaled(this.typed, `${word} of ${name}`, `size-${name}-${word}`);
       },
     );
     input.addEventListener("focus", () => (this.base = null));

@@ -24,7 +24,9 @@ export class ProofCard {
       h("div", { class: "proof-body" }, this.text, this.bar, this.refusal),
     );
     store.proof.bind((proof) => this.show(proof));
-    store.freshness.watch(() => this.show(store.proof.value));
+    for (const signal of [store.freshness, store.view]) {
+      (signal as { watch(listener: () => void): void }).watch(() => this.show(store.proof.value));
+    }
   }
 
   private show(proof: Proof): void {
@@ -53,9 +55,11 @@ export class ProofCard {
     switch (proof.state) {
       case "none":
         return [
-          this.store.freshness.value === "outdated"
-            ? "Not verified. Pattern and figures are those of the last shell that worked."
-            : "Computing…",
+          this.store.freshness.value !== "outdated"
+            ? "Computing…"
+            : this.store.view.value
+              ? "Not verified. Pattern and figures are those of the last shell that worked."
+              : "There is no shell yet.",
           "quiet",
         ];
       case "waiting":
