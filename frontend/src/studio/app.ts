@@ -57,9 +57,10 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const stage = new Stage(store, banner.element);
   const results = new Results(store);
   const live = new Live(store, async () => {
+    // The shell first; pattern and figures follow when its frame has been handed over.
     stage.draw();
-    results.draw();
     await painted();
+    results.draw();
   });
   const [f, g] = (["f", "g"] as const).map((name) => new CurveEditor(store, name, () => sketch.begin([name]))) as [CurveEditor, CurveEditor];
   const editors = [f, g];
@@ -102,6 +103,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     save: () => void files.save(),
     help: () => help.list(),
     play: () => stage.fold.toggle(),
+    fit: () => stage.shell.fit(),
   });
   root.replaceChildren(
     skipLinks(),
