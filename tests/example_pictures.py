@@ -18,7 +18,7 @@ from studio_server import running_studio
 from viewer_pages import await_frames, running_browser, wait_until
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import FloatRect, Page
 
 PICTURES = Path(__file__).parents[1] / "frontend" / "src" / "studio" / "files" / "pictures"
 SIZE = (336, 224)
@@ -49,7 +49,7 @@ def take(page: Page, name: str) -> None:
         )
 
 
-def middle(frame: dict[str, float]) -> tuple[int, int, int, int]:
+def middle(frame: FloatRect) -> tuple[int, int, int, int]:
     """The largest part of a frame, about its middle, that has the shape of a picture."""
     scale = min(frame["width"] / SIZE[0], frame["height"] / SIZE[1])
     left = frame["x"] + (frame["width"] - scale * SIZE[0]) / 2
@@ -68,7 +68,7 @@ def main() -> None:
     with (
         running_studio() as studio,
         running_browser() as browser,
-        opened(browser, studio.entrance, **WINDOW, device_scale_factor=1) as page,
+        opened(browser, studio.entrance, **WINDOW) as page,
     ):
         page.add_style_tag(content=ONLY_THE_SHELL)
         cards = page.locator("[data-testid=examples-window] .example-card").all()

@@ -72,7 +72,6 @@ def test_from_empty_planes_to_a_shell(page: Page) -> None:
     page.get_by_test_id("new").click()
     await_frames(page)
     assert target(page, "f") == target(page, "g") == {"points": [], "smooth": True}
-    keep_picture(page, "studio-new")
     stroke(page, "f")
     assert 4 <= len(target(page, "f")["points"]) <= 9
     page.get_by_test_id("sketch-finish").click()
