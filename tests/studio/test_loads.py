@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from studio_pages import choose, settle
+from studio_pages import settle
 from viewer_pages import await_frames, keep_picture, pixels, wait_until
 
 if TYPE_CHECKING:
@@ -91,7 +91,13 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
 
 def test_a_structure_is_made_by_hand(page: Page) -> None:
     """From a plain arch to a verdict: boards of plywood, 0.4 kN/m2 of snow; two inputs."""
-    choose(page, "parallel-repeating")
+    plain = {
+        key: each
+        for key, each in tomllib.loads(DESIGN).items()
+        if key not in {"structure", "load_case", "workshop"}
+    }
+    page.evaluate("(design) => window.__orishell.store.change(design, 'plain')", plain)
+    settle(page)
     by_id = page.get_by_test_id
     assert not by_id("structure-snow").is_visible()
     by_id("structure-material").select_option("birch plywood")
