@@ -151,12 +151,14 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     for side in ("width", "height"):
         say(page, f"stock-{side}", "")
     assert "workshop" not in design(page)
+    page.keyboard.press("Escape")
 
 
 def test_files_by_what_they_are_for(page: Page) -> None:
     """By keys alone: each task with its formats, the settings that matter there, one button."""
     choose(page, "orthodiagonal")
     page.get_by_test_id("export").press("Enter")
+    await_frames(page)
     write = page.get_by_test_id("export-write")
     seen = []
     for said, format_, setting, other in (

@@ -26,9 +26,10 @@ export class WorkshopSettings {
     store.design.bind(() => this.show());
   }
 
-  /** Show the settings with these keys, and no others. */
+  /** Show the settings with these keys, in this order, and no others. */
   only(keys: readonly string[]): void {
     this.keys = keys;
+    this.element.append(...keys.map((key) => this.rows.find(({ parameter }) => parameter.key === key)!.element));
     this.show();
   }
 
