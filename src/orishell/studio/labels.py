@@ -82,13 +82,18 @@ def describe_formats() -> list[FileFormat]:
 
 def describe_tasks() -> list[ExportTask]:
     """What one writes files for, with the formats that say so, and all formats at the end."""
+    tasks: dict[str, Any] = _WORDS["tasks"]
     return [
         {
             "name": name,
+            "label": words["label"],
+            "what": words["what"],
             "formats": [each.name for each in all_formats() if name in (each.task, "all")],
-            **words,
+            "settings": words["settings"],
+            "state": words["state"],
+            "preview": words["preview"],
         }
-        for name, words in _WORDS["tasks"].items()
+        for name, words in tasks.items()
     ]
 
 
