@@ -86,17 +86,14 @@ export class Person3D implements Guest {
     };
   }
 
-  /** Where the shell has most room, if that is enough; true if it stands elsewhere now than before,
-   * inside or beside. */
-  place(room: Headroom | null): boolean {
-    const before = this.room;
+  /** Where the shell has most room, if that is enough. */
+  place(room: Headroom | null): void {
     this.room = room !== null && room.height >= OVER * this.tall.value ? room : null;
-    return (before === null) !== (this.room === null);
   }
 
   get reach(): Float32Array {
     const { x, y, z } = this.beside;
-    if (!this.on || !this.fits || this.room) return new Float32Array();
+    if (!this.on || !this.fits) return new Float32Array();
     const half = HALF * this.tall.value;
     return Float32Array.from(x.flatMap((each, k) => [-half, half].flatMap((side) => [each + side, y[k]!, z[k]!, each + side, y[k]!, z[k]! + this.tall.value])));
   }

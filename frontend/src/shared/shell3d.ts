@@ -338,11 +338,6 @@ export class Shell3D {
     this.following.fitted(this.extent!);
   }
 
-  /** Bring all into view again, unless one has come nearer or gone elsewhere. */
-  refit(): void {
-    if (this.fitted && this.following.turnedOnly) this.fit();
-  }
-
   /** Show the state drawn. */
   fitState(): void {
     if (this.view) this.aim([this.drawnPoints(), ...(this.atTarget ? this.clipped.points : [])], this.arm());
