@@ -51,7 +51,8 @@ MISPLACED = """() => {
 
 CUT_RINGS = """() => {
   const wrong = [];
-  for (const each of document.querySelectorAll("a[href], button, input, select, canvas, [tabindex]")) {
+  const controls = "a[href], button, input, select, canvas, [tabindex]";
+  for (const each of document.querySelectorAll(controls)) {
     const seen = each.checkVisibility({ visibilityProperty: true });
     if (each.tabIndex < 0 || each.disabled || each.closest("svg") || !seen) continue;
     each.focus({ focusVisible: true });
@@ -69,7 +70,8 @@ CUT_RINGS = """() => {
     const rooms = [{ left: 0, top: 0, right: innerWidth, bottom: innerHeight }];
     for (let room = ringed.parentElement; room !== document.body; room = room.parentElement) {
       const { overflowX, overflowY } = getComputedStyle(room);
-      if (overflowX !== "visible" || overflowY !== "visible") rooms.push(room.getBoundingClientRect());
+      if (overflowX === "visible" && overflowY === "visible") continue;
+      rooms.push(room.getBoundingClientRect());
     }
     const cut = rooms.some(({ left, top, right, bottom }) =>
       own.left - out < left - 0.5 || own.right + out > right + 0.5

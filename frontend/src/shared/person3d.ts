@@ -86,16 +86,18 @@ export class Person3D implements Guest {
     };
   }
 
-  /** Where the shell has most room, if that is enough. */
-  place(room: Headroom | null): void {
+  /** Where the shell has most room, if that is enough; true if it stands elsewhere now than before,
+   * inside or beside. */
+  place(room: Headroom | null): boolean {
+    const before = this.room;
     this.room = room !== null && room.height >= OVER * this.tall.value ? room : null;
+    return (before === null) !== (this.room === null);
   }
 
   get reach(): Float32Array {
-    const { x, y, z } = this.beside;
-    if (!this.on || !this.fits) return new Float32Array();
-    const half = HALF * this.tall.value;
-    return Float32Array.from(x.flatMap((each, k) => [-half, half].flatMap((side) => [each + side, y[k]!, z[k]!, each + side, y[k]!, z[k]! + this.tall.value])));
+    if (!this.figure.visible) return new Float32Array();
+    const { x, y, z } = this.foot.value, half = HALF * this.tall.value;
+    return Float32Array.from([-half, half].flatMap((side) => [x + side, y, z, x + side, y, z + this.tall.value]));
   }
 
   /** Inside only while the shell stands: on the way panels would cut through it. */
