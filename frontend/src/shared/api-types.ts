@@ -1108,6 +1108,8 @@ export interface Range {
   span: [number, number];
   /** Those that work. */
   intervals: [number, number][];
+  /** Whether all works that was tried below the first interval, and above the last. */
+  beyond: [boolean, boolean];
   /** Why values below the lowest interval, or above the highest, fail; empty at the span's end. */
   below: string;
   /** Why values below the lowest interval, or above the highest, fail; empty at the span's end. */
