@@ -20,6 +20,8 @@ export class LoadedControls {
   private scales: number[] = [1];
   /** The case that was chosen, also while the shell on the screen is not analysed yet. */
   private wanted = NONE;
+  /** What colours were asked to mean. */
+  private meaning = "";
 
   /** `hold`: a case belongs to the target, so the fold is to stay there while one is shown. */
   constructor(private readonly shell: Shell3D, private readonly hold: (on: boolean) => void) {
@@ -38,7 +40,10 @@ export class LoadedControls {
       this.wanted = cases.value;
       this.choose();
     });
-    measures.addEventListener("change", () => this.draw());
+    measures.addEventListener("change", () => {
+      this.meaning = measures.value;
+      this.draw();
+    });
     slider.addEventListener("input", () => this.draw());
     element.append(cases, measures, slider, reading);
     element.hidden = true;
@@ -61,9 +66,7 @@ export class LoadedControls {
     this.cases.value = names.includes(wanted) ? wanted : NONE;
     this.element.hidden = !this.loaded;
     const kinds: Measure[] = this.loaded?.strength ? ["utilisation", "displacement", "stress"] : ["displacement", "stress"];
-    const measure = this.measures.value;
     this.measures.replaceChildren(...kinds.map((kind) => new Option(kind, kind)));
-    if (kinds.some((kind) => kind === measure)) this.measures.value = measure;
     this.choose();
   }
 
@@ -75,7 +78,9 @@ export class LoadedControls {
       this.scales = scalesOf(this.deflection.scale);
       this.slider.max = String(this.scales.length - 1);
       this.slider.value = String(this.scales.indexOf(this.deflection.scale));
-      if (!this.deflection.balanced) this.measures.value = "displacement";
+      const kinds = [...this.measures.options].map(({ value }) => value);
+      const meaning = kinds.includes(this.meaning) ? this.meaning : kinds[0]!;
+      this.measures.value = this.deflection.balanced ? meaning : "displacement";
     }
     this.hold(this.deflection !== null);
     this.draw();
