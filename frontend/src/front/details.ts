@@ -1,7 +1,7 @@
 // What is known of the chosen member, and of that which it is compared with.
 
 import type { FrontPage } from "../shared/api-types.ts";
-import { length, threeDigits } from "../shared/colours.ts";
+import { length, threeDigits } from "../shared/quantities.ts";
 import type { View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
 import { difference, nameOf, written } from "./words.ts";

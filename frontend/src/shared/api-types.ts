@@ -1219,6 +1219,8 @@ export interface Row {
   finding: string;
   /** What mends it, which has been tried; empty if nothing was found that does. */
   remedy: string;
+  /** The same as values of keys of the design file; empty where it is none of these. */
+  changes: Record<string, unknown>;
 }
 
 /** The last line of the answer: the search has come to its end. */

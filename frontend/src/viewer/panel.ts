@@ -5,6 +5,7 @@ import { Pattern2D } from "../shared/pattern2d.ts";
 import { renderFigures } from "../shared/figures.ts";
 import type { Shell3D } from "../shared/shell3d.ts";
 import { stopsOf } from "../shared/stops.ts";
+import { Verdict } from "../shared/verdict.ts";
 import { decodeView, panelName, stateCount, type View } from "../shared/view.ts";
 import { element } from "./elements.ts";
 import { Player } from "./player.ts";
@@ -35,7 +36,9 @@ export class Viewer {
     const drawing = element("section", "pattern", { "aria-label": "Crease pattern" });
     const caption = element("p", "caption", { "aria-live": "polite" });
     const figures = element("section", "figures", { "aria-label": "Figures" });
-    side.append(head, drawing, caption, figures);
+    const verdict = new Verdict();
+    verdict.show(this.view.header.report);
+    side.append(head, drawing, caption, verdict.element, figures);
     root.append(scene, side);
 
     const stage = element("div", "stage");

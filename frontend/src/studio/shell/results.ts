@@ -1,13 +1,13 @@
 // The right: crease pattern, proof, figures.
 
 import { renderFigures } from "../../shared/figures.ts";
+import { headline, judged } from "../../shared/verdict.ts";
 import { explainSigns } from "../../shared/legend.ts";
 import { Pattern2D } from "../../shared/pattern2d.ts";
 import { assignmentCounts } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h, keepFocus } from "../parts/dom.ts";
 import { pretty } from "../parts/numbers.ts";
-import { wordsOfLock } from "./lock.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
 
@@ -43,7 +43,8 @@ export class Results {
     store.proof.watch((proof) => {
       if (proof.state !== "done") return;
       this.showFigures();
-      this.say(`${wordsOfLock(store.report.value)[0]} ${this.summary()}`);
+      const rows = judged(store.report.value);
+      this.say(`${headline(rows)?.[0] ?? ""}: ${rows[0]?.finding ?? ""}. ${this.summary()}`);
     });
   }
 
@@ -66,7 +67,7 @@ export class Results {
     const view = this.store.view.value;
     if (!view) return;
     keepFocus(() => {
-      renderFigures(this.figures, view, (text) => this.store.labels.said(text));
+      renderFigures(this.figures, view);
       this.onFigures?.(this.figures);
     });
   }
