@@ -97,6 +97,21 @@ def drag(page: Page, test_id: str, right: float, down: float) -> None:
     page.mouse.up()
 
 
+DROP = """([name, text]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([text], name));
+  const options = { dataTransfer: data, bubbles: true, cancelable: true };
+  for (const kind of ["dragenter", "dragover", "drop"])
+    document.querySelector(".results").dispatchEvent(new DragEvent(kind, options));
+  return document.documentElement.classList.contains("dropping-file");
+}"""
+
+
+def drop_file(page: Page, name: str, text: str) -> bool:
+    """Drop a file beside the drawings; whether the page still waits for one then."""
+    return bool(page.evaluate(DROP, [name, text]))
+
+
 def fold(page: Page, share: float) -> None:
     slider = page.get_by_test_id("fold-slider")
     slider.evaluate(

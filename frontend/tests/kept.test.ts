@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 
-import { Keeper, keepUnsaved, readKept } from "../src/studio/state/kept.ts";
+import { Keeper, keepUnsaved, readKept, readOpen } from "../src/studio/state/kept.ts";
 import { faultOf } from "../src/studio/state/faults.ts";
 import { designOf, fragmentOf } from "../src/studio/files/link.ts";
-import type { Named, Work } from "../src/studio/state/named.ts";
+import { type Named, type Work, isUnsaved } from "../src/studio/state/named.ts";
 import { Store } from "../src/studio/state/store.ts";
 import type { Info } from "../src/studio/state/types.ts";
 
@@ -49,8 +49,10 @@ class Room implements Storage {
 }
 
 let room: Room;
+let tab: Room;
 beforeEach(() => {
   room = new Room();
+  tab = new Room();
 });
 
 test("what is kept comes back, and is gone when it is saved", () => {
@@ -167,7 +169,8 @@ test("a browser that is full, or keeps nothing, does not hold another design", (
 
 /** A page with a store whose unsaved work is kept in the room. */
 function opened(): Store {
-  const page = { localStorage: room, setTimeout, clearTimeout, addEventListener: () => undefined, document: { addEventListener: () => undefined } };
+  const location = { hash: "" };
+  const page = { localStorage: room, sessionStorage: tab, location, setTimeout, clearTimeout, addEventListener: () => undefined, document: { addEventListener: () => undefined } };
   const store = new Store({ families: {}, tables: {} } as unknown as Info, kept);
   keepUnsaved(store, page as unknown as Window);
   return store;
@@ -255,6 +258,34 @@ describe("work in a page", () => {
     rest();
     expect(room.length).toBe(0);
   });
+});
+
+test("a tab has open what it had, saved or not, with what it was made of", () => {
+  vi.useFakeTimers();
+  vi.stubGlobal("window", { event: undefined });
+  const store = opened();
+  store.change({ ...kept.design, pattern: { rows: 21 } }, "rows");
+  store.open({ ...kept, name: "opened" });
+  vi.advanceTimersByTime(1000);
+  const again = readOpen(tab)!;
+  expect(again).toMatchObject({ name: "opened", design: kept.design });
+  expect(isUnsaved(again)).toBe(false);
+  store.setPattern("rows", 9);
+  vi.advanceTimersByTime(1000);
+  const unsaved = readOpen(tab)!;
+  expect(unsaved.design.pattern["rows"]).toBe(9);
+  expect(unsaved.home.file).toEqual({ name: "opened", design: kept.design });
+  expect(isUnsaved(unsaved)).toBe(true);
+  // It is kept where it was, and no second time.
+  const kinds = room.length;
+  new Keeper(room).write(unsaved);
+  expect(room.length).toBe(kinds);
+  tab.full = true;
+  store.open({ ...kept, name: "too large" });
+  vi.advanceTimersByTime(1000);
+  expect(readOpen(tab)).toBeNull();
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
 });
 
 test("a link brings the design with its name", async () => {

@@ -20,7 +20,7 @@ from orishell.motion import Mechanism, diagonal
 from samples import examples
 from strategies import graph, pair
 
-SEEDS = examples(50)
+SEEDS = examples(100)
 ROUNDING = 1e-12
 """A tolerance of brute force that only rounding fills, relative to the diagonal."""
 

@@ -62,7 +62,8 @@ def test_work_comes_back_after_a_reload_until_it_is_saved(
         download.value.save_as(tmp_path / "mine.toml")
         settle(page)
         assert not reload(page)
-        assert page.evaluate(COLUMNS) != 17
+        assert page.evaluate(COLUMNS) == 17
+        assert page.evaluate("window.__orishell.store.unsaved") is False
     assert tomllib.loads((tmp_path / "mine.toml").read_text())["pattern"]["columns"] == 17
 
 

@@ -10,7 +10,7 @@ import pytest
 from orishell.design_file import starter_file
 from page_checks import MISPLACED, serious_findings
 from samples import led_by, thorough
-from studio_pages import SIZES, choose, drawn, opened, settle
+from studio_pages import SIZES, choose, drawn, drop_file, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -183,24 +183,16 @@ def test_the_camera_follows_a_shell_that_grows(page: Page) -> None:
 
 def test_files_dropped_anywhere(page: Page) -> None:
     choose(page, "orthodiagonal")
-    drop = """([name, text]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([text], name));
-      const options = { dataTransfer: data, bubbles: true, cancelable: true };
-      for (const kind of ["dragenter", "dragover", "drop"])
-        document.querySelector(".results").dispatchEvent(new DragEvent(kind, options));
-      return document.documentElement.classList.contains("dropping-file");
-    }"""
-    assert not page.evaluate(drop, ["arch.csv", "x,y\n-2,0\n-1,1.2\n0,1.6\n1,1.2\n2,0\n"])
+    assert not drop_file(page, "arch.csv", "x,y\n-2,0\n-1,1.2\n0,1.6\n1,1.2\n2,0\n")
     choice = page.get_by_test_id("drop-choice")
     assert "arch.csv" in choice.inner_text()
     page.get_by_test_id("drop-as-f").click()
     wait_until(page, "'formula' in window.__orishell.store.design.value.target.f === false")
     drawn(page)
     assert choice.is_hidden()
-    page.evaluate(drop, ["picture.png", ""])
+    drop_file(page, "picture.png", "")
     assert "picture.png is no design file" in page.get_by_test_id("said").inner_text()
-    page.evaluate(drop, ["mine.toml", starter_file("longitudinal-linear-repeating")])
+    drop_file(page, "mine.toml", starter_file("longitudinal-linear-repeating"))
     wait_until(page, "window.__orishell.store.name.value === 'mine'")
     drawn(page)
     assert page.evaluate("window.__orishell.report.family") == "longitudinal-linear-repeating"

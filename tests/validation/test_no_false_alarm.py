@@ -77,13 +77,13 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
 def test_parallel_repeating_designs() -> None:
     seen: Counter[str | None] = Counter()
 
-    @settings(once, max_examples=examples(75))
+    @settings(once, max_examples=examples(150))
     @given(requests())
     def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()
-    assert seen["flaps"] > 0.4 * examples(75)
+    assert seen["flaps"] > 0.4 * examples(150)
     assert seen["clash"] > 0 or not THOROUGH  # one in some dozens
 
 
@@ -92,13 +92,13 @@ def test_parallel_repeating_designs() -> None:
 def test_orthodiagonal_designs() -> None:
     seen: Counter[str | None] = Counter()
 
-    @settings(once, max_examples=examples(75))
+    @settings(once, max_examples=examples(150))
     @given(orthodiagonal_requests())
     def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()
-    assert seen["flaps"] > 0.4 * examples(75)
+    assert seen["flaps"] > 0.4 * examples(150)
 
 
 @st.composite
@@ -121,7 +121,7 @@ def longitudinal_requests(draw: st.DrawFn) -> dict[str, Any]:
 @pytest.mark.slow
 def test_longitudinal_designs() -> None:
     seen: Counter[str | None] = Counter()
-    wanted = examples(50)
+    wanted = examples(100)
 
     @settings(once, max_examples=8 * wanted)
     @given(longitudinal_requests())

@@ -33,9 +33,12 @@ export function renderFigures(container: HTMLElement, view: View): void {
     }),
     ...group("Sheet", (add) => {
       const sheet: Size | null = report.sheet ?? measured(view, "flat");
-      const count = names ? new Set(names).size : panelCount(view);  // parts of one have one name
       const { grid } = view.header;
-      add("Panels", threeDigits(count), grid && !names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
+      const count = names ? new Set(names).size : panelCount(view);  // parts of one have one name
+      // The report counts boards that are clipped on, too.
+      const { panels = count, clipped = 0 } = report.quantities ?? {};
+      const counted = grid && !names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "";
+      add("Panels", panels.toLocaleString("en").replaceAll(",", "\u202f"), clipped ? `${counted || count}, and ${clipped} clipped on` : counted);
       if (sheet) {
         add("Flat sheet", sides([sheet.width, sheet.height], unit), "", "sheet");
         if (sheet.area) add("Area", area(sheet.area, unit), "");

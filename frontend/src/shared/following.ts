@@ -4,7 +4,7 @@ import { Vector3, type PerspectiveCamera } from "three";
 import { reachIn, type Extent } from "./camera.ts";
 
 /** A whole shell that reaches farther than this (1: the rim), or less far, is fitted anew. */
-const OUTSIDE = 1.1;
+const OUTSIDE = 1;
 const SMALL = 0.45;
 /** A part of a shell is followed when the shell has grown so many times, or to this share. */
 const GROWN = 1.5;
@@ -31,11 +31,15 @@ export class Following {
     for (const place of [this.camera.position, this.target, this.aim, this.centre]) place.add(by);
   }
 
+  /** All was in view, and the camera has been turned since at most. */
+  get turnedOnly(): boolean {
+    const size = this.camera.position.distanceTo(this.target);
+    return this.target.distanceTo(this.aim) < 1e-3 * this.radius && Math.abs(size / this.away - 1) < 1e-3;
+  }
+
   /** Follow another shell; true if all of it should be brought into view anew. */
   follow(extent: Extent, clouds: Float32Array[]): boolean {
-    const size = this.camera.position.distanceTo(this.target);
-    const turnedOnly = this.target.distanceTo(this.aim) < 1e-3 * this.radius && Math.abs(size / this.away - 1) < 1e-3;
-    if (turnedOnly) {
+    if (this.turnedOnly) {
       const reach = reachIn(this.camera, clouds);
       return reach > OUTSIDE || reach < SMALL;
     }

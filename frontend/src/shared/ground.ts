@@ -18,15 +18,19 @@ export class Ground {
 
   /** Height below the state at a drive, about the view's origin. */
   levelAt(drive: number): number {
-    const { drives, levels } = this;
-    const last = levels.length - 1;
-    const rising = drives[last]! >= drives[0]!;
-    let k = 0;
-    while (k < last - 1 && (rising ? drives[k + 1]! <= drive : drives[k + 1]! >= drive)) k++;
-    if (last < 1) return levels[0] ?? 0;
-    const t = (drive - drives[k]!) / (drives[k + 1]! - drives[k]!);
-    return levels[k]! + Math.min(1, Math.max(0, t)) * (levels[k + 1]! - levels[k]!);
+    return between(this.drives, this.levels, drive);
   }
+}
+
+/** What is known in states, by their drives, at a drive between them. */
+export function between(drives: ArrayLike<number>, values: ArrayLike<number>, drive: number): number {
+  const last = values.length - 1;
+  const rising = drives[last]! >= drives[0]!;
+  let k = 0;
+  while (k < last - 1 && (rising ? drives[k + 1]! <= drive : drives[k + 1]! >= drive)) k++;
+  if (last < 1) return values[0] ?? 0;
+  const t = (drive - drives[k]!) / (drives[k + 1]! - drives[k]!);
+  return values[k]! + Math.min(1, Math.max(0, t)) * (values[k + 1]! - values[k]!);
 }
 
 const known = new WeakMap<View, Ground>();

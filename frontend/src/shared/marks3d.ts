@@ -19,6 +19,8 @@ export interface Guest {
   readonly drawn: Object3D[];
   /** Another shell. */
   show?(view: View, motion: Motion): void;
+  /** Points that are to be in view with the shell (n, 3). */
+  readonly reach?: Float32Array;
   /** Another state of it is drawn. */
   move?(motion: Motion, state: Drawing): void;
   paint(theme: Theme): void;

@@ -4,7 +4,7 @@ import { roundLength } from "./camera.ts";
 import { themeOf, type Theme } from "./colours.ts";
 import { length } from "./quantities.ts";
 import { PatternGestures } from "./gestures.ts";
-import { Assignment, outlines, panelCount, type View } from "./view.ts";
+import { Assignment, outlines, type View } from "./view.ts";
 
 /** Lines by assignment: colour, width in pixels. Borders come last, on top. */
 const STROKES: [code: number, colour: string, width: number][] = [
@@ -14,8 +14,14 @@ const STROKES: [code: number, colour: string, width: number][] = [
   [Assignment.cut, "--border-crease", 1.7],
   [Assignment.border, "--border-crease", 1.7],
 ];
-const DASHED = 16;
+/** Valleys are dashed where they are so long on the screen; gaps are no shorter (pixels). */
+const DASHED = 6;
+const GAP = 2;
+/** A dash with its gap, about (pixels). */
+const PERIOD = 8;
 const MARGIN = 22;
+/** Below the sheet stands the scale. */
+const FOOT = 34;
 /** Lines drawn at a stroke: longer paths take canvases out of their stride. */
 const STROKE = 1500;
 
@@ -35,6 +41,8 @@ export class Pattern2D {
   private view: View | null = null;
   private rims: Uint32Array[] = [];
   private box = { x: 0, y: 0, width: 1, height: 1 };
+  /** How far creases are from each other, on average. */
+  private apart = 1;
   private chosen: number | null = null;
   private request = 0;
   private whole = true;
@@ -68,6 +76,7 @@ export class Pattern2D {
     const first = this.view === null;
     this.view = view;
     this.box = boxOf(view.flat);
+    this.apart = distanceOfCreases(view);
     this.chosen = null;
     this.rims = view.flat.length ? outlines(view) : [];
     this.note.textContent = view.flat.length ? "" : "Folded states only: there is no flat sheet to draw.";
@@ -110,8 +119,9 @@ export class Pattern2D {
     this.whole = true;
     this.x = this.box.x + this.box.width / 2;
     this.y = this.box.y + this.box.height / 2;
-    const margin = Math.min(MARGIN, width / 8, height / 8);
-    this.zoom = Math.min((width - 2 * margin) / this.box.width, (height - 2 * margin) / this.box.height) || 1;
+    const margin = Math.min(MARGIN, width / 8, height / 8), foot = Math.min(FOOT, height / 5);
+    this.zoom = Math.min((width - 2 * margin) / this.box.width, (height - margin - foot) / this.box.height) || 1;
+    this.y -= (foot - margin) / 2 / this.zoom;
     this.invalidate();
   }
 
@@ -178,9 +188,7 @@ export class Pattern2D {
 
   private drawSheet(pen: CanvasRenderingContext2D, view: View, theme: Theme): void {
     const { flat, edges, assignment } = view;
-    const panels = Math.max(1, panelCount(view));
-    const side = Math.sqrt((this.box.width * this.box.height) / panels) * this.zoom;
-    const thin = within(side / 14, 0.25, 1);
+    const thin = within((this.apart * this.zoom) / 14, 0.25, 1);
     const [west, north] = this.sheetPoint(0, 0);
     const [east, south] = this.sheetPoint(this.container.clientWidth, this.container.clientHeight);
     pen.beginPath();
@@ -193,23 +201,23 @@ export class Pattern2D {
       pen.strokeStyle = theme.text(colour);
       pen.lineWidth = width * Math.max(thin, 0.5);
       pen.globalAlpha = Math.min(1, 2 * thin);
-      pen.setLineDash(code === Assignment.valley && side > DASHED ? [5, 3] : []);
-      pen.lineCap = side > DASHED ? "round" : "butt";
-      pen.beginPath();
-      let waiting = 0;
+      // Dashes fit into their crease: those of about the same length are drawn together.
+      const lines = new Map<number, number[]>();
       for (let e = 0; e < assignment.length; e++) {
         if (assignment[e] !== code) continue;
         const a = 2 * edges[2 * e]!, b = 2 * edges[2 * e + 1]!;
         const ax = flat[a]!, ay = flat[a + 1]!, bx = flat[b]!, by = flat[b + 1]!;
         if ((ax < west && bx < west) || (ax > east && bx > east) || (ay > north && by > north) || (ay < south && by < south)) continue;
-        pen.moveTo(this.px(ax), this.py(ay));
-        pen.lineTo(this.px(bx), this.py(by));
-        if (++waiting % STROKE === 0) {
-          pen.stroke();
-          pen.beginPath();
-        }
+        const size = code === Assignment.valley ? Math.hypot(bx - ax, by - ay) * this.zoom : 0;
+        const key = size < DASHED ? 0 : Math.round(2 * Math.log2(size));
+        if (!lines.has(key)) lines.set(key, []);
+        lines.get(key)!.push(this.px(ax), this.py(ay), this.px(bx), this.py(by));
       }
-      pen.stroke();
+      for (const [key, ends] of lines) {
+        pen.setLineDash(key ? dashes(2 ** (key / 2)) : []);
+        pen.lineCap = key ? "butt" : "round";
+        for (let k = 0; k < ends.length; k += 4 * STROKE) strokeLines(pen, ends.slice(k, k + 4 * STROKE));
+      }
     }
     pen.setLineDash([]);
     pen.globalAlpha = 1;
@@ -295,8 +303,36 @@ export class Pattern2D {
   }
 }
 
+/** Dash and gap of a line, which begins and ends with a dash. */
+function dashes(size: number): [number, number] {
+  const gaps = Math.max(1, Math.round(size / PERIOD - 0.6));
+  const gap = Math.max(GAP, (0.4 * size) / (gaps + 0.6));
+  return [(size - gaps * gap) / (gaps + 1), gap];
+}
+
+function strokeLines(pen: CanvasRenderingContext2D, ends: readonly number[]): void {
+  pen.beginPath();
+  for (let k = 0; k < ends.length; k += 4) {
+    pen.moveTo(ends[k]!, ends[k + 1]!);
+    pen.lineTo(ends[k + 2]!, ends[k + 3]!);
+  }
+  pen.stroke();
+}
+
 function within(value: number, low: number, high: number): number {
   return Math.min(high, Math.max(low, value));
+}
+
+/** Of squares it is their side: their area, shared among the edges of the sheet. */
+function distanceOfCreases({ flat, faces, edges }: View): number {
+  const across = (a: number, b: number): [number, number] => [flat[2 * b]! - flat[2 * a]!, flat[2 * b + 1]! - flat[2 * a + 1]!];
+  let area = 0, length = 0;
+  for (let f = 0; f < faces.length; f += 4) {
+    const [u, v] = across(faces[f]!, faces[f + 2]!), [x, y] = across(faces[f + 1]!, faces[f + 3]!);
+    area += Math.abs(u * y - v * x) / 2;
+  }
+  for (let e = 0; e < edges.length; e += 2) length += Math.hypot(...across(edges[e]!, edges[e + 1]!));
+  return (2 * area) / (length || 1) || 1;
 }
 
 function boxOf(points: Float32Array): { x: number; y: number; width: number; height: number } {

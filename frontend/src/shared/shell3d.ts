@@ -248,7 +248,7 @@ export class Shell3D {
     this.posed = false;
     this.highlight(null);
     if (!kept) this.fit(true);
-    else if (this.following.follow(this.extent, this.allPoints())) this.fit();
+    else if (this.following.follow(this.extent, this.seenPoints())) this.fit();
     else this.limitDistance();
     this.invalidate();
   }
@@ -334,9 +334,14 @@ export class Shell3D {
   /** Show the whole motion, from where one looks, or from a good direction. */
   fit(turn = false): void {
     if (!this.view) return;
-    this.aim(this.allPoints(), turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm());
+    this.aim(this.seenPoints(), turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm());
     this.fitted = this.container.clientWidth > 0;
     this.following.fitted(this.extent!);
+  }
+
+  /** Bring all into view again, unless one has come nearer or gone elsewhere. */
+  refit(): void {
+    if (this.fitted && this.following.turnedOnly) this.fit();
   }
 
   /** Show the state drawn. */
@@ -369,6 +374,11 @@ export class Shell3D {
 
   private allPoints(): Float32Array[] {
     return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
+  }
+
+  /** What is to be in view: the shell in all its states, and who stands beside it. */
+  private seenPoints(): Float32Array[] {
+    return [...this.allPoints(), ...this.guests.flatMap(({ reach }) => reach ?? [])];
   }
 
   private drawnPoints(): Float32Array {

@@ -35,12 +35,13 @@ import { Toolbar } from "./page/toolbar.ts";
 import { tourHint } from "./page/tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
-  const files = new Files(store, () => {
-    stage.forgetCamera();
+  store.home.watch(() => {
+    stage.beginAnew();
     results.forgetView();
     editors.forEach((editor) => editor.refit());
     surface.refit();
-  }, { endings: PATTERNS, read: (file) => void drawing.read(file) });
+  });
+  const files = new Files(store, { endings: PATTERNS, read: (file) => void drawing.read(file) });
   const example = (name: string): void => {
     const found = store.info.examples.find((each) => each.name === name);
     if (found) void files.take(found.text, found.name);
@@ -64,12 +65,12 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
-  const drawing = new DrawingForm(store, (work) => files.begin(work));
+  const drawing = new DrawingForm(store, (work) => store.open(work));
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
-    blank: () => files.begin(blankDesign(store)),
+    blank: () => store.open(blankDesign(store)),
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),

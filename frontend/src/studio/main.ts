@@ -26,9 +26,9 @@ import { fetchInfo } from "./server/api.ts";
 import { h } from "./parts/dom.ts";
 import { askEarly } from "./server/early-view.ts";
 import { ServerFault, faultOf } from "./state/faults.ts";
-import { keepUnsaved, readKept } from "./state/kept.ts";
-import type { Named, Work } from "./state/named.ts";
-import { storageOf } from "./state/storage.ts";
+import { keepUnsaved, readKept, readOpen } from "./state/kept.ts";
+import { type Named, type Work, isUnsaved } from "./state/named.ts";
+import { storageOf, tabStorageOf } from "./state/storage.ts";
 import { Store } from "./state/store.ts";
 import type { Design, Info } from "./state/types.ts";
 
@@ -37,15 +37,16 @@ async function start(root: HTMLElement): Promise<void> {
   const info = await fetchInfo();
   const first = info.start ?? info.examples[0]!;
   const named: Named = { name: first.name, design: first.design as unknown as Design };
-  const kept = broughtBack(info);
-  const other = kept !== null && info.start !== null && kept.name !== first.name;
+  const open = openBefore(info);
+  const kept = open ?? broughtBack(info);
+  const other = !open && kept !== null && info.start !== null && kept.name !== first.name;
   // Undo takes work that came back for what it was made of, which is in a file.
-  const home = kept && { ...kept.home, file: named };
-  const store = new Store(info, other ? kept : home ? { ...named, home } : named);
+  const home = kept && { ...kept.home, file: kept.home.file ?? named };
+  const store = new Store(info, other ? kept : home ? { ...home.file, home } : named);
   if (other) {
     store.open(named);
     store.said.set(`Undo brings back your unsaved work on ${kept.name}`);
-  } else if (kept && home) {
+  } else if (kept && home && isUnsaved(kept)) {
     store.open({ ...kept, home }, "work that was not saved");
     store.said.set("Your unsaved work is back; undo leaves it");
   }
@@ -54,12 +55,21 @@ async function start(root: HTMLElement): Promise<void> {
   keepUnsaved(store, window);
 }
 
+/** What this tab had open before it was loaded again; a studio that was started with a design shows that. */
+function openBefore(info: Info): Work | null {
+  const [how] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
+  return how?.type === "navigate" && info.start ? null : known(info, readOpen(tabStorageOf(window)));
+}
+
 /** What was not saved of the design that the studio was started with, or else the latest such work. */
 function broughtBack(info: Info): Work | null {
   const storage = storageOf(window);
-  const kept = (info.start && readKept(storage, info.start.name)) ?? readKept(storage);
-  // Work on a family that this studio does not know is left alone.
-  return kept && Object.hasOwn(info.families, kept.design.shell.family) ? kept : null;
+  return known(info, (info.start && readKept(storage, info.start.name)) ?? readKept(storage));
+}
+
+/** Work on a family that this studio does not know is left alone. */
+function known(info: Info, work: Work | null): Work | null {
+  return work && Object.hasOwn(info.families, work.design.shell.family) ? work : null;
 }
 
 const root = document.getElementById("studio")!;

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from mechanisms import SAMPLES as SHEETS
+from mechanisms import flat_foldable, random_net
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, read_design_file, starter_file
 from orishell.design_file.drawing import DrawingTable, table_of
 from orishell.families.drawn import DrawnSheet
-from orishell.families.drawn.nearest import FOLDS, disagreement, find_nearby
+from orishell.families.drawn.nearest import FOLDS, Nearby, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST, find_signs
 from orishell.motion import Mechanism, find_assignment, largest_fold
@@ -90,56 +91,95 @@ def test_a_thickness_is_given_as_to_any_shell() -> None:
 
 NEARBY = [
     "flat-foldable",
-    "flat-foldable, mixed",
+    "parallel, no flaps",
+    "orthodiagonal, g straight",
     "longitudinal, 5 x 6 from F",
-    "longitudinal, 4 x 3 from S",
-    "longitudinal, sine from S",
-    "flat-foldable, flaps",
     "flat-foldable, one row",
     "toy",
 ]
+OTHERS = [name for name in SHEETS if name not in NEARBY and not name.startswith("drawn")]
 
 
-def moved_by(name: str, seed: int) -> tuple[float, float]:
-    """What a jittered sheet was moved by, and its jitter: the largest of all coordinates."""
+def jittered_sheet(name: str, seed: int, share: float = 1e-3) -> tuple[Array, Array, CreaseValues]:
+    """A sheet, jittered by a share of its shortest edge, what it was jittered by, and its signs."""
     sheet = SHEETS[name].make()
-    flat, signs = sheet.positions(0.0)[..., :2], find_assignment(sheet)
+    flat = sheet.positions(0.0)[..., :2]
     edges = np.diff(flat, axis=0), np.diff(flat, axis=1)
-    size = 1e-3 * min(np.linalg.norm(each, axis=-1).min() for each in edges)
+    size = share * min(np.linalg.norm(each, axis=-1).min() for each in edges)
     jitter = size * np.random.default_rng(seed).uniform(-1, 1, flat.shape)
-    drive = drawn_sheet(flat + jitter, signs, 2.0).drive
-    found = find_nearby(flat + jitter, drive)
+    return flat + jitter, jitter, find_assignment(sheet)
+
+
+def near(flat: Array, signs: CreaseValues) -> Nearby:
+    """What is found near a sheet."""
+    found = find_nearby(flat, drawn_sheet(flat, signs, 2.0).drive)
     assert found is not None
-    again = drawn_sheet(found, signs, 2.0).drive
-    assert disagreement(again) < 1e-12
-    return float(np.abs(found - flat - jitter).max()), float(np.abs(jitter).max())
+    return found
+
+
+def require_nearest(name: str, seed: int) -> None:
+    """It folds, conditions for the nearest hold, and it is no farther than where the jitter began.
+
+    The sheet without its jitter folds, so that the nearest one moves by no more, all in all. The
+    largest coordinate may: by 1.5 times the jitter in the worst of 400 sheets.
+    """
+    flat, jitter, signs = jittered_sheet(name, seed)
+    found = near(flat, signs)
+    assert disagreement(drawn_sheet(found.vertices, signs, 2.0).drive) < 1e-12
+    assert found.nearest
+    assert np.linalg.norm(found.vertices - flat) <= np.linalg.norm(jitter)
+    assert np.abs(found.vertices - flat).max() <= 2 * np.abs(jitter).max()
 
 
 @pytest.mark.parametrize("name", NEARBY)
-def test_a_jittered_sheet_is_moved_no_further_than_twice_its_jitter(name: str) -> None:
-    # The sheet without its jitter folds and is as far as that: a nearest one is no farther.
-    moved, jitter = moved_by(name, 7)
-    assert moved <= 2 * jitter
+def test_a_jittered_sheet_is_moved_to_the_nearest_that_folds(name: str) -> None:
+    require_nearest(name, 7)
 
 
 @thorough
-@pytest.mark.parametrize("seed", range(6))
-@pytest.mark.parametrize("name", NEARBY)
-def test_fifty_jittered_sheets(name: str, seed: int) -> None:
-    moved, jitter = moved_by(name, seed)
-    assert moved <= 2 * jitter
+@pytest.mark.parametrize("name", NEARBY + OTHERS)
+def test_jittered_sheets_of_all_families(name: str) -> None:
+    for seed in range(2):
+        require_nearest(name, seed)
+
+
+def test_no_other_sheet_of_its_kind_is_nearer() -> None:
+    # Others are found from places around it; |x|^2 grows by half of the way between at least.
+    flat, _, signs = jittered_sheet("flat-foldable", 3)
+    nearest = near(flat, signs).vertices
+    least = np.sum((nearest - flat) ** 2)
+    for seed in range(4):
+        away = 1e-3 * np.random.default_rng(seed).normal(size=flat.shape)
+        other = near(nearest + away, signs).vertices
+        apart = np.sum((other - nearest) ** 2)
+        assert apart > 0.1 * np.sum(away**2)
+        assert np.sum((other - flat) ** 2) > least + 0.5 * apart
+
+
+@thorough
+def test_a_large_sheet_is_moved_to_the_nearest_that_folds() -> None:
+    sheet = flat_foldable(random_net(60, 60, 2))
+    flat = sheet.positions(0.0)[..., :2]
+    signs, jitter = (
+        find_assignment(sheet),
+        1e-4 * np.random.default_rng(0).uniform(-1, 1, flat.shape),
+    )
+    found = near(flat + jitter, signs)
+    assert found.nearest
+    assert disagreement(drawn_sheet(found.vertices, signs, 2.0).drive) < 1e-11
+    assert np.linalg.norm(found.vertices - flat - jitter) <= np.linalg.norm(jitter)
 
 
 def test_what_folds_only_nearly_is_moved_and_said(tmp_path: Path) -> None:
     exact = of_mechanism(SHEETS["longitudinal, 4 x 3 from S"].make())
     write(tmp_path / "near.fold", jittered(exact, 1e-4))
-    near = designed(file_of(tmp_path, "near.fold", fold_deg=30))
-    assert "vertices are moved by up to" in near.warnings[0]
-    moved = near.parameters["moved"]
+    moved_sheet = designed(file_of(tmp_path, "near.fold", fold_deg=30))
+    assert "vertices are moved by up to" in moved_sheet.warnings[0]
+    moved = moved_sheet.parameters["moved"]
     assert isinstance(moved, float)
     assert moved > 0
-    assert isinstance(near.mechanism, DrawnSheet)
-    assert disagreement(near.mechanism.drive) < FOLDS
+    assert isinstance(moved_sheet.mechanism, DrawnSheet)
+    assert disagreement(moved_sheet.mechanism.drive) < FOLDS
     write(tmp_path / "far.fold", jittered(exact, 2e-2))
     file = file_of(tmp_path, "far.fold", fold_deg=30)
     with pytest.raises(DesignError) as caught:

@@ -78,9 +78,7 @@ export class CurveEditor {
     this.formula = new FormulaFields(name, (table, gesture) =>
       store.setCurve(name, table, `formula of ${name}`, gesture),
     );
-    this.dimensions = new Dimensions(name, (factors, what, gesture) =>
-      store.setCurve(name, tables.withScale(this.table, factors), what, gesture),
-    );
+    this.dimensions = new Dimensions(name, (table, what, gesture) => store.setCurve(name, table, what, gesture));
     this.draw = button({
       label: `Draw ${name} anew`,
       icon: "pencil",

@@ -3,6 +3,7 @@
 import { MOST_PIECES, halfway, handlesOf, moveHandle, nodesOf, withNode, withoutNode } from "./path-handles.ts";
 import { type Path, type Piece, readPath, writePath } from "./path-data.ts";
 import type { Handle } from "./plot-handles.ts";
+import { boxOf } from "./plane.ts";
 import { between, fitPoints, placeAmong, splineControls, splineThrough } from "./spline.ts";
 import type { CurveTable, Design, Point } from "../state/types.ts";
 
@@ -10,6 +11,9 @@ export type Mode = "spline" | "lines" | "path" | "formula" | "file";
 export const NO_CURVE: CurveTable = { points: [], smooth: true };
 /** Samples of a curve that is drawn here. */
 const SAMPLES = 800;
+/** Steps towards an extent, at most, and the share of it that it is met to. */
+const TURNS = 20;
+const SAME = 1e-7;
 
 export function modeOf(table: CurveTable): Mode {
   if (table.formula !== undefined) return "formula";
@@ -37,6 +41,20 @@ export function withScale(table: CurveTable, [x, y]: Point): CurveTable {
   const [along, up] = [Number(x.toPrecision(12)), Number(y.toPrecision(12))];
   if (along === 1 && up === 1) return rest;
   return { ...rest, scale: along === up ? along : [along, up] };
+}
+
+/** The table whose curve extends so far along an axis; `scale` is what would do if the curve were only
+ * stretched: a spline goes another way between points that are. */
+export function withExtent(table: CurveTable, axis: 0 | 1, extent: number, scale: Point): CurveTable {
+  let found = withScale(table, scale);
+  for (let turn = 0; turn < TURNS; turn++) {
+    const box = boxOf(samplesOf(found) ?? []);
+    const factor = box ? extent / (box.high[axis] - box.low[axis]) : 1;
+    if (!Number.isFinite(factor) || Math.abs(factor - 1) < SAME) break;
+    scale = scale.with(axis, scale[axis] * factor) as Point;
+    found = withScale(table, scale);
+  }
+  return found;
 }
 
 function pathOf(table: CurveTable): Path | null {

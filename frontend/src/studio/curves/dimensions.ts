@@ -1,7 +1,7 @@
 // How large a curve is: its extents as numbers that scale it.
 
 import { button, numberBox, setNumber } from "../parts/controls.ts";
-import { scaleOf } from "./curve-table.ts";
+import { scaleOf, withExtent, withScale } from "./curve-table.ts";
 import { h, setAttribute } from "../parts/dom.ts";
 import { icon } from "../parts/icons.ts";
 import { keptSwitch } from "../state/storage.ts";
@@ -37,10 +37,11 @@ export class Dimensions {
   private extents: Point = [0, 0];
   /** Extents and factors when the typing began: samples follow the typing later. */
   private base: { extents: Point; scale: Point } | null = null;
+  private typed: CurveTable | null = null;
 
   constructor(
     private readonly name: CurveName,
-    private readonly scaled: (factors: Point, what: string, gesture: string) => void,
+    private readonly scaled: (table: CurveTable, what: string, gesture: string) => void,
   ) {
     this.boxes = MEASURES[name].map((measure) => this.box(measure));
     const lock = button({
@@ -67,6 +68,8 @@ export class Dimensions {
 
   show(table: CurveTable, samples: Point[], unit: string): void {
     const box = boxOf(samples);
+    // Another curve than what was typed of: an opened one, or an earlier one.
+    if (table !== this.table && table !== this.typed) this.base = null;
     this.table = table;
     // Without a curve boxes stay, empty: what is below does not move under the pointer that draws it.
     this.extents = box ? [box.high[0] - box.low[0], box.high[1] - box.low[1]] : [0, 0];
@@ -91,9 +94,10 @@ export class Dimensions {
         const axis = measure.axis(extents);
         const factor = value / extents[axis];
         if (!(factor > 0) || !Number.isFinite(factor)) return input.classList.add("unfinished");
-        const factors: Point = proportional.value ? [scale[0] * factor, scale[1] * factor] : [...scale];
-        if (!proportional.value) factors[axis] *= factor;
-        this.scaled(factors, `${word} of ${name}`, `size-${name}-${word}`);
+        this.typed = proportional.value
+          ? withScale(this.table, [scale[0] * factor, scale[1] * factor])
+          : withExtent(this.table, axis, value, scale.with(axis, scale[axis] * factor) as Point);
+        this.scaled(this.typed, `${word} of ${name}`, `size-${name}-${word}`);
       },
     );
     input.addEventListener("focus", () => (this.base = null));

@@ -6,7 +6,6 @@ import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
 import { hasEnding } from "../parts/file-target.ts";
-import type { Named, Work } from "../state/named.ts";
 import type { Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -16,8 +15,6 @@ export class Files {
 
   constructor(
     private readonly store: Store,
-    /** Called before another design takes the place of the present one. */
-    private readonly opening: () => void,
     /** Files of other kinds that open as a design, and what takes them. */
     private readonly patterns: { endings: string; read: (file: File) => void },
   ) {
@@ -39,14 +36,8 @@ export class Files {
   /** Take the text of a design file in place of the present design; undo brings that back. */
   async take(text: string, name: string): Promise<void> {
     await this.guarded(async () => {
-      this.begin({ name, design: await parseDesign(text) });
+      this.store.open({ name, design: await parseDesign(text) });
     });
-  }
-
-  /** Take another design in place of the present one; undo brings that back. */
-  begin(named: Named | Work): void {
-    this.opening();
-    this.store.open(named);
   }
 
   async save(): Promise<void> {
@@ -90,7 +81,6 @@ export class Files {
       try {
         const brought = await designOf(location.hash);
         if (!Object.hasOwn(this.store.info.families, brought.design.shell.family)) throw brokenLink();
-        this.opening();
         this.linked = false;
         this.store.open(brought, "the design of the link");
       } catch (error) {

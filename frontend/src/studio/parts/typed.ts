@@ -49,8 +49,9 @@ export function shown(end: Bound): string {
   return typeof end === "number" ? short(end, 12) : end;
 }
 
+/** Show a text, unless the user is just typing what means the same. */
 export function put(input: HTMLInputElement, text: string): void {
-  if (input.value === text || document.activeElement === input) return;
+  if (document.activeElement === input ? bound(input.value) === bound(text) : input.value === text) return;
   input.value = text;
   makeRoom(input, ROOM);
 }

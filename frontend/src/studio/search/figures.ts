@@ -55,8 +55,7 @@ export class FigureList {
     for (const [name, { small, most, least }] of this.rows) {
       const limit = table.subject_to?.[name];
       small.checked = table.minimise.includes(name);
-      if (limit?.most !== undefined) setNumber(most, short(limit.most));
-      else if (document.activeElement !== most) most.value = "";
+      setNumber(most, limit?.most === undefined ? "" : short(limit.most));
       least.textContent = limit?.least === undefined ? "" : `at least ${short(limit.least)}`;
     }
   }

@@ -103,7 +103,7 @@ export class VariableList {
     return [
       h("div", { class: "search-ends" }, h("label", { class: "unit", for: id }, "one of"), input),
       (allowed) => {
-        if (document.activeElement !== input) input.value = (allowed as unknown[]).join(", ");
+        if (JSON.stringify(listed(input.value)) !== JSON.stringify(allowed)) input.value = (allowed as unknown[]).join(", ");
       },
     ];
   }

@@ -69,6 +69,11 @@ export class Live {
     store.busy.set(null);  // a search for sizes is broken off
     store.fitting.set(null);  // and so is a fit
     store.trials.set(null);
+    if (!isWhole(store.design.value)) {
+      // A curve is being drawn: there is no shell.
+      store.report.set(null);
+      store.view.set(null);
+    }
     if (!isWhole(store.design.value) || store.design.value.tolerance) {
       // A curve is being drawn; or sizes are chosen, at the user's word: the search takes seconds.
       this.pending = null;

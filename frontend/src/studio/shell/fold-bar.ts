@@ -99,11 +99,13 @@ export class FoldBar {
 
   /** Stay at the target, or move again. */
   hold(on: boolean): void {
-    if (on) {
-      this.stop();
-      this.share.set(targetShare(this.stops));
-    }
+    if (on) this.toTarget();
     this.element.inert = on;
+  }
+
+  toTarget(): void {
+    this.stop();
+    this.share.set(targetShare(this.stops));
   }
 
   toggle(): void {

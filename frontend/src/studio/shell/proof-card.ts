@@ -31,7 +31,7 @@ export class ProofCard {
       this.refusal,
     );
     store.proof.bind((proof) => this.show(proof));
-    for (const signal of [store.freshness, store.report]) {
+    for (const signal of [store.freshness, store.view, store.report]) {
       (signal as { watch(listener: () => void): void }).watch(() => this.show(store.proof.value));
     }
   }
@@ -66,9 +66,11 @@ export class ProofCard {
     switch (proof.state) {
       case "none":
         return [
-          this.store.freshness.value === "outdated"
-            ? "Not verified. Pattern and figures are those of the last shell that worked."
-            : "Computing\u2026",
+          this.store.freshness.value !== "outdated"
+            ? "Computing\u2026"
+            : this.store.view.value
+              ? "Not verified. Pattern and figures are those of the last shell that worked."
+              : "There is no shell yet.",
           null,
         ];
       case "waiting":

@@ -39,6 +39,7 @@ export class Results {
       this.said,
     );
     this.pattern = new Pattern2D(sheet, { label: "Crease pattern" });
+    store.view.bind((view) => (this.element.dataset["empty"] = String(!view)));
     store.freshness.bind((freshness) => (this.element.dataset["freshness"] = freshness));
     store.proof.watch((proof) => {
       if (proof.state !== "done") return;

@@ -36,6 +36,7 @@ export class Stage {
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
   private readonly boxes: Partial<Record<"surface" | "f" | "g", HTMLInputElement>> = {};
   private keepCamera = false;
+  private keepFold = false;
 
   constructor(
     private readonly store: Store,
@@ -90,10 +91,16 @@ export class Stage {
   draw(): void {
     const view = this.store.view.value;
     if (!view) return;
+    if (!this.keepFold) this.fold.toTarget();
     this.shell.show(view, this.keepCamera);
     this.shell.setFold(this.fold.share.value);
     this.loads.show(view);
-    this.keepCamera = true;
+    this.keepCamera = this.keepFold = true;
+  }
+
+  /** The next shell is of another design: look anew, at its target. */
+  beginAnew(): void {
+    this.keepCamera = this.keepFold = false;
   }
 
   /** Look anew at the next shell. */

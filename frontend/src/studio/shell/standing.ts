@@ -52,7 +52,7 @@ export class Standing {
       redraw();
     });
     const place = (view: View, room: Headroom | null): void => {
-      person.place(view, room);
+      if (person.place(room)) shell.refit();
       personSwitch.hidden = !Person3D.suits(view);
       tiesSwitch.hidden = !tiesOf(view).length;
       redraw();

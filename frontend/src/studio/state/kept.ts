@@ -1,13 +1,16 @@
 // What the browser keeps of unsaved work, so that a page that was closed loses nothing.
 
-import { type Home, type Named, type Work, namedOf } from "./named.ts";
-import { storageOf } from "./storage.ts";
+import { isLink } from "../files/link.ts";
+import { type Home, type Named, type Work, isUnsaved, namedOf } from "./named.ts";
+import { storageOf, tabStorageOf } from "./storage.ts";
 import type { Store } from "./store.ts";
 
 /** Followed by the slot: a design's name, and a number where that name is taken. */
 const KEY = "orishell.design:";
 /** The slots of what is kept, the latest first. */
 const LATEST = "orishell.latest";
+/** What a tab has open. */
+const OPEN = "orishell.open";
 /** So many designs are kept. */
 const MOST = 16;
 /** Rest after a change before it is kept, in milliseconds. */
@@ -21,6 +24,33 @@ export function readKept(storage: Storage | null, name?: string): Work | null {
     if (found && (name ?? found.name) === found.name) return { ...found, home: { file: null, slot, text } };
   }
   return null;
+}
+
+/** What a tab had open, saved or not. */
+export function readOpen(storage: Storage | null): Work | null {
+  try {
+    const found = JSON.parse(storage?.getItem(OPEN) ?? "null") as { file: unknown; slot: string | null } | null;
+    const named = namedOf(found);
+    if (!found || !named) return null;
+    const { name, design } = named;
+    const file = found.file === SAME ? named : namedOf(found.file);
+    return { name, design, home: { file, slot: found.slot, text: JSON.stringify({ name, design }) } };
+  } catch {
+    return null;
+  }
+}
+
+/** Stands for a file that has the design as it is. */
+const SAME = "same";
+
+function keepOpen(storage: Storage | null, work: Work): void {
+  const { name, design, home } = work;
+  try {
+    storage?.setItem(OPEN, JSON.stringify({ name, design, file: isUnsaved(work) ? home.file : SAME, slot: home.slot }));
+  } catch {
+    // No room: what was open before is not what is open now.
+    storage?.removeItem(OPEN);
+  }
 }
 
 function read(text: string): Named | null {
@@ -101,6 +131,8 @@ export function keepUnsaved(store: Store, page: Window): void {
     timer = 0;
     if (store.unsaved) keeper.write(store.named);
     else keeper.remove(store.named);
+    // A link stays in the address, and brings its design itself.
+    if (!isLink(page.location.hash)) keepOpen(tabStorageOf(page), store.named);
   };
   const later = (): void => {
     page.clearTimeout(timer);

@@ -28,6 +28,11 @@ export function workOf(opened: Named | Work): Work {
   return "home" in opened ? opened : { ...opened, home: { file: opened, slot: null, text: "" } };
 }
 
+/** Whether a design is in no file, or in one of another name. */
+export function isUnsaved({ name, design, home }: Work): boolean {
+  return !Object.is(home.file?.design, design) || home.file?.name !== name;
+}
+
 /** What was read, if it is a design with its name; throws where the points of a curve are none. */
 export function namedOf(value: unknown): Named | null {
   const found = value as Partial<Named> | null;

@@ -11,6 +11,15 @@ export function storageOf(page: Window): Storage | null {
   }
 }
 
+/** The same for what is kept as long as a tab is open. */
+export function tabStorageOf(page: Window): Storage | null {
+  try {
+    return page.sessionStorage;
+  } catch {
+    return null;
+  }
+}
+
 /** A choice that is kept. */
 export function keptSwitch(key: string, fallback: boolean): Signal<boolean> {
   const storage = storageOf(window);

@@ -7,7 +7,7 @@ import { Left } from "./aims.ts";
 import { changed } from "./changed.ts";
 import { History } from "./history.ts";
 import { Labels } from "./labels.ts";
-import { type Named, type Work, workOf } from "./named.ts";
+import { type Home, type Named, type Work, isUnsaved, workOf } from "./named.ts";
 import { Signal } from "./signal.ts";
 import { keptSwitch } from "./storage.ts";
 import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, SurfaceTable, Value } from "./types.ts";
@@ -29,6 +29,8 @@ export class Store {
   readonly saved = new Signal<Work | null>(null);
   /** What was not saved when another design took its place. */
   readonly replaced = new Signal<Work | null>(null);
+  /** Of the design that is open: another one where another design is opened, or brought back. */
+  readonly home: Signal<Home>;
   /** The name that files get; undo brings it back with its design. */
   readonly name: Signal<string>;
   readonly view = new Signal<View | null>(null);
@@ -69,6 +71,7 @@ export class Store {
     first: Named | Work,
   ) {
     this.history = new History(workOf(first));
+    this.home = new Signal(this.named.home);
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
     this.left = new Left(this.design);
@@ -79,10 +82,8 @@ export class Store {
     return this.history.value;
   }
 
-  /** Whether the design is in no file, or in one of another name. */
   get unsaved(): boolean {
-    const { name, design, home } = this.named;
-    return !Object.is(home.file?.design, design) || home.file?.name !== name;
+    return isUnsaved(this.named);
   }
 
   get undoable(): string | null {
@@ -151,7 +152,8 @@ export class Store {
   }
 
   private publish(): void {
-    // First the name: who hears of the design may ask for it.
+    // First its home and name: who hears of the design may ask for them.
+    this.home.set(this.history.value.home);
     this.name.set(this.history.value.name);
     this.design.set(this.history.value.design);
     this.steps.set(this.steps.value + 1);

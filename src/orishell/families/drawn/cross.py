@@ -77,7 +77,7 @@ class Cross:
     def across(self, height: Half) -> Half:
         """Heights (C, ...) of all columns from that (...) of the cross's row."""
         s, c = times(self.rows[self.row], height)
-        above = self.vertices.in_row(self.row).above((s[:-1], c[:-1]), c[1:])
+        above = self.vertices.at(self.row).above((s[:-1], c[:-1]), c[1:])
         share = self.columns[:, self.row]
         folded = share != 0
         s, c = times(1 / np.where(folded, share, 1.0), above)

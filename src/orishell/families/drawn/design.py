@@ -12,6 +12,7 @@ from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
 from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement, find_nearby
+from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST, find_signs
 from orishell.families.shared.axes import axes_of
@@ -80,10 +81,11 @@ def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, f
     apart = np.abs(sheet.drive.disagreement(DRIVES)).max(axis=-1)
     apart = np.where(np.isfinite(apart), apart, np.pi)
     row, column = np.unravel_index(int(apart.argmax()), apart.shape)
-    found = find_nearby(drawing.flat, sheet.drive)
+    nearby = find_nearby(drawing.flat, sheet.drive)
+    found = None if nearby is None else nearby.vertices
     size = f"fold angles there disagree by {in_degrees(float(apart.max()))} degrees"
     if found is None:
-        size += "; no sheet nearby was found that folds"
+        size += f"; no sheet nearby was found that folds, looked for up to {MOST_MOVED} vertices"
     else:
         moved = float(np.linalg.norm(found - drawing.flat, axis=-1).max())
         if moved <= most:

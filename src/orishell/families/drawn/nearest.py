@@ -1,42 +1,64 @@
-"""A sheet nearby that folds exactly, in place of one that does not.
+"""A sheet nearby that folds exactly, in place of one that does not: the nearest of its kind.
 
-All vertices move. There are more conditions than independent ones, and where a sheet barely fails
-them some hardly differ from others: what vertices disagree by at four drives; of sheets that are
-nearly flat-foldable at one, and that they be flat-foldable. First steps of least size, damped as
-Levenberg and Marquardt do, then steps that leave out directions with small singular values, fewer
-and fewer of them as long as the residual does not fall. Derivatives are exact: complex steps
-through all formulas. The sheet that is found is near, but not shown to be the nearest.
+Sheets that fold make up surfaces among all sheets. Where vertices are flat-foldable, or creases go
+straight on, conditions round panels alone do not tell their tangents: they hold twice over, as x^2
+does at 0. So single vertices are asked to be of the kinds that they nearly are, and then conditions
+are regular (module ``conditions``). Least |x - x0|^2 subject to them: Newton's steps to a place
+where x - x0 is square to the surface, damped as long as much is missing. More conditions than are
+independent do no harm. Not in the paper: docs/theory/vertex.md.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
+from orishell.conventions.record import record
+from orishell.families.drawn.conditions import Conditions
 from orishell.families.drawn.drive import Drive
-from orishell.families.drawn.vertex import Numbers, crosses, dots, ways
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 DRIVES = np.array([0.4, 0.9, 1.4, 2.0])
 """Drives at which vertices are to agree (radians)."""
-NEARLY = 0.05
-"""Opposite sectors of a nearly flat-foldable sheet miss 180 degrees by less (radians)."""
-DAMPING = 1e-2
-"""The damping of a step by the residual and the largest singular value."""
-UNDAMPED = 1e-6
-"""Residuals below this are reduced by steps without damping (radians)."""
-CUTS = 1e-5, 1e-7, 1e-3
-"""Smaller singular values by the largest are left out at first: one after the other is tried."""
-DONE = 2e-13
-"""Residuals below this are rounding (radians)."""
 FOLDS = 1e-10
 """A sheet folds exactly, as far as can be told, if vertices disagree by less (radians)."""
-STEPS = 40
-MOST = 1500
-"""Coordinates of the largest sheets that are moved: the work grows with their cube."""
-BLOCK = 200
-"""Coordinates whose derivatives are found together."""
-SMALL = 1e-30
-"""A complex step: its square is nothing."""
+MOST = 15_000
+"""Vertices of the largest sheets that are moved: beyond, the work takes minutes."""
+LEAST = 1e-14
+"""Combinations of conditions that change by a smaller square are none of their own."""
+STEPS, CLOSING = 30, 5
+"""The most steps along the surface, and of those after them that only bring the sheet onto it."""
+SETTLED, ROUNDED = 1e-7, 1e-5
+"""Steps that are smaller by the way from the sheet end the first; so do those that are smaller and
+do not shrink, as they are rounding."""
+ROUNDING = 1e-15
+"""Misses below this are none (radians)."""
+REFINED, LEFT = 5, 1e-10
+"""How often what multipliers leave is given to them again, unless they take less than a share."""
+SQUARE = 1e-6
+"""The way is square to the surface if they leave less of it."""
+MARGIN = 0.5
+"""The least growth of |x - x0|^2 by |y - x|^2 along the surface that shows a place to be nearest;
+1 if the surface is flat."""
+
+
+@record
+class Nearby:
+    """A sheet that folds, near one that does not."""
+
+    vertices: Array  # (rows, columns, 2)
+    # by how much the way to it is not square to the surface of all sheets of its kind that fold:
+    # what Lagrange's multipliers leave of it, as a share
+    leaves: float
+    # whether it is the nearest such sheet far and wide: the way is square to the surface, which
+    # does not curve towards the sheet by more than half of what would make another one nearer
+    nearest: bool
 
 
 def disagreement(drive: Drive, drives: Array = DRIVES) -> float:
@@ -45,65 +67,143 @@ def disagreement(drive: Drive, drives: Array = DRIVES) -> float:
     return float(found) if np.isfinite(found) else np.inf
 
 
-def find_nearby(flat: Array, drive: Drive) -> Array | None:
-    """Vertices (rows, columns, 2) of a sheet near another one, that folds; None if none is found.
+def find_nearby(flat: Array, drive: Drive) -> Nearby | None:
+    """A sheet near another one (rows, columns, 2), that folds; None if none is found.
 
     Mountains and valleys stay what they are.
     """
-    places = np.moveaxis(flat, -1, 0)
-    if places.size > MOST:
+    if flat[..., 0].size > MOST:
         return None
-    with np.errstate(all="ignore"):
-        nearly = bool(np.abs(_kawasaki(places[..., None])).max() < NEARLY)
-        for cut in CUTS:
-            found = _descended(places, drive, cut, flat_foldable=nearly)
-            if found is not None and disagreement(drive.moved(found[..., None])) < FOLDS:
-                return np.moveaxis(found, 0, -1)
-    return None
-
-
-def _descended(places: Array, drive: Drive, cut: float, *, flat_foldable: bool) -> Array | None:
-    """Vertices (2, rows, columns) where the conditions hold as nearly as they do; None if lost."""
-    drives, before = DRIVES[1:2] if flat_foldable else DRIVES, np.inf
-    for _ in range(STEPS):
-        missing = _conditions(drive, places[..., None], drives, flat_foldable=flat_foldable)[:, 0]
-        size = np.abs(missing).max(initial=0.0)
-        if not size > DONE:
-            break
-        slopes = _derivatives(drive, places, drives, flat_foldable=flat_foldable)
-        if not np.isfinite(slopes).all():
-            return None
-        out, sizes, across = np.linalg.svd(slopes, full_matrices=False)
-        if size > UNDAMPED:
-            gains = sizes / (sizes**2 + (DAMPING * size * sizes[0]) ** 2)
-        else:
-            cut *= 0.1 if size > 0.5 * before else 1.0
-            gains = np.where(sizes > cut * sizes[0], 1 / np.maximum(sizes, SMALL), 0.0)
-        before = size
-        places = places - (across.T @ (gains * (out.T @ missing))).reshape(places.shape)
-    return places
-
-
-def _conditions(drive: Drive, flat: Numbers, drives: Array, *, flat_foldable: bool) -> Numbers:
-    """What is to vanish (K, U), of flat sheets (2, rows, columns, U)."""
-    apart = drive.moved(flat[..., None]).disagreement(drives)
-    found = np.moveaxis(apart, -1, 0).reshape(-1, flat.shape[-1])
-    return np.concatenate([found, _kawasaki(flat)]) if flat_foldable else found
-
-
-def _kawasaki(flat: Numbers) -> Numbers:
-    """Sines (K, U) of what opposite sectors of vertices miss 180 degrees by."""
-    right, up, left, down = ways(flat)
-    found = crosses(left, down) * dots(right, up) + dots(left, down) * crosses(right, up)
-    return np.asarray(found.reshape(-1, flat.shape[-1]))
-
-
-def _derivatives(drive: Drive, flat: Array, drives: Array, *, flat_foldable: bool) -> Array:
-    """Derivatives (K, coordinates) of the conditions of a flat sheet (2, rows, columns)."""
+    places = np.moveaxis(flat, -1, 0)
+    own = places.swapaxes(1, 2)[::-1] if drive.across else places
     found = []
-    for first in range(0, flat.size, BLOCK):
-        which = np.arange(first, min(first + BLOCK, flat.size))
-        stepped = np.repeat(flat[..., None].astype(np.complex128), len(which), axis=-1)
-        stepped.reshape(flat.size, -1)[which, np.arange(len(which))] += 1j * SMALL
-        found.append(_conditions(drive, stepped, drives, flat_foldable=flat_foldable).imag / SMALL)
-    return np.concatenate(found, axis=1)
+    with np.errstate(all="ignore"):
+        conditions = Conditions.of(own, drive)
+        for kinds in _kinds(conditions.nearly(own)):
+            nearby = _projected(replace(conditions, kinds=conditions.kinds | kinds), own)
+            if nearby is None:
+                continue
+            place = nearby.vertices
+            place = place.swapaxes(1, 2)[::-1] if drive.across else place
+            if disagreement(drive.moved(place[..., None])) < FOLDS:
+                found.append(replace(nearby, vertices=np.moveaxis(place, 0, -1)))
+                if nearby.nearest:
+                    return found[-1]
+    return min(found, key=lambda each: float(np.linalg.norm(each.vertices - flat)), default=None)
+
+
+def _kinds(nearly: Booleans) -> Iterator[Booleans]:
+    """Which kinds (3, R, C) vertices may have: one is enough, the first or those that are last."""
+    foldable, *straight = nearly
+    yield np.stack([foldable, *(each & ~foldable for each in straight)])
+    if (foldable & (straight[0] | straight[1])).any():
+        yield np.stack([foldable & ~straight[0] & ~straight[1], *straight])
+
+
+def _projected(conditions: Conditions, start: Array) -> Nearby | None:
+    """Where the conditions hold (2, rows, columns), as near to the start as may be; None if lost.
+
+    The work is that of factors of a sparse matrix.
+    """
+    places, edge = start, float(np.median(np.linalg.norm(np.diff(start, axis=1), axis=0)))
+    before = np.inf
+    for _ in range(STEPS):
+        missing, slopes, sizes = _scaled(conditions, places)
+        size = np.abs(missing).max(initial=0.0) / edge
+        if not np.isfinite(size) or not np.isfinite(slopes.data).all():
+            return None
+        factors = _Factors.of(slopes, max(LEAST, size * size))
+        along, _ = factors.split((start - places).ravel())
+        onto, _ = factors.solve(np.zeros(places.size), -missing)
+        places = places + (along + onto).reshape(places.shape)
+        step, way = (float(np.abs(each).max()) for each in (along + onto, places - start))
+        if step <= SETTLED * way or 0.5 * before < step <= ROUNDED * way:
+            break
+        before = step
+    before = np.inf
+    for _ in range(CLOSING):
+        misses = conditions.misses(places)
+        largest = np.abs(misses).max(initial=0.0)
+        if not ROUNDING < largest < 0.5 * before:
+            break
+        before = largest
+        onto, _ = factors.solve(np.zeros(places.size), -misses / sizes)
+        places = places + onto.reshape(places.shape)
+    return _judged(conditions, start, places)
+
+
+def _judged(conditions: Conditions, start: Array, places: Array) -> Nearby:
+    """What first and second derivatives say of a place where the conditions hold."""
+    from scipy.sparse import eye_array
+
+    _, slopes, sizes = _scaled(conditions, places)
+    way = (start - places).ravel()
+    left, forces = _Factors.of(slopes, LEAST).split(way)
+    size = float(np.linalg.norm(way))
+    leaves = float(np.linalg.norm(left)) / size if size > 0 else 0.0
+    nearest = False
+    if leaves < SQUARE:
+        bends = conditions.bends(places, forces / sizes)
+        curved = (1 - MARGIN) * eye_array(len(way)) + 0.5 * (bends + bends.T)
+        nearest = _Factors.of(slopes, LEAST, curved).convex
+    return Nearby(places, leaves, nearest)
+
+
+def _scaled(conditions: Conditions, places: Array) -> tuple[Array, csr_array, Array]:
+    """Misses (N,) as lengths, their derivatives, whose rows are unit vectors, and their sizes."""
+    from scipy.sparse import csr_array, diags_array
+
+    slopes = conditions.derivatives(places)
+    sizes = np.sqrt((slopes * slopes).sum(axis=1))
+    sizes = np.where(sizes > 0, sizes, 1.0)
+    return conditions.misses(places) / sizes, csr_array(diags_array(1 / sizes) @ slopes), sizes
+
+
+@record
+class _Factors:
+    """Of the matrix ((H, J^T), (J, -e)): H = 1, or second derivatives; J slopes."""
+
+    matrix: Any
+    factors: Any
+    count: int  # rows of H
+
+    @classmethod
+    def of(cls, slopes: csr_array, little: float, curved: Any = None) -> _Factors:
+        from scipy.sparse import block_array, eye_array
+        from scipy.sparse.linalg import splu
+
+        rows, count = slopes.shape
+        matrix = block_array(
+            [
+                [eye_array(count) if curved is None else curved, slopes.T],
+                [slopes, -little * eye_array(rows)],
+            ],
+            format="csc",
+        )
+        options = {"SymmetricMode": True}
+        factors = splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+        return cls(matrix, factors, count)
+
+    def solve(self, first: Array, second: Array) -> tuple[Array, Array]:
+        """Both parts of what it takes to both parts given, refined once."""
+        given = np.concatenate([first, second])
+        found = self.factors.solve(given)
+        found = found + self.factors.solve(given - self.matrix @ found)
+        return found[: self.count], found[self.count :]
+
+    def split(self, way: Array) -> tuple[Array, Array]:
+        """A way less its part square to the surface, and multipliers, whose J^T are that part."""
+        left, forces = way, np.zeros(self.matrix.shape[0] - self.count)
+        for _ in range(REFINED):
+            before = left
+            left, more = self.solve(before, np.zeros(len(forces)))
+            forces = forces + more
+            if np.abs(before - left).max() <= LEFT * np.abs(way).max():
+                break
+        return left, forces
+
+    @property
+    def convex(self) -> bool:
+        """Whether H + J^T J/e is positive definite: by signs of pivots, if all are diagonal."""
+        diagonal = bool((self.factors.perm_r == self.factors.perm_c).all())
+        return diagonal and int((self.factors.U.diagonal() > 0).sum()) == self.count

@@ -203,7 +203,7 @@ def _across(
     u, w = columns[:, i].pairs(columns[:, i + 1])
     right = (own.share[:-1] < own.share[1:]).astype(int)
     lower = (columns.share[:, i] < columns.share[:, i + 1]).astype(int)
-    vertices = cross.vertices.in_row(i)
+    vertices = cross.vertices.at(i)
     rate = _of_vertices(vertices, (right, lower), (v, o), (u, w))
     return u, _then(_along(known, leading, v), rate)
 

@@ -42,7 +42,12 @@ class Vertices:
     @classmethod
     def of(cls, flat: Numbers, mode: Numbers) -> Vertices:
         """Those of the inner vertices of a flat sheet (2, R+2, C+2, ...), modes (R, C, ...)."""
-        right, up, left, down = ways(flat)
+        return cls.of_ways(ways(flat), mode)
+
+    @classmethod
+    def of_ways(cls, there: Numbers, mode: Numbers) -> Vertices:
+        """Those of vertices from which creases go there (4, 2, ...), see ``ways``; modes (...)."""
+        right, up, left, down = there
         ru, lu, ld, rd = (
             crosses(*pair) for pair in ((right, up), (up, left), (left, down), (down, right))
         )
@@ -77,12 +82,12 @@ class Vertices:
         )
         return Vertices(mode, A, B, C, D, P, self.sectors.swapaxes(0, 1).swapaxes(2, 3))
 
-    def in_row(self, row: int) -> Vertices:
-        """Those of one row."""
+    def at(self, *which: int | slice) -> Vertices:
+        """Those of some rows and columns."""
         mode, A, B, C, D, P = (
-            each[row] for each in (self.mode, self.A, self.B, self.C, self.D, self.P)
+            each[which] for each in (self.mode, self.A, self.B, self.C, self.D, self.P)
         )
-        return Vertices(mode, A, B, C, D, P, self.sectors[:, :, row])
+        return Vertices(mode, A, B, C, D, P, self.sectors[:, :, *which])
 
     def above(self, left: Half, beyond: Numbers) -> Half:
         """Sines and cosines of half the fold angles of upper creases.

@@ -14,7 +14,7 @@ from orishell.conventions.errors import DesignError, OrishellError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.families.drawn import DrawnSheet, drawn_sheet
-from orishell.families.drawn.nearest import find_nearby
+from orishell.families.drawn.nearest import Nearby, find_nearby
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import TOLERANCE, follow
 from orishell.motion.following.dofs import Freedom, find_freedom
@@ -66,8 +66,8 @@ class FoldingMotion:
     # letters of all edges, one word for each choice of mountains and valleys that folds it where
     # letters are missing, the best first; empty if none is missing, or if that is not known
     choices: tuple[str, ...] = ()
-    # vertices (V, 2) of a sheet nearby that folds; None if there is no need, or none was found
-    nearby: Array | None = None
+    # a sheet nearby that folds, vertices (V, 2); None if there is no need, or none was found
+    nearby: Nearby | None = None
 
     @property
     def play(self) -> float:
@@ -202,8 +202,8 @@ def _in_closed_form(
         if moved is None:
             return found
         nearby = pattern.vertices.copy()
-        nearby[grid.numbers] = moved
-        return replace(found, nearby=nearby)
+        nearby[grid.numbers] = moved.vertices
+        return replace(found, nearby=replace(moved, vertices=nearby))
     size = TOUCHING * diagonal(sheet.positions(0.0))
     at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))
     return replace(

@@ -39,7 +39,9 @@ def nearby_pattern(verdict: PatternVerdict) -> CreasePattern:
             size="the pattern folds as it is" if folds else "none was found that folds",
         )
     flat = findings.pattern
-    return CreasePattern(motion.nearby, flat.edges, motion.letters, flat.faces, flat.edge_faces)
+    return CreasePattern(
+        motion.nearby.vertices, flat.edges, motion.letters, flat.faces, flat.edge_faces
+    )
 
 
 def write_nearby(verdict: PatternVerdict, target: str | Path) -> None:

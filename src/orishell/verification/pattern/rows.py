@@ -11,6 +11,7 @@ from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
+from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
@@ -180,11 +181,14 @@ class Judged:
     def _nearby(self, motion: FoldingMotion) -> str:
         """How far vertices are to be moved so that it folds; empty if that is not known."""
         if motion.nearby is None:
-            return ""
-        moved = np.linalg.norm(motion.nearby - self.pattern.vertices, axis=1)
+            large = len(self.pattern.vertices) > MOST_MOVED
+            return f"a sheet nearby is looked for up to {MOST_MOVED} vertices" if large else ""
+        moved = np.linalg.norm(motion.nearby.vertices - self.pattern.vertices, axis=1)
+        nearest = "; of its kind none near it is nearer" if motion.nearby.nearest else ""
         return (
             f"a sheet nearby folds, its vertices moved by up to "
-            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} (tried)"
+            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} "
+            f"(tried){nearest}"
         )
 
 
@@ -211,7 +215,9 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         if seen and seen.met
         else None,
         "hinge_gap": None if motion.loose is None else said_of_gap(motion.loose),
-        "nearby": None if motion.nearby is None else motion.nearby.tolist(),
+        "nearby": None if motion.nearby is None else motion.nearby.vertices.tolist(),
+        "nearby_leaves": None if motion.nearby is None else motion.nearby.leaves,
+        "nearby_is_nearest": motion.nearby is not None and motion.nearby.nearest,
         "choices": list(motion.choices),
     }
 
