@@ -20,7 +20,7 @@ export function tableOf(page: FrontPage, numbers: number[], views: (View | null)
   const figures = page.figures.map(({ name, note }, k): Row => ({ name, note, values: members.map((each) => each.figures[k]) }));
   const wanted = page.figures.map(({ minimised }) => minimised);
   const groups: [string, Row[]][] = [
-    ["Minimised", figures.filter((_, k) => wanted[k])],
+    ["Minimise", figures.filter((_, k) => wanted[k])],
     ["Limited", figures.filter((_, k) => !wanted[k])],
     ["Variables", page.variables.map((name, k) => ({ name, note: "", values: members.map((each) => each.values[k]) }))],
     ["Sizes", sizesOf(views)],

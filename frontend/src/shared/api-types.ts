@@ -1017,6 +1017,8 @@ export interface Parameter {
   default: number | string | boolean | null;
   /** The target without which it has no meaning. */
   only: "curves" | "surface" | "drawing" | "none" | null;
+  /** Whether it is folded away until it is asked for. */
+  advanced: boolean;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
   /** Between two of its places. */

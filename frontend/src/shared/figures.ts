@@ -91,7 +91,8 @@ function group(title: string, fill: (add: Add) => void): HTMLElement[] {
   list.className = "orishell-figures";
   fill((name, value, note, key = name.toLowerCase()) => list.append(rowOf(name, value, note, key)));
   if (!list.children.length) return [];
-  const head = document.createElement("h3");
+  const head = document.createElement("h2");
+  head.className = "orishell-group";
   head.textContent = title;
   return [head, list];
 }

@@ -78,7 +78,7 @@ function key(container: HTMLElement, name: string, colour: string, kind = "orish
 
 function explainLoaded(container: HTMLElement, { deflection, measure, scale, most }: Drawn, unit: string): void {
   const { name, balanced } = deflection;
-  const what = balanced ? measure : "moves: nothing resists this";
+  const what = balanced ? measure : "unstable: nothing resists this";
   const end = !balanced ? "most" : measure === "stress" ? `${threeDigits(most)} MPa` : length(most, unit);
   const drawn = !balanced ? "" : scale === 1 ? ", drawn as it is" : `, drawn ${threeDigits(scale)} times as large`;
   bar(container, `${name}: ${what}${measure === "stress" ? "; displacement" : ""}${drawn}`, AMOUNT_MAP, ["0", end]);

@@ -21,7 +21,7 @@ export function judged(report: Known | null): Judged[] {
 export function headline(rows: readonly Judged[]): [string, Tone] | null {
   const tone = rows[0]?.sign;
   if (!tone) return null;
-  const subjects = rows.filter(({ sign }) => sign === tone).map(({ subject }) => subject);
+  const subjects = rows.filter(({ sign }) => sign === tone).map(({ subject }) => capital(subject));
   return [`${HEADS[tone]}: ${subjects.join(", ")}`, tone];
 }
 

@@ -1,4 +1,4 @@
-// One parameter: its name, number box, slider, "auto", and in words what is admissible.
+// One parameter: its name, number box, slider, "auto", and in words which values work.
 
 import { sentence } from "../../shared/words.ts";
 import { numberBox, setNumber } from "../parts/controls.ts";
@@ -72,7 +72,7 @@ export class ParameterRow {
     this.element.querySelector<HTMLElement>("input:not([disabled]), select")?.focus();
   }
 
-  /** Admissible values, and why not others. */
+  /** Which values work, and why not others. */
   private words({ range, value, taken }: RowState): string[] {
     if (!range || !isNumeric(this.parameter)) return [];
     const { intervals, below, above } = range;
@@ -80,14 +80,14 @@ export class ParameterRow {
     const low = intervals[0]![0];
     const high = intervals.at(-1)![1];
     const sign = this.parameter.unit === "deg" ? "°" : "";
-    const parts = intervals.map(([a, b]) => a === b ? `only ${pretty(a, 4)}${sign}` : `${pretty(a, 4)} to ${pretty(b, 4)}${sign}`);
+    const parts = intervals.map(([a, b]) => a === b ? `at ${pretty(a, 4)}${sign} only` : `from ${pretty(a, 4)} to ${pretty(b, 4)}${sign}`);
     const at = Number(value === "auto" ? taken : (value ?? taken));
     // The reason on the side where the value is; both where it is in the middle of nowhere.
     const middle = (low + high) / 2;
     const reasons: string[] = [];
     if (below && (at < middle || !above)) reasons.push(`Below: ${sentence(below)}`);
     if (above && (!(at < middle) || !below)) reasons.push(`Above: ${sentence(above)}`);
-    return [`Admissible ${parts.join(" and ")}. ${reasons.join(" ")}`];
+    return [`Works ${parts.join(" and ")}. ${reasons.join(" ")}`];
   }
 
   private auto(head: HTMLElement): void {

@@ -1,4 +1,4 @@
-// The right: crease pattern, proof, figures.
+// The right: verdict, crease pattern, figures.
 
 import { renderFigures } from "../../shared/figures.ts";
 import { headline, judged } from "../../shared/verdict.ts";
@@ -25,7 +25,8 @@ export class Results {
     const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
     this.element = h(
       "aside",
-      { class: "results", "aria-label": "Crease pattern and figures" },
+      { class: "results", "aria-label": "Verdict, crease pattern and figures" },
+      new ProofCard(store).element,
       h(
         "header",
         { class: "panel-head" },
@@ -34,7 +35,6 @@ export class Results {
       ),
       sheet,
       this.legend,
-      new ProofCard(store).element,
       h("div", { class: "figures-frame", tabindex: 0, role: "region", "aria-label": "Figures" }, this.figures),
       this.said,
     );
