@@ -6,6 +6,7 @@
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make test-pages  their own tests
 # make studio  builds and starts the studio
+# make screenshots  the guide's, of the pages as they are, into docs/images: look at them, commit them
 # make docs    the documentation, with the viewer in it (builds the pages first), into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
 # make cad     build123d for STEP and the tests that ask it, 0.7 GB
@@ -23,7 +24,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --no-com
 # What is imported is compiled then, once; most of what is installed never is.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test thorough portable docs paper pages test-pages studio cad node everything quick bench lint types contracts check format clean
+.PHONY: demo test thorough portable docs paper screenshots pages test-pages studio cad node everything quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -47,6 +48,10 @@ test-pages: $(PAGES)
 
 studio: $(VENV)/.studio $(PAGES)
 	$(BIN)/orishell studio
+
+screenshots: $(VENV)/.test $(PAGES)
+	ORISHELL_WRITE_PICTURES=1 ORISHELL_THOROUGH=1 ORISHELL_REQUIRE_NODE=1 $(BIN)/python -m pytest -q tests/studio
+	$(BIN)/python tests/screenshots.py
 
 docs: $(VENV)/.docs $(PAGES)
 	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs

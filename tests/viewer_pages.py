@@ -7,12 +7,10 @@ Without the built viewer or the browser a test is skipped, or fails if the envir
 from __future__ import annotations
 
 import io
-import os
 import shutil
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from itertools import combinations
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib.image
@@ -23,13 +21,12 @@ from PIL import Image
 from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
 from orishell.io.html_pages import place_of
+from screenshots import PICTURES, ROOT, WRITES
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Locator, Page
 
-ROOT = Path(__file__).parents[1]
-PICTURES, BUILT = ROOT / "docs" / "images", ROOT / "build" / "pictures"
-WRITE = "ORISHELL_WRITE_PICTURES"
+BUILT = ROOT / "build" / "pictures"
 LARGEST = 400_000
 """Bytes of a picture."""
 WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
@@ -116,11 +113,10 @@ def await_frames(page: Page | Frame) -> None:
 def keep_picture(page: Page, name: str) -> None:
     """Keep what a page looks like in ``build/pictures``.
 
-    With ``ORISHELL_WRITE_PICTURES=1`` it is written into the documentation, in
-    256 colours if it is large otherwise.
+    ``make screenshots`` writes it into the documentation, in 256 colours if it is large otherwise.
     """
     await_frames(page)
-    place = PICTURES if os.environ.get(WRITE) == "1" else BUILT
+    place = PICTURES if WRITES else BUILT
     place.mkdir(parents=True, exist_ok=True)
     with Image.open(io.BytesIO(page.screenshot())) as picture:
         whole = picture.convert("RGB")

@@ -10,11 +10,18 @@ import pytest
 
 from node_tools import lacking
 from orishell.studio.app import PAGES
+from screenshots import WRITES, keeps_picture
 from studio_pages import opened
 from studio_server import Studio, running_studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """``make screenshots`` runs the tests that keep one, and no others."""
+    if WRITES:
+        items[:] = [each for each in items if keeps_picture(each)]
 
 
 @pytest.fixture(scope="session")

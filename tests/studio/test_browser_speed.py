@@ -1,11 +1,15 @@
-"""A slow network in a browser: several requests under way, and none drawn that is overtaken."""
+"""A drag in a browser: what it costs the page, and what a slow network makes of it.
+
+Over a slow network several requests are under way, and none is drawn that is overtaken.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import json
+from typing import TYPE_CHECKING, Any
 
 from samples import thorough
-from studio_pages import opened, settle
+from studio_pages import drawn, opened, settle
 from viewer_pages import wait_until
 
 if TYPE_CHECKING:
@@ -51,3 +55,72 @@ def test_a_drag_over_a_slow_network(browser: Browser, address: str) -> None:
         assert seen["drawn"][-1] == 50
         assert len(set(seen["drawn"])) < seen["sent"]  # the one that was late was not drawn
         assert page.evaluate("window.__orishell.store.freshness.value") == "current"
+
+
+LARGE = """() => {
+  const { store } = window.__orishell, design = structuredClone(store.design.value);
+  Object.assign(design.pattern, { rows: 29, columns: 30 });
+  store.change(design, "large");
+}"""
+SIZES_ASKED = """() => {
+  const asked = window.__asked = { times: 0 };
+  for (const name of ["clientWidth", "clientHeight"]) {
+    const { get } = Object.getOwnPropertyDescriptor(Element.prototype, name);
+    Object.defineProperty(Element.prototype, name, {
+      get() { asked.times++; return get.call(this); },
+    });
+  }
+}"""
+STEPS = """(steps) => {
+  const { store, latencies } = window.__orishell;
+  let step = 0;
+  window.__dragged = false;
+  const move = () => {
+    if (step === steps) { window.__dragged = true; return; }
+    const design = structuredClone(store.design.value), before = latencies.length;
+    design.pattern.xi_deg = 45 + 0.3 * ++step;
+    store.change(design, "xi");
+    const wait = () => latencies.length > before ? move() : setTimeout(wait, 10);
+    wait();
+  };
+  move();
+}"""
+"""Moves a slider by so many steps, each when the shell of the one before has been drawn."""
+
+
+def longest_task(trace: bytes) -> float:
+    """Processor time of the longest task of the page's main thread (ms), by a browser's trace.
+
+    That is without the time that it waits: for the processor, or for pictures that are drawn
+    without a graphics card.
+    """
+    events: list[dict[str, Any]] = json.loads(trace)["traceEvents"]
+    main = {
+        (each["pid"], each["tid"])
+        for each in events
+        if each["name"] == "thread_name" and each["args"]["name"] == "CrRendererMain"
+    }
+    tasks: list[float] = [
+        each["tdur"] / 1e3
+        for each in events
+        if (each["pid"], each["tid"]) in main
+        and each["name"].endswith("RunTask")
+        and "tdur" in each
+    ]
+    assert len(tasks) > 20
+    return max(tasks)
+
+
+def test_a_drag_never_holds_the_page(browser: Browser, address: str) -> None:
+    """Of 29 x 30: the longest task took 15 to 50 ms of a busy, slow processor."""
+    with opened(browser, address, width=1024, height=600) as page:
+        page.evaluate(LARGE)
+        drawn(page)
+        page.evaluate(SIZES_ASKED)
+        browser.start_tracing(page=page, categories=["-*", "toplevel"])
+        page.evaluate(STEPS, 6)
+        wait_until(page, "window.__dragged")
+        assert longest_task(browser.stop_tracing()) < 100
+        # Once and again: for every vertex of the pattern it was 7,000 times a shell, each of which
+        # may make the page lay itself out.
+        assert page.evaluate("window.__asked.times") < 6 * 100

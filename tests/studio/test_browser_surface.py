@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from samples import thorough
 from studio_pages import choose, drag, drawn, settle, type_into
 from surface_files import obj
-from viewer_pages import pixels, wait_until
+from viewer_pages import keep_picture, pixels, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -31,11 +32,15 @@ def aim(page: Page, at: str) -> None:
 
 
 def at_a_surface(page: Page) -> None:
+    begin(page)
+    page.evaluate(FEW)
+    settle(page)
+
+
+def begin(page: Page) -> None:
     choose(page, "parallel-repeating")
     aim(page, "surface")
     page.locator("label:has([data-testid=family-flat-foldable])").click()
-    page.evaluate(FEW)
-    settle(page)
 
 
 def test_from_a_formula_to_the_fitted_shell(page: Page) -> None:
@@ -67,6 +72,16 @@ def test_from_a_formula_to_the_fitted_shell(page: Page) -> None:
     assert state(page, "report.value.family") == "parallel-repeating"
     assert "surface" not in state(page, "design.value.target")
     settle(page)
+
+
+@thorough
+def test_picture_of_a_fitted_shell(page: Page) -> None:
+    begin(page)
+    page.evaluate("window.__orishell.store.set({ 'pattern.rows': 8, 'pattern.columns': 8 }, 'few')")
+    settle(page)
+    assert state(page, "freshness.value") == "current"
+    keep_picture(page, "studio-surface")
+    assert np.ptp(pixels(page, ".scene canvas")) > 0.3
 
 
 def test_a_fit_can_be_stopped_and_begun_again(page: Page) -> None:

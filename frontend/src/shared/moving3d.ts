@@ -28,8 +28,8 @@ export class Ties3D implements Guest {
   private shown = true;
 
   constructor(uniforms: Uniforms) {
-    this.taut = new Lines3D(uniforms, { width: 2.4, through: 0.45 });
-    this.slack = new Lines3D(uniforms, { width: 1.6, through: 0.35 });
+    this.taut = new Lines3D(uniforms, { width: 2.4 });
+    this.slack = new Lines3D(uniforms, { width: 1.6 });
   }
 
   get drawn() {
@@ -122,7 +122,7 @@ export class Feet3D implements Guest {
   private sides: [number, number][] = [];
 
   constructor(uniforms: Uniforms) {
-    this.feet = new Dots3D(uniforms, { width: 7, through: 0.3 });
+    this.feet = new Dots3D(uniforms, { width: 7 });
     this.flaps = new Lines3D(uniforms, { width: 2 });
   }
 

@@ -47,11 +47,11 @@ export class Pace {
         this.run = 0;
         this.mean = 0;
       }
-      this.use(this.moving);
     } else {
       this.run = 0;
       this.mean = 0;
     }
+    this.use(this.moving);
     clearTimeout(this.timer);
     if (this.applied !== FINEST) this.timer = window.setTimeout(this.settle, 250);
   }

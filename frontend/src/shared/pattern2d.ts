@@ -50,6 +50,9 @@ export class Pattern2D {
   private x = 0;
   private y = 0;
   private zoom = 1;
+  /** Size of the picture (pixels of the style sheet): asking the page for it makes it lay itself out. */
+  private width = 0;
+  private height = 0;
 
   constructor(private readonly container: HTMLElement, options: { label?: string } = {}) {
     container.classList.add("orishell-pattern");
@@ -115,7 +118,7 @@ export class Pattern2D {
   }
 
   fit(): void {
-    const { clientWidth: width, clientHeight: height } = this.container;
+    const { width, height } = this;
     this.whole = true;
     this.x = this.box.x + this.box.width / 2;
     this.y = this.box.y + this.box.height / 2;
@@ -141,9 +144,9 @@ export class Pattern2D {
   }
 
   /** Zoom about a point of the picture; about its middle if none is given. */
-  private zoomBy(factor: number, x = this.container.clientWidth / 2, y = this.container.clientHeight / 2): void {
+  private zoomBy(factor: number, x = this.width / 2, y = this.height / 2): void {
     const [u, v] = this.sheetPoint(x, y);
-    const all = Math.min(this.container.clientWidth / this.box.width, this.container.clientHeight / this.box.height);
+    const all = Math.min(this.width / this.box.width, this.height / this.box.height);
     const zoom = within(this.zoom * factor, 0.4 * all, 400 * all);
     const share = this.zoom / zoom;
     this.whole = false;
@@ -155,16 +158,18 @@ export class Pattern2D {
 
   private sheetPoint(x: number, y: number): [number, number] {
     return [
-      this.x + (x - this.container.clientWidth / 2) / this.zoom,
-      this.y - (y - this.container.clientHeight / 2) / this.zoom,
+      this.x + (x - this.width / 2) / this.zoom,
+      this.y - (y - this.height / 2) / this.zoom,
     ];
   }
 
   private resize(): void {
     const ratio = Math.min(2, window.devicePixelRatio || 1);
+    this.width = this.container.clientWidth;
+    this.height = this.container.clientHeight;
     for (const canvas of [this.base, this.top]) {
-      canvas.width = Math.max(1, Math.round(this.container.clientWidth * ratio));
-      canvas.height = Math.max(1, Math.round(this.container.clientHeight * ratio));
+      canvas.width = Math.max(1, Math.round(this.width * ratio));
+      canvas.height = Math.max(1, Math.round(this.height * ratio));
     }
     if (this.whole) this.fit();
     cancelAnimationFrame(this.request);
@@ -190,7 +195,7 @@ export class Pattern2D {
     const { flat, edges, assignment } = view;
     const thin = within((this.apart * this.zoom) / 14, 0.25, 1);
     const [west, north] = this.sheetPoint(0, 0);
-    const [east, south] = this.sheetPoint(this.container.clientWidth, this.container.clientHeight);
+    const [east, south] = this.sheetPoint(this.width, this.height);
     pen.beginPath();
     for (const rim of this.rims) this.trace(pen, view.flat, rim);
     pen.fillStyle = theme.text("--panel-front");
@@ -264,17 +269,17 @@ export class Pattern2D {
   private readonly at = (x: number, y: number): [number, number] => [this.px(x), this.py(y)];
 
   private px(x: number): number {
-    return (x - this.x) * this.zoom + this.container.clientWidth / 2;
+    return (x - this.x) * this.zoom + this.width / 2;
   }
 
   private py(y: number): number {
-    return (this.y - y) * this.zoom + this.container.clientHeight / 2;
+    return (this.y - y) * this.zoom + this.height / 2;
   }
 
   private pen(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
     const pen = canvas.getContext("2d");
     if (!pen) return null;
-    const ratio = canvas.width / Math.max(1, this.container.clientWidth);
+    const ratio = canvas.width / Math.max(1, this.width);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, canvas.width, canvas.height);
     return pen;

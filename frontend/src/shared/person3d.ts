@@ -95,10 +95,9 @@ export class Person3D implements Guest {
   }
 
   get reach(): Float32Array {
-    const { x, y, z } = this.beside;
-    if (!this.on || !this.fits || this.room) return new Float32Array();
-    const half = HALF * this.tall.value;
-    return Float32Array.from(x.flatMap((each, k) => [-half, half].flatMap((side) => [each + side, y[k]!, z[k]!, each + side, y[k]!, z[k]! + this.tall.value])));
+    if (!this.figure.visible) return new Float32Array();
+    const { x, y, z } = this.foot.value, half = HALF * this.tall.value;
+    return Float32Array.from([-half, half].flatMap((side) => [x + side, y, z, x + side, y, z + this.tall.value]));
   }
 
   /** Inside only while the shell stands: on the way panels would cut through it. */

@@ -29,6 +29,8 @@ export type { Colouring, Overlay };
 /** Drives nearer than this are the same (degrees), and so are shares. */
 const SAME = 1e-4;
 const SAME_SHARE = 1e-6;
+/** Of more panels every k-th is asked how far the shell reaches. */
+const ASKED = 5000;
 
 /** From where one looks: the way from what is looked at to the camera, and how far that was moved
  * from the middle of what was last fitted. */
@@ -100,7 +102,7 @@ export class Shell3D {
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
-    canvas.setAttribute("aria-label", `${options.label ?? "Shell in space"}. Arrow keys turn it, plus and minus zoom, 0 shows all.`);
+    canvas.setAttribute("aria-label", `${options.label ?? "Shell in space"}. Arrow keys turn it, plus and minus zoom, 0 fits it into view.`);
     container.append(canvas);
     this.legend = overlay(container, "orishell-legend");
     this.scale = overlay(container, "orishell-scale");
@@ -125,7 +127,7 @@ export class Shell3D {
     this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
 
     this.pointing = new Pointing(canvas, this.invalidate, () => this.hover(null));
-    canvas.addEventListener("dblclick", () => this.fitState());
+    canvas.addEventListener("dblclick", () => this.fit());
     canvas.addEventListener("keydown", this.onKey);
     canvas.addEventListener("webglcontextrestored", this.onRestored);
     document.addEventListener("themechange", this.onTheme);
@@ -331,22 +333,22 @@ export class Shell3D {
     this.invalidate();
   }
 
-  /** Show the whole motion, from where one looks, or from a good direction. */
+  /** Show the state drawn, from where one looks, or from a good direction; and those to which it is
+   * folded, until one comes nearer or goes elsewhere. */
   fit(turn = false): void {
     if (!this.view) return;
-    this.aim(this.seenPoints(), turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm());
+    const direction = turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm();
+    this.middle.copy(placeCamera(this.camera, this.seenPoints(), direction));
+    this.controls.target.copy(this.middle);
     this.fitted = this.container.clientWidth > 0;
     this.following.fitted(this.extent!);
+    this.limitDistance();
+    this.invalidate();
   }
 
   /** Bring all into view again, unless one has come nearer or gone elsewhere. */
   refit(): void {
     if (this.fitted && this.following.turnedOnly) this.fit();
-  }
-
-  /** Show the state drawn. */
-  fitState(): void {
-    if (this.view) this.aim([this.drawnPoints(), ...(this.atTarget ? this.clipped.points : [])], this.arm());
   }
 
   maxPanelStrain(): number {
@@ -376,30 +378,24 @@ export class Shell3D {
     return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
   }
 
-  /** What is to be in view: the shell in all its states, and who stands beside it. */
+  /** What is to be in view: the state drawn, and what stands beside it. */
   private seenPoints(): Float32Array[] {
-    return [...this.allPoints(), ...this.guests.flatMap(({ reach }) => reach ?? [])];
+    const drawn = this.drawnPoints();
+    return [drawn, ...(this.atTarget ? this.clipped.points : []), ...this.guests.flatMap(({ reach }) => reach ?? [])];
   }
 
+  /** Corners of the panels as they are drawn; of many panels, of every k-th. */
   private drawnPoints(): Float32Array {
+    this.pose();
     const motion = this.sheet.motion!;
-    motion.setFold(this.share);
-    const points = new Float32Array(12 * motion.panels);
-    for (let panel = 0; panel < motion.panels; panel++) {
-      motion.place(panel, points.subarray(12 * panel, 12 * panel + 12));
-    }
+    const every = Math.ceil(motion.panels / ASKED) || 1, count = Math.ceil(motion.panels / every);
+    const points = new Float32Array(12 * count);
+    for (let k = 0; k < count; k++) motion.place(k * every, points.subarray(12 * k, 12 * k + 12));
     return points;
   }
 
   private arm(): Vector3 {
     return this.camera.position.clone().sub(this.controls.target);
-  }
-
-  private aim(points: Float32Array[], direction: Vector3): void {
-    this.middle.copy(placeCamera(this.camera, points, direction));
-    this.controls.target.copy(this.middle);
-    this.limitDistance();
-    this.invalidate();
   }
 
   private limitDistance(): void {
@@ -489,7 +485,10 @@ export class Shell3D {
     if (!this.view) return;
     const { renderer, camera } = this;
     this.pose();
-    if (!this.sent) this.sheet.upload();
+    if (!this.sent) {
+      this.sheet.upload();
+      this.refit();
+    }
     this.sent = true;
     if (!this.shaded && this.quality.taps) {
       this.sun.draw(renderer);

@@ -57,9 +57,10 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const stage = new Stage(store, banner.element);
   const results = new Results(store);
   const live = new Live(store, async () => {
+    // The shell first; pattern and figures follow when its frame has been handed over.
     stage.draw();
-    results.draw();
     await painted();
+    results.draw();
   });
   const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
@@ -95,6 +96,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     save: () => void files.save(),
     help: () => help.list(),
     play: () => stage.fold.toggle(),
+    fit: () => stage.shell.fit(),
   });
   root.replaceChildren(
     skipLinks(),

@@ -6,7 +6,7 @@ grid, their vertices too, and they have places beside it, over which acceleratio
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -17,6 +17,9 @@ from orishell.motion.grid import UNFOLDED, Grid
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Booleans, Integers
+
+KEPT = 4
+"""Layouts and points that are kept: several ask for those of the last sheets."""
 
 
 @record
@@ -49,6 +52,7 @@ class Layout:
         return cls.of_grid(mechanism.grid, mechanism.flap_columns)
 
     @classmethod
+    @lru_cache(KEPT)
     def of_grid(cls, grid: Grid, flap_columns: tuple[int, ...] = ()) -> Layout:
         """That of a grid whose columns of panels with these numbers are flaps."""
         names = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
@@ -79,6 +83,11 @@ class Layout:
         known = np.concatenate([listed, np.sort(folding, axis=1) @ [count, 1]])
         rest = np.stack(np.divmod(np.setdiff1d(keys, known), count), axis=-1)
         return np.concatenate([whole[kept], folding, rest]), kept
+
+    @cached_property
+    def mesh(self) -> QuadMesh:
+        """All its panels and edges."""
+        return build_mesh(self.faces, int(self.faces.max()) + 1, self.edges[0], loops=self.loops)
 
     @cached_property
     def folding_sides(self) -> tuple[Integers, Integers]:
@@ -124,7 +133,23 @@ class LaidOut(Protocol):
 
 
 def points_of(mechanism: Mechanism, drive: ArrayLike) -> Array:
-    """Positions (..., V, 3) of all vertices of a mechanism at drives (...)."""
+    """Positions (..., V, 3) of all vertices of a mechanism at drives (...).
+
+    Those of the flat sheet and of the target, which many ask for, are shared and read-only.
+    """
+    if isinstance(drive, float) and drive in {0.0, mechanism.target_drive}:
+        return _kept_points(mechanism, drive)
+    return _points(mechanism, drive)
+
+
+@lru_cache(KEPT)
+def _kept_points(mechanism: Mechanism, drive: float) -> Array:
+    points = _points(mechanism, drive)
+    points.flags.writeable = False
+    return points
+
+
+def _points(mechanism: Mechanism, drive: ArrayLike) -> Array:
     if isinstance(mechanism, LaidOut):
         return mechanism.points(drive)
     positions = mechanism.positions(drive)
@@ -133,10 +158,7 @@ def points_of(mechanism: Mechanism, drive: ArrayLike) -> Array:
 
 def mesh_of(mechanism: Mechanism) -> QuadMesh:
     """All panels and edges of a mechanism."""
-    layout = Layout.of(mechanism)
-    edges, _ = layout.edges
-    count = int(layout.faces.max()) + 1
-    return build_mesh(layout.faces, count, edges, loops=layout.loops)
+    return Layout.of(mechanism).mesh
 
 
 def edge_folds(mechanism: Mechanism, drive: float) -> Array:

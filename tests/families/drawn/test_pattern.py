@@ -121,7 +121,7 @@ def require_nearest(name: str, seed: int) -> None:
     """It folds, conditions for the nearest hold, and it is no farther than where the jitter began.
 
     The sheet without its jitter folds, so that the nearest one moves by no more, all in all. The
-    largest coordinate may: by 1.5 times the jitter in the worst of 400 sheets.
+    largest coordinate may: by 1.5 times the jitter in the worst of 68 sheets.
     """
     flat, jitter, signs = jittered_sheet(name, seed)
     found = near(flat, signs)

@@ -20,6 +20,7 @@ const KEYS: [string, string][] = [
   ["Alt while dragging a point", "it is not caught by the grid, axes and mirror images"],
   ["Wheel, drag, + and −", "zoom and pan a curve, the pattern, the shell"],
   ["0 or Home in a drawing", "fit into view"],
+  ["F, or double click on the shell", "fit it into view, and follow it as it folds"],
   ["Drop a file", "a design file (TOML) opens; a drawing (CSV, SVG, DXF) becomes f or g; a crease pattern (FOLD, SVG, DXF) a design"],
 ];
 

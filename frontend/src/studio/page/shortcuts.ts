@@ -7,6 +7,7 @@ export interface Shortcuts {
   save(): void;
   help(): void;
   play(): void;
+  fit(): void;
 }
 
 export function listenForShortcuts(act: Shortcuts): void {
@@ -27,6 +28,7 @@ export function listenForShortcuts(act: Shortcuts): void {
     }
     if (event.altKey || target.closest("input, select, textarea, dialog[open], [popover]")) return;
     if (key === "?") act.help();
+    else if (key === "f") act.fit();
     else if (key === " " && !target.closest("button, summary, [role=button]")) act.play();
     else return;
     event.preventDefault();

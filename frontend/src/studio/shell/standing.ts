@@ -50,12 +50,14 @@ export class Standing {
       standing.checked = on;
       person.setVisible(on);
       redraw();
+      shell.refit();
     });
     const place = (view: View, room: Headroom | null): void => {
-      if (person.place(room)) shell.refit();
+      const elsewhere = person.place(room);
       personSwitch.hidden = !Person3D.suits(view);
       tiesSwitch.hidden = !tiesOf(view).length;
       redraw();
+      if (elsewhere) shell.refit();
     };
     const follow = (): void => {
       const view = store.view.value;

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Annotated, Final
 
 import numpy as np
@@ -14,6 +13,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, Path, Sliding, Surface, warn_of_no_lock
+from orishell.families.orthodiagonal.flaps import choose_flaps
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,
     SideChoice,
@@ -21,18 +21,15 @@ from orishell.families.orthodiagonal.headings import (
 )
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import (
-    End,
+    EndPlanes,
     approach,
     require_zigzags,
     tilted,
-    trim_ends,
 )
 from orishell.families.orthodiagonal.refusal import refuse
 from orishell.families.orthodiagonal.row import (
     Row,
     RowKind,
-    cut_flaps,
-    depth_below_feet,
     require_one_kind,
 )
 from orishell.families.pattern import (
@@ -47,7 +44,7 @@ from orishell.families.pattern import (
 from orishell.families.shared.candidates import smaller
 from orishell.families.shared.sheets import middle_vertex, upright
 from orishell.motion import require_resolution
-from orishell.numerics.arrays import Array, Complex
+from orishell.numerics.arrays import Array
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -64,10 +61,6 @@ RowAngle = Annotated[Number, in_radians(ROW_ANGLE)]
 ChosenSides = Annotated[Sequence[FlapSide | Auto], Field(min_length=2, max_length=2)]
 """Where the left and the right flap fold to, chosen if "auto"."""
 
-FLAP_SHARE = 0.5
-"""An "auto" flap takes at most this share of the width that there is room for."""
-MUCH_NARROWER = 0.5
-"""Flaps that become narrower by this do not change sides to stay above the feet."""
 LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
 
@@ -163,13 +156,29 @@ def design_orthodiagonal(
     if heading == "auto":
         heading = _choose_heading(demands)
     candidates = [
-        _assemble(f_trace, zigzag, headings, heading, width)
+        (
+            zigzag,
+            headings,
+            choose_flaps(EndPlanes.of(f_trace, zigzag), zigzag, headings, heading, width),
+        )
         for zigzag, headings in zip(zigzags, demands, strict=True)
         if headings.admit(heading)
     ]
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading, refitted=row == "zigzag")
-    zigzag, headings, mechanism, ends = max(candidates, key=lambda each: _footing(*each[2:]))
+    zigzag, headings, flaps = max(candidates, key=lambda each: each[2].footing)
+    mechanism = Orthodiagonal(
+        lengths=zigzag.lengths,
+        angles=zigzag.angles,
+        first=zigzag.first,
+        tilt=0.0 if abs(zigzag.axis) < LEVEL else zigzag.axis,
+        points=headings.points,
+        heading=heading,
+        flaps=(flaps.width, flaps.width),
+        flap_sides=flaps.sides,
+        trims=flaps.trims,
+        kept=flaps.kept,
+    )
     require_resolution(mechanism, smaller(rows, columns))
 
     closeness = {"f": measure_closeness(f_trace, zigzag.vertices), "g": middle.closeness}
@@ -183,7 +192,7 @@ def design_orthodiagonal(
             **describe_heading(heading, zigzag, headings, demands, refitted=row == "zigzag"),
             "flap": mechanism.flaps[0],
             "flap_side": [str(side) for side in mechanism.flap_sides],
-            "ends": [str(end) for end in ends],
+            "ends": [str(end) for end in flaps.ends],
             "tilt_deg": tidy_degrees(mechanism.tilt),
             **middle.parameters,
         },
@@ -219,71 +228,6 @@ def _choose_heading(demands: Sequence[HeadingConditions]) -> float:
     if not len(intervals) or any(headings.admit(right) for headings in demands):
         return right
     return float(intervals[int(np.diff(intervals)[:, 0].argmax())].mean())
-
-
-def _assemble(
-    f: Trace, zigzag: Zigzag, headings: HeadingConditions, heading: float, flap: float | None
-) -> tuple[Zigzag, HeadingConditions, Orthodiagonal, list[End]]:
-    """The mechanism of one zigzag, and the planes in which it ends.
-
-    Where the side to which flaps fold is left open, it is one on which they stay above the feet,
-    unless they would have to be much narrower there.
-    """
-    found: list[tuple[Orthodiagonal, list[End]]] = []
-    for sides in headings.side_choices(heading):
-        room = replace(headings, sides=sides).room(heading)
-        width = float(min(zigzag.lengths.mean(), FLAP_SHARE * room)) if flap is None else flap
-        if found and not (width < room and width >= MUCH_NARROWER * found[0][0].flaps[0]):
-            continue
-        found.append(_with_flaps(f, zigzag, headings.points, heading, width=width, sides=sides))
-        if not depth_below_feet(found[-1][0]):
-            break
-    return zigzag, headings, *min(found, key=lambda each: depth_below_feet(each[0]))
-
-
-def _with_flaps(
-    f: Trace,
-    zigzag: Zigzag,
-    points: Complex,
-    heading: float,
-    *,
-    width: float,
-    sides: tuple[FlapSide, FlapSide],
-) -> tuple[Orthodiagonal, list[End]]:
-    """The mechanism with its ends trimmed, and its flaps cut off there.
-
-    Where flaps cannot be cut, or would reach less far below the feet without a cut, the ends are
-    trimmed so that flaps need none.
-    """
-    tilt = zigzag.axis
-    whole = Orthodiagonal(
-        lengths=zigzag.lengths,
-        angles=zigzag.angles,
-        first=zigzag.first,
-        tilt=0.0 if abs(tilt) < LEVEL else tilt,
-        points=points,
-        heading=heading,
-        flaps=(width, width),
-        flap_sides=sides,
-    )
-    shifts = whole.shifts()
-    ends, trims, planes = trim_ends(f, zigzag, shifts[whole.inner_columns])
-    cut = cut_flaps(replace(whole, trims=trims), planes)
-    if cut is not None and not depth_below_feet(cut):
-        return cut, ends
-    others, trims, _ = trim_ends(f, zigzag, shifts)
-    uncut = replace(whole, trims=trims)
-    return (
-        (uncut, others)
-        if cut is None or depth_below_feet(uncut) < depth_below_feet(cut)
-        else (cut, ends)
-    )
-
-
-def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
-    """A score of how well a shell stands: on level ends, on straight ones, not on its flaps."""
-    value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
-    return sum(value[end] for end in ends) - (1.0 if depth_below_feet(mechanism) else 0.0)
 
 
 def _tilt(g: Trace, mechanism: Orthodiagonal) -> Array:

@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.curves import Trace, curve_from_points, remembered, trace_curve
 from orishell.design import Approached, Path, Sliding, Surface
 from orishell.families.pattern import Auto
@@ -154,55 +155,77 @@ def _candidates(trace: Trace, rows: int, depth: float | None) -> Iterator[Remedy
             return
 
 
-def trim_ends(
-    trace: Trace, zigzag: Zigzag, shifts: Array
-) -> tuple[list[End], tuple[float, float], list[complex | None]]:
-    """The planes in which the locked shell ends, the growth by K of the end edges, and the normals.
+@record
+class Trimmed:
+    """The planes in which a locked shell ends, at both ends of f."""
 
-    At both ends of f the first of these that keeps end edges in :data:`TRIM_RANGE`, whatever K of
-    the columns that are to end there: "level" is the horizontal plane through f's end (f must be
-    steeper there than :data:`STEEP`), "square" the one through it that is perpendicular to f's
-    chord from end to end, "untrimmed" none: the end edges of all columns are as long as those of
-    column 1. Normals of the planes are complex numbers of f's plane.
+    ends: list[End]  # their names
+    trims: tuple[float, float]  # the growth by K of the end edges
+    normals: list[complex | None]  # in complex numbers of f's plane
+
+
+@record
+class EndPlanes:
+    """The planes in which a locked shell may end.
+
+    "level" is the horizontal plane through f's end (f must be steeper there than :data:`STEEP`),
+    "square" the one through it that is perpendicular to f's chord from end to end, "untrimmed"
+    none: the end edges of all columns are as long as those of column 1.
     """
-    edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
-    lengths = np.abs(edges)
-    angles = zigzag.angles
-    turning = -zigzag.first * alternating(len(angles))
-    chord = (trace.points[-1] - trace.points[0]) @ np.array([1, 1j])
-    # a_1 and a_m of the mechanism, over the end edge's direction.
-    cases = (
-        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0]),
-        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], -lengths[-1]),
-    )
-    square: tuple[End, complex] = ("square", complex(chord))
-    level: tuple[End, complex] = ("level", 1j)
-    ends: list[End] = []
-    trims: list[float] = []
-    for slope, case in zip((trace.heading[0], trace.arriving[-1]), cases, strict=True):
-        planes = (level, square) if abs(np.sin(slope)) > np.sin(STEEP) else (square,)
-        end, trim = _trim(*case, shifts, planes)
-        ends.append(end)
-        trims.append(trim)
-    normals = {"level": level[1], "square": square[1], "untrimmed": None}
-    return ends, (trims[0], trims[1]), [normals[end] for end in ends]
 
+    # at both ends of f every plane's name and normal, and the growth by K of the end edges there
+    planes: tuple[list[tuple[End, complex, float]], ...]
+    lengths: tuple[float, float]  # of the end edges of column 1
 
-def _trim(
-    direction: complex,
-    spread: complex,
-    length: float,
-    shifts: Array,
-    planes: Sequence[tuple[End, complex]],
-) -> tuple[End, float]:
-    """The first plane that leaves all end edges' lengths in range, and their growth by K."""
-    sign = np.sign(length)
-    for end, normal in planes:
-        across = (direction * normal.conjugate()).real
-        if across == 0:
-            continue
-        trim = float(sign * (direction * spread * normal.conjugate()).real / across)
-        share = 1 + trim * shifts / abs(length)
-        if TRIM_RANGE[0] <= share.min() and share.max() <= TRIM_RANGE[1]:
-            return end, trim
-    return "untrimmed", 0.0
+    @classmethod
+    def of(cls, trace: Trace, zigzag: Zigzag) -> EndPlanes:
+        """Those of a zigzag of f."""
+        edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
+        lengths = zigzag.lengths
+        angles = zigzag.angles
+        turning = -zigzag.first * alternating(len(angles))
+        chord = complex((trace.points[-1] - trace.points[0]) @ np.array([1, 1j]))
+        # a_1 and a_m of the mechanism, over the end edge's direction.
+        cases = (
+            (trace.heading[0], edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], 1),
+            (
+                trace.arriving[-1],
+                edges[-1] / lengths[-1],
+                np.tan(angles[-1] / 2) - 1j * turning[-1],
+                -1,
+            ),
+        )
+        square: tuple[End, complex] = ("square", chord)
+        level: tuple[End, complex] = ("level", 1j)
+        planes = []
+        for slope, direction, spread, sign in cases:
+            steep = abs(np.sin(slope)) > np.sin(STEEP)
+            planes.append(
+                [
+                    (
+                        end,
+                        normal,
+                        float(sign * (direction * spread * normal.conjugate()).real / across),
+                    )
+                    for end, normal in ((level, square) if steep else (square,))
+                    if (across := (direction * normal.conjugate()).real) != 0
+                ]
+            )
+        return cls(tuple(planes), (float(lengths[0]), float(lengths[-1])))
+
+    def trimmed(self, shifts: Array) -> Trimmed:
+        """The first planes that keep the end edges of columns at these K in :data:`TRIM_RANGE`."""
+        extremes = float(shifts.min()), float(shifts.max())
+        shortest, longest = TRIM_RANGE
+
+        def choose(
+            planes: Sequence[tuple[End, complex, float]], length: float
+        ) -> tuple[End, complex | None, float]:
+            for plane in planes:
+                shares = [1 + plane[2] * shift / length for shift in extremes]
+                if shortest <= min(shares) and max(shares) <= longest:
+                    return plane
+            return "untrimmed", None, 0.0
+
+        first, last = map(choose, self.planes, self.lengths)
+        return Trimmed([first[0], last[0]], (first[2], last[2]), [first[1], last[1]])

@@ -28,6 +28,7 @@ from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.motion.rates import Sheet, bound_edges
 from orishell.families.longitudinal_linear_repeating.motion.rotations import (
     Rotations,
+    multiply_on,
     running_products,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
@@ -182,16 +183,10 @@ class LongitudinalLinearRepeating:
         turn = Rotations.of_vector(
             np.asarray(self.pose.turn) * (drive / self.target_drive)[..., None, None]
         )
-        current = (turn @ anchor.inverse() @ along).normalised()
-        panels[..., middle, :] = current
-        for i in range(middle, rows - 1):
-            current = (current @ over_rows[..., i, :]).normalised()
-            panels[..., i + 1, :] = current
-        current = panels[..., middle, :]
-        for i in range(middle - 1, -1, -1):
-            current = (current @ over_rows[..., i, :].inverse()).normalised()
-            panels[..., i, :] = current
-        return panels
+        panels[..., middle, :] = (turn @ anchor.inverse() @ along).normalised()
+        multiply_on(panels, over_rows, range(middle, rows - 1))
+        multiply_on(panels, over_rows.inverse(), range(middle - 1, -1, -1))
+        return panels.normalised()
 
     def _directions(self) -> Directions:
         return Directions.of(self.columns, self.grid.rows - 2, self.first_row)

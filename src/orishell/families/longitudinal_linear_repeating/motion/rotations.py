@@ -56,8 +56,9 @@ class Rotations:
 
     def normalised(self) -> Rotations:
         """The same rotations as unit quaternions, freed of rounding."""
-        size = np.sqrt(sum(z.real**2 + z.imag**2 for z in (self.a, self.b)))
-        return Rotations(self.a / size, self.b / size)
+        a, b = self.a, self.b
+        share = 1 / np.sqrt(a.real**2 + a.imag**2 + b.real**2 + b.imag**2)
+        return Rotations(a * share, b * share)
 
     def turned(self, planar: Complex) -> Array:
         """Images (..., 3) of planar vectors x + y k."""
@@ -85,3 +86,18 @@ def running_products(steps: Rotations) -> Rotations:
         )
         reach *= 2
     return products
+
+
+def multiply_on(products: Rotations, steps: Rotations, places: range) -> None:
+    """Fill rows of rotations (..., K+1, n) from row to row by steps (..., K, n) between them.
+
+    places: Of the steps, in their order, from the row that is known: upwards or downwards.
+    """
+    conjugate, b_conjugate = steps.a.conj(), steps.b.conj()
+    ahead = int(places.step > 0)
+    for i in places:
+        a, b = products.a[..., i + 1 - ahead, :], products.b[..., i + 1 - ahead, :]
+        np.subtract(
+            a * steps.a[..., i, :], b * b_conjugate[..., i, :], out=products.a[..., i + ahead, :]
+        )
+        np.add(a * steps.b[..., i, :], b * conjugate[..., i, :], out=products.b[..., i + ahead, :])

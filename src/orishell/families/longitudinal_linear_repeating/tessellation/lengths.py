@@ -69,36 +69,37 @@ class PanelFactors:
 
 @record
 class InnerLengths:
-    """Lengths of the inner creases of a sheet."""
+    """Lengths of the inner creases of a sheet, or of several."""
 
-    row: Array  # of the row creases (m, n-1)
-    column: Array  # of the column creases (m-1, n)
+    row: Array  # of the row creases (..., m, n-1)
+    column: Array  # of the column creases (..., m-1, n)
 
     @classmethod
     def marched(cls, directions: Directions, row: Array, column: Array) -> InnerLengths:
-        """The lengths that those of the middle row (n-1,) and of column 1 (m-1,) determine.
+        """The lengths that those of middle rows (..., n-1) and of columns 1 (..., m-1) determine.
 
         Not all are positive where no such sheet exists.
         """
         factors = PanelFactors.of(directions)
         m, n = directions.row.shape[0], directions.column.shape[1]
-        rows, columns = np.empty((m, n - 1)), np.empty((m - 1, n))
+        rows, columns = np.empty((*row.shape[:-1], m, n - 1)), np.empty((*row.shape[:-1], m - 1, n))
         middle = m // 2
-        rows[middle], columns[:, 0] = row, column
+        rows[..., middle, :], columns[..., 0] = row, column
         for i in range(middle, m - 1):
-            columns[i] = _across(factors.right_left[i], factors.right_top[i] * rows[i], column[i])
-            rows[i + 1] = factors.bottom_top[i] * rows[i] + factors.bottom_left[i] * columns[i, :-1]
+            gain = factors.right_top[i] * rows[..., i, :]
+            columns[..., i, :] = left = _across(factors.right_left[i], gain, column[..., i, None])
+            rows[..., i + 1, :] = (
+                factors.bottom_top[i] * rows[..., i, :] + factors.bottom_left[i] * left[..., :-1]
+            )
         for i in range(middle - 1, -1, -1):
             # The same closing, solved for the top: bottom and left are known.
             share = factors.right_top[i] / factors.bottom_top[i]
-            columns[i] = _across(
-                factors.right_left[i] - share * factors.bottom_left[i],
-                share * rows[i + 1],
-                column[i],
+            below = rows[..., i + 1, :]
+            factor = factors.right_left[i] - share * factors.bottom_left[i]
+            columns[..., i, :] = left = _across(factor, share * below, column[..., i, None])
+            rows[..., i, :] = (below - factors.bottom_left[i] * left[..., :-1]) / (
+                factors.bottom_top[i]
             )
-            rows[i] = (rows[i + 1] - factors.bottom_left[i] * columns[i, :-1]) / factors.bottom_top[
-                i
-            ]
         return cls(rows, columns)
 
     @property
@@ -117,13 +118,16 @@ class InnerLengths:
         return InnerLengths(self.row * factor, self.column * factor)
 
 
-def _across(factor: Array, gain: Array, first: float) -> Array:
-    """The sequence (K+1,) of x_0 = first and x_{j+1} = factor_j x_j + gain_j.
+def _across(factor: Array, gain: Array, first: Array) -> Array:
+    """The sequences (..., K+1) of x_0 = first (..., 1) and x_{j+1} = factor_j x_j + gain_j.
 
     The products of the factors stay bounded, because column directions return every period.
     """
     product = np.concatenate([[1.0], np.cumprod(factor)])
-    return product * (first + np.concatenate([[0.0], np.cumsum(gain / product[1:])]))
+    found = np.empty((*gain.shape[:-1], len(product)))
+    found[..., :1] = first
+    found[..., 1:] = first + np.cumsum(gain / product[1:], axis=-1)
+    return product * found
 
 
 def end_limits(directions: Directions, rows: Array, bottom: bool) -> Array:
