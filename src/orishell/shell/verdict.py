@@ -162,12 +162,15 @@ def _packs(report: Report) -> Iterator[Row]:
     if packed is None:
         yield Row("warns", "packs", "not known: its pack was not measured")
         return
-    box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
+    # Of panels without thickness a flat pack has no height: its layers count.
+    flat = packed.height < SLIM * packed.length
+    sides = [plain(packed.length), plain(packed.width)]
+    box = f"{' x '.join(sides if flat else [*sides, plain(packed.height, 2)])} {unit}"
     if deployment.pieces:
         volume = sum(each.box.volume for each in deployment.pieces)
         total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
         box = f"{total}, the largest {box}"
-    deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
+    deep = f", {packed.layers} panels deep" if flat else ""
     sign: Sign = "says" if report.feasible is None else "holds"
     yield Row(sign, "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
 
