@@ -12,6 +12,7 @@ from orishell.conventions.version import __version__
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_ext"))
+from looks import variables  # noqa: E402
 
 project = "orishell"
 author = "The orishell authors"
@@ -26,6 +27,7 @@ extensions = [
     "sphinx.ext.doctest",  # what it shows is run by pytest
     "sphinx.ext.viewcode",
     "architecture",
+    "gallery_pages",
     "lean_pictures",
     "live_shells",
     "mathml",
@@ -40,6 +42,7 @@ suppress_warnings = ["config.cache"]  # the gallery's configuration holds functi
 GALLERY = HERE.parent / "examples" / "gallery"
 if any(GALLERY.glob("plot_*.py")):
     from live_shells import keep_shells
+    from plots import set_looks
 
     extensions.append("sphinx_gallery.gen_gallery")
     sphinx_gallery_conf = {
@@ -51,7 +54,7 @@ if any(GALLERY.glob("plot_*.py")):
         "abort_on_example_error": False,
         "capture_repr": (),  # "object at 0x7f..." says nothing, and another thing every time
         "image_scrapers": ("matplotlib", keep_shells),
-        "reset_modules": ("matplotlib",),
+        "reset_modules": ("matplotlib", set_looks),
         "write_computation_times": False,
         "show_memory": False,
         "show_signature": False,
@@ -132,6 +135,7 @@ html_title = "orishell"
 html_favicon = "_static/icon.svg"
 html_static_path = ["_static"]
 html_css_files = ["orishell.css"]
+html_permalinks_icon = "#"
 html_math_renderer = "mathml"
 html_show_sphinx = False
 html_show_copyright = False
@@ -139,14 +143,11 @@ html_copy_source = False
 html_last_updated_fmt = None
 pygments_style = "tango"
 pygments_dark_style = "native"
+light, dark = variables()
 html_theme_options = {
     "navigation_with_keys": True,
-    "light_css_variables": {
-        "color-brand-primary": "#1f4e79",
-        "color-brand-content": "#1f4e79",
-    },
-    "dark_css_variables": {
-        "color-brand-primary": "#8fb8de",
-        "color-brand-content": "#8fb8de",
-    },
+    "light_logo": "icon.svg",
+    "dark_logo": "icon.svg",
+    "light_css_variables": light,
+    "dark_css_variables": dark,
 }

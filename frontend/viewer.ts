@@ -1,9 +1,10 @@
-// Opens the view that lies in the page; in a notebook, anywidget calls `render`.
+// Opens what lies in the page, a view or variants; in a notebook, anywidget calls `render`.
 
-import { openPage } from "./src/viewer/page.ts";
+import { openPage, openVariants } from "./src/viewer/page.ts";
 import { render } from "./src/viewer/widget.ts";
 
-const data = document.getElementById("orishell-view");
-if (data) Object.assign(window, { orishell: openPage(data) });
+const view = document.getElementById("orishell-view"), variants = document.getElementById("orishell-variants");
+if (view) Object.assign(window, { orishell: openPage(view) });
+if (variants) void openVariants(variants).then((orishell) => Object.assign(window, { orishell }));
 
 export default { render };

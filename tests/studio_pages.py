@@ -38,9 +38,10 @@ TOUCHING = """() => {
 def opened(
     browser: Browser, address: str, *, width: int = 1280, height: int = 720, **options: Any
 ) -> Iterator[Page]:
-    """The studio's page; at the end it must have printed no error and asked no other machine.
+    """The studio's page, its first shell drawn; the proof of that goes on.
 
-    Its address is the one that the studio prints, with its key.
+    At the end it must have printed no error and asked no other machine. Its address is the one that
+    the studio prints, with its key.
     """
     place = address.partition("?")[0]
     said: list[str] = []
@@ -56,7 +57,7 @@ def opened(
         page.on("request", lambda request: asked.append(request.url))
         page.on("console", hear)
         page.goto(address)
-        wait_until(page, IDLE)
+        wait_until(page, f"window.__orishell !== undefined && {READ} && {DRAWN}")
         yield page
     assert said == []
     assert [url for url in asked if not url.startswith((place, "blob:", "data:"))] == []
@@ -76,7 +77,8 @@ def drawn(page: Page) -> None:
 
 
 def choose(page: Page, family: str) -> None:
-    page.get_by_test_id("example-select").select_option(family)
+    page.get_by_test_id("examples").click()
+    page.get_by_test_id(f"example-{family}").click()
     drawn(page)
     assert page.evaluate("window.__orishell.report.family") == family
 

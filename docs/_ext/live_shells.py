@@ -1,15 +1,17 @@
 """Shells that a reader of the site turns and folds: the directive ``live`` and its pages.
 
 ``.. live:: canopy`` shows a picture of ``examples/canopy.toml``'s shell; a click puts the viewer in
-its place, from ``live/canopy.html``. Every shell has such a page. All share one program, so that
-they hold hardly more than the shell's view.
+its place, from ``live/canopy.html``. Every shell has such a page; where the design file asks for a
+grid of variants it has sliders for them. All share one program, so that they hold hardly more than
+the shells' views. ``.. cards::`` shows pictures that lead to other pages. The pictures are those of
+docs/posters, which ``tests/posters.py`` takes of the viewer.
 """
 
 from __future__ import annotations
 
 import base64
 import re
-import sys
+import shutil
 from dataclasses import fields
 from html import escape
 from pathlib import Path
@@ -20,9 +22,19 @@ from docutils.parsers.rst import directives
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
+from orishell.conventions.toml_file import read_toml
 from orishell.design_file import DesignFile, read_design_file
 from orishell.io.formats.html import read_viewer, viewer_is_built
 from orishell.io.view import dump_view
+from orishell.search import (
+    Problem,
+    SearchResult,
+    alone,
+    journal_in_memory,
+    read_problem,
+    search_designs,
+)
+from orishell.search.variants import variants_data
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.pictures import lay_surface
 
@@ -40,16 +52,13 @@ FOLDER = "live"
 """Where they stand in the site."""
 NOT_BUILT = "the site folds its shells in the viewer, which has not been built: make pages"
 
-POSTER = (11.0, 6.875)
-"""Size of a picture (inches), as wide to high as its place on a page."""
-DPI, QUALITY = 100, 82
-TURN, HEIGHT = -0.52, 0.5
-"""From where the viewer looks first: about the longer side of the plan, and up (radians)."""
-DRAWN = 0.995
-"""Share of the drive at the target that is drawn: at 1 flaps lie in one plane with panels."""
+POSTERS = HERE.parent / "posters"
+"""Their pictures, for light pages and for dark ones."""
 
 _made: dict[str, Shell] = {}
 """Whole shells that the gallery's scripts made, by the names of their design files."""
+_found: dict[str, tuple[Problem, SearchResult]] = {}
+"""What they found of grids of variants."""
 
 
 class Live(SphinxDirective):
@@ -69,7 +78,11 @@ class Live(SphinxDirective):
             "place": escape(place),
             "name": escape(name.replace("_", " ")),
             "when": "at-once" if "at-once" in self.options else "asked",
+            "what": "Turn and fold it",
+            "kind": "",
         }
+        if asks_for_variants(EXAMPLES / f"{name}.toml"):
+            words |= {"what": "Move its sliders", "kind": " live-variants"}
         caption = self.parse_content_to_nodes() if self.content else []
         head, tail = (PARTS / "figure.html").read_text("utf-8").split("{caption}")
         return [
@@ -79,11 +92,34 @@ class Live(SphinxDirective):
         ]
 
 
+class Cards(SphinxDirective):
+    """Pictures that lead to pages, a line for each: page | shell | title | words."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """Make the page's part."""
+        up = "../" * self.env.docname.count("/")
+        card = (PARTS / "card.html").read_text("utf-8")
+        cards = []
+        for line in self.content:
+            page, name, title, words = (escape(part.strip()) for part in line.split("|"))
+            cards.append(
+                card.format(
+                    page=f"{up}{page}.html", place=f"{up}{FOLDER}/{name}", title=title, words=words
+                )
+            )
+        return [nodes.raw("", f'<ul class="cards">{"".join(cards)}</ul>', format="html")]
+
+
 def keep_shells(_block: object, block_vars: dict[str, Any], _conf: object) -> str:
     """Keep what a script of the gallery made of a design file, so that it is made once."""
     for thing in block_vars["example_globals"].values():
         if isinstance(thing, Shell) and _is_whole(thing):
             _made[thing.file.path.stem] = thing
+        if isinstance(thing, SearchResult):
+            problem = block_vars["example_globals"]["problem"]
+            _found[problem.path.stem] = problem, thing
     return ""
 
 
@@ -104,17 +140,18 @@ def require_viewer(app: Sphinx) -> None:
 
 
 def write_pages(app: Sphinx, fault: Exception | None) -> None:
-    """Write the page and the picture of every example, and the program that the pages share."""
+    """Write the page of every example with its pictures, and the program that the pages share."""
     if fault or app.builder.format != "html":
         return
     place = Path(app.outdir) / FOLDER
     place.mkdir(exist_ok=True)
     (place / "viewer.js").write_text(shared_program(read_viewer()), encoding="utf-8", newline="\n")
     (place / "page.css").write_bytes((PARTS / "page.css").read_bytes())
+    for picture in POSTERS.glob("*.webp"):
+        shutil.copy(picture, place)
     for path in sorted(EXAMPLES.glob("*.toml")):
-        shell = _made.get(path.stem) or make_shell(read_design_file(path))
-        (place / f"{path.stem}.html").write_text(page(shell), encoding="utf-8", newline="\n")
-        draw_poster(place / f"{path.stem}.webp", shell)
+        text = variants_page(path) if asks_for_variants(path) else page(path)
+        (place / f"{path.stem}.html").write_text(text, encoding="utf-8", newline="\n")
 
 
 def shared_program(viewer: str) -> str:
@@ -132,42 +169,40 @@ def shared_program(viewer: str) -> str:
     return f'(() => {{\n"use strict";\n{body}\n{own}}})();\n'
 
 
-def page(shell: Shell) -> str:
+def page(path: Path) -> str:
     """A page with a shell's view, which draws it with the program beside it."""
+    shell = _made.get(path.stem) or make_shell(read_design_file(path))
     document = lay_surface(shell.document, shell.design)
     view = base64.b64encode(dump_view(document)).decode("ascii")
-    return (PARTS / "page.html").read_text("utf-8").format(title=escape(document.title), view=view)
+    return _written(document.title, "view", "application/octet-stream", view)
 
 
-def draw_poster(path: Path, shell: Shell) -> None:
-    """Draw a shell at its target, about as the viewer shows it first."""
-    import numpy as np
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from PIL import Image
+def asks_for_variants(path: Path) -> bool:
+    """Whether a design file asks for all variants of a grid, to be shown with sliders."""
+    search = read_toml(path).get("search", {})
+    return search.get("method") == "grid"
 
-    sys.path.insert(0, str(EXAMPLES / "gallery"))
-    from drawing import draw_shell
 
-    from orishell.plot.scene import Camera
+def variants_page(path: Path) -> str:
+    """A page with the variants of a design, as ``orishell search --write html`` makes them."""
+    with alone() as pool:
+        if path.stem not in _found:
+            problem = read_problem(path)
+            _found[path.stem] = problem, search_designs(problem, pool, journal_in_memory())
+        data = variants_data(*_found[path.stem], pool)
+    return _written(path.stem, "variants", "application/json", data.replace("<", "\\u003c"))
 
-    sheet = shell.design.mechanism
-    positions = sheet.positions(DRAWN * sheet.target_drive)
-    plan = positions[..., :2].reshape(-1, 2)
-    along = np.linalg.svd(plan - plan.mean(axis=0), full_matrices=False)[2][0]
-    azimuth = float(np.arctan(along[1] / along[0])) - np.pi / 2 + TURN
-    figure = Figure(figsize=POSTER, dpi=DPI)
-    canvas = FigureCanvasAgg(figure)
-    axes = figure.add_axes((0.07, 0.16, 0.86, 0.74))
-    draw_shell(axes, positions, Camera(azimuth, HEIGHT), line=0.7)
-    figure.patch.set_alpha(0.0)
-    canvas.draw()
-    Image.fromarray(np.asarray(canvas.buffer_rgba())).save(path, quality=QUALITY)
+
+def _written(title: str, name: str, kind: str, data: str) -> str:
+    head, tail = (PARTS / "page.html").read_text("utf-8").split("{data}")
+    words = {"title": escape(title), "name": name, "kind": kind}
+    return head.format(**words) + data + tail
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Register the directive, and write its pages when the others are."""
+    """Register the directives, and write the pages of shells when the others are."""
     app.add_directive("live", Live)
+    app.add_directive("cards", Cards)
     app.add_css_file("live.css")
     app.add_js_file("live.js", loading_method="defer")
     app.connect("builder-inited", require_viewer, priority=100)

@@ -44,7 +44,7 @@ same_scale(list(frames.flat))
 figure, axes = plt.subplots(figsize=(6, 3.6), layout="constrained")
 sections = shell.motion.target.positions[:, sheet.inner_columns, 1:]
 for k in range(sections.shape[1]):
-    axes.plot(*sections[:, k].T, ".-", color=str(0.1 + 0.06 * k), linewidth=0.9)
+    axes.plot(*sections[:, k].T, ".-", color="0.5", alpha=1 - 0.06 * k, linewidth=0.9)
 axes.plot(*shell.design.targets["f"][:, 1:].T, color=LIGHT["curve-f"], linewidth=2, label="f")
 axes.set_aspect("equal")
 axes.axis("off")

@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { scaleOf, together } from "../src/front/scales.ts";
-import { difference, written } from "../src/front/words.ts";
+import { scaleOf } from "../src/front/scales.ts";
+import { difference } from "../src/front/words.ts";
+import { written } from "../src/shared/written.ts";
 import { Scale } from "../src/shared/plot.ts";
-import type { Stop } from "../src/shared/stops.ts";
+import { together, type Stop } from "../src/shared/stops.ts";
 
 describe("the plot's axes", () => {
   it("show all of the front and the design to begin with, and of others those near it", () => {

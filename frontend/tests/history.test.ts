@@ -23,6 +23,18 @@ test("undo and redo go through the values and name the steps", () => {
   expect(history.redo()).toBe(false);
 });
 
+test("undo goes back to a value at once, and only to one that there was", () => {
+  history.push(1, "one");
+  history.push(2, "two");
+  expect(history.undoTo(7)).toBe(false);
+  expect(history.value).toBe(2);
+  expect(history.undoTo(0)).toBe(true);
+  expect(history.value).toBe(0);
+  history.redo();
+  history.redo();
+  expect(history.value).toBe(2);
+});
+
 test("a new value after an undo ends what could be redone", () => {
   history.push(1, "one");
   history.undo();

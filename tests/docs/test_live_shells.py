@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
@@ -15,8 +16,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from orishell.io.formats.html import read_viewer
+from posters import NOTED, POSTERS, SIZE, designs, digest
 from viewer_pages import await_frames, pixels, wait_until
 
 if TYPE_CHECKING:
@@ -50,7 +53,7 @@ def test_pages_share_one_program(site: Path) -> None:
     assert len(read_viewer().encode()) - 100 < program < len(read_viewer().encode()) + 5000
     for page in live.glob("*.html"):
         text = page.read_text("utf-8")
-        head, _, rest = text.partition('id="orishell-view">')
+        head, rest = re.split(r'id="orishell-(?:view|variants)">', text)
         view, _, tail = rest.partition("</script>")
         assert len(head) + len(tail) < 2000, page
         assert len(view) > 10_000, page
@@ -84,6 +87,32 @@ def test_the_program_of_all_pages_is_the_viewer_without_exports(
     assert "export" not in program
     with pytest.raises(errors.ExtensionError, match="no module that ends with its exports"):
         live_shells.shared_program("const a = 1;")
+
+
+def test_pictures_are_of_the_designs_as_they_are() -> None:
+    """`python tests/posters.py NAME` takes one anew."""
+    noted = json.loads(NOTED.read_text("utf-8"))
+    assert noted == {name: digest(path) for name, path in designs().items()}
+    for name in noted:
+        for colours in ("light", "dark"):
+            with Image.open(POSTERS / f"{name}-{colours}.webp") as picture:
+                assert picture.size == (SIZE["width"], SIZE["height"])
+    assert sum(path.stat().st_size for path in POSTERS.iterdir()) < 1_300_000
+
+
+def test_code_of_an_example_is_folded_away(site: Path) -> None:
+    text = (site / "gallery" / "plot_canopy.html").read_text("utf-8")
+    blocks = text.count('class="highlight-Python ')
+    assert blocks == text.count('<details class="folded-code">') == text.count("</details>") > 2
+    assert "sphx-glr-thumbcontainer" not in (site / "gallery" / "index.html").read_text("utf-8")
+
+
+def test_the_site_has_the_colours_of_the_studio(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs" / "_ext"))
+    light, dark = import_module("looks").variables()
+    assert light["color-brand-primary"] == light["accent"] != dark["accent"]
+    assert dark["color-brand-primary"] == dark["accent"]
+    assert set(light) == set(dark)
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -120,6 +149,7 @@ def opened(browser: Browser, base: str, path: str, **options: Any) -> Iterator[P
 def shell_of(page: Page) -> Frame:
     """The viewer on a page, once it is there."""
     wait_until(page, "document.querySelector('.live-on') !== null")
+    wait_until(page.frames[1], "window.orishell !== undefined")
     return page.frames[1]
 
 
@@ -155,7 +185,8 @@ def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, sit
     size = {"width": 1280, "height": 720}
     with opened(browser, base, "gallery/plot_canopy.html", viewport=size) as page:
         assert len(page.frames) == 1  # a picture, until the viewer is asked for
-        assert page.locator(".live-poster img").evaluate("image => image.naturalWidth") == 1100
+        poster = page.locator(".live-poster img:visible")
+        assert poster.evaluate("image => image.naturalWidth") == 720
         page.locator(".live-poster").focus()
         page.keyboard.press("Enter")
         frame = shell_of(page)
@@ -165,7 +196,7 @@ def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, sit
             page.evaluate("theme => { document.body.dataset.theme = theme; }", theme)
             wait_until(frame, f"document.documentElement.dataset.theme === '{theme}'")
         page.emulate_media(media="print")
-        assert page.locator(".live img").is_visible()
+        assert poster.is_visible()
         assert not page.locator(".live iframe").is_visible()
 
 
@@ -190,6 +221,10 @@ def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
         swipe(page, -150, 0)
         assert page.evaluate("scrollY") == 0
         assert frame.evaluate(drawn) != stood
+        frame.locator(".variant input").first.focus()
+        page.keyboard.press("End")
+        wait_until(frame, "orishell.idle && orishell.chosen !== orishell.page.first")
+        assert "1.3" in frame.locator(".variant-value").first.inner_text()
         assert page.locator(".ways li").count() == 3
         assert page.locator("article .toctree-wrapper li").count() == 0
 

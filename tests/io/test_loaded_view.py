@@ -103,6 +103,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
             "upper",
             "side",
             "underside",
+            "feet",
         ]
         bare = pixels(page, ".stage canvas")
         pictures = (half, snow, larger, moves, bare)

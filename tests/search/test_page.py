@@ -207,7 +207,7 @@ def test_of_many_members_the_ends_and_the_knee_are_drawn(
     many = tuple(
         replace(member, figures={**member.figures, "panels": float(k)}) for k in range(200)
     )
-    monkeypatch.setattr(pages, "_drawn", lambda _, number, __: (number, b"a view", ""))
+    monkeypatch.setattr(pages, "_drawn", lambda _, number, *__, **___: (number, b"a view", ""))
     with alone() as pool:
         page = written(tmp_path, problem, replace(found, front=Front(many, 101)), pool)
     drawn = [number for number, each in enumerate(page["members"]) if each["view"]]
@@ -250,9 +250,9 @@ def test_a_stop_while_shells_are_drawn_writes_what_there_is_and_is_told(
     monkeypatch.setattr("orishell.search.local_processes", lambda *_: alone())
     drawn = pages._drawn
 
-    def stopping(*job: Any) -> Any:
+    def stopping(*job: Any, **asked: Any) -> Any:
         signal.raise_signal(signal.SIGTERM)
-        return drawn(*job)
+        return drawn(*job, **asked)
 
     def searched() -> tuple[int | str, list[PageMember]]:
         done = orishell("search", tmp_path / "vault.toml", "--out", tmp_path / "out")

@@ -16,6 +16,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
+from orishell.search.variants import VariantsPage
 from orishell.structure.equilibrium import GOVERNING
 from orishell.studio import api, info
 from orishell.studio.refusals import make_refusal
@@ -26,7 +27,7 @@ TYPES = SHARED / "api-types.ts"
 WORDS = SHARED / "api-words.ts"
 HEAD = """\
 // What the server sends and pages have in them, from orishell.studio.api and orishell.studio.info,
-// orishell.io.view and orishell.search.page. Do not edit:
+// orishell.io.view, orishell.search.page and orishell.search.variants. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 """
@@ -39,6 +40,7 @@ WORDS_HEAD = """\
 MESSAGES: tuple[Any, ...] = (
     Header,
     FrontPage,
+    VariantsPage,
     info.Info,
     api.Ranges,
     api.Parsed,

@@ -160,6 +160,7 @@ def test_the_window_lies_within_the_page(browser: Browser, address: str, size: s
         lacking("axe-core is not installed: make node")
     shape = SIZES[size]
     with opened(browser, address, bypass_csp=True, **shape) as page:
+        choose(page, "parallel-repeating")
         page.add_script_tag(path=str(axe))
         page.get_by_test_id("export").click()
         await_sheets(page)

@@ -238,6 +238,7 @@ def test_designs_are_compared(page: Page) -> None:
 @pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_cards_and_tools_lie_apart(browser: Browser, address: str, size: str) -> None:
     with opened(browser, address, **SIZES[size], color_scheme="dark", bypass_csp=True) as page:
+        choose(page, "parallel-repeating")
         page.get_by_test_id("pin").click()
         page.get_by_test_id("past").click()
         x, y = page.evaluate(PANEL)

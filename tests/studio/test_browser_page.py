@@ -23,6 +23,7 @@ STARTS = ["orishell-theme", "orishell.tour"]
 def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> None:
     options: dict[str, Any] = {**SIZES[size], "bypass_csp": True, "color_scheme": "light"}
     with opened(browser, address, **options) as page:
+        choose(page, "parallel-repeating")
         width, height = options["width"], options["height"]
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         scene = _box(page.get_by_test_id("scene"))

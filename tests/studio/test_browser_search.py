@@ -192,6 +192,7 @@ def test_the_section_lies_within_the_page(browser: Browser, address: str, size: 
     if not axe.is_file():
         lacking("axe-core is not installed: make node")
     with opened(browser, address, bypass_csp=True, **SIZES[size]) as page:
+        choose(page, "parallel-repeating")
         page.add_script_tag(path=str(axe))
         ask(page)
         page.get_by_test_id("search-go").click()

@@ -9,7 +9,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from samples import thorough
-from studio_pages import drawn, opened, settle
+from studio_pages import choose, drawn, opened, settle
 from viewer_pages import wait_until
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ DRAG = """() => {
 @thorough
 def test_a_drag_over_a_slow_network(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
+        choose(page, "parallel-repeating")
         page.evaluate(FAR)
         page.evaluate(DRAG)
         wait_until(page, "window.__seen.done")

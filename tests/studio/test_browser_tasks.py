@@ -88,9 +88,11 @@ def draw(page: Page, path: Places) -> None:
     page.get_by_test_id("new").click()
     shares = [k / 30 for k in range(31)]
     stroke(page, "f", [(0.25 + 0.5 * s, 0.8 - 0.5 * math.sin(math.pi * s)) for s in shares])
+    page.get_by_test_id("sketch-finish").click()
     for each in path:
         stroke(page, "g", [each])
     page.keyboard.press("Enter")
+    page.get_by_test_id("sketch-finish").click()
     drawn(page)
 
 

@@ -21,6 +21,9 @@ if (parent !== window) {
     else start = null;
   }, true);
   addEventListener("message", ({ source, data }) => {
-    if (source === parent && (data === "light" || data === "dark")) window.orishell.theme.set(data);
+    if (source !== parent || (data !== "light" && data !== "dark")) return;
+    // A page of variants unpacks its first shell before there is one.
+    const set = () => (window.orishell ? window.orishell.theme.set(data) : setTimeout(set, 50));
+    set();
   });
 }

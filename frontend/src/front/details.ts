@@ -4,7 +4,8 @@ import type { FrontPage } from "../shared/api-types.ts";
 import { length, threeDigits } from "../shared/quantities.ts";
 import type { View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
-import { difference, nameOf, written } from "./words.ts";
+import { written } from "../shared/written.ts";
+import { difference, nameOf } from "./words.ts";
 
 interface Row {
   name: string;

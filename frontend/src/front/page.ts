@@ -1,6 +1,7 @@
 // front.html: the front of a search, the shells of its members, and two of them compared.
 
 import type { FrontPage } from "../shared/api-types.ts";
+import { inflated } from "../shared/packed.ts";
 import { decodeView, type View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
 import { adoptStyles } from "../viewer/styles.ts";
@@ -8,7 +9,6 @@ import { Theme } from "../viewer/theme.ts";
 import { stepsOf, tableOf } from "./details.ts";
 import looks from "./front.css?inline";
 import { keyOf } from "./key.ts";
-import { inflated } from "./packed.ts";
 import { Plot } from "./plot.ts";
 import { Shells, type Shown } from "./shells.ts";
 import { nameOf } from "./words.ts";

@@ -5,7 +5,8 @@ import { Chooser, type Point } from "../shared/chooser.ts";
 import { axisAcross, axisUp, type Scale } from "../shared/plot.ts";
 import { svg } from "../shared/svg.ts";
 import { scaleOf } from "./scales.ts";
-import { nameOf, written } from "./words.ts";
+import { written } from "../shared/written.ts";
+import { nameOf } from "./words.ts";
 
 const LEFT = 58;
 const RIGHT = 16;

@@ -1,12 +1,11 @@
 // The shells of one member, or of two beside each other: one scale, one direction, one fold slider.
 
-import { Shell3D } from "../shared/shell3d.ts";
-import { stopsOf, targetShare } from "../shared/stops.ts";
+import { shareTogether, stopsOf, targetShare } from "../shared/stops.ts";
 import { stateCount, type View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
 import { Player } from "../viewer/player.ts";
+import type { StandingShell } from "../viewer/standing-shell.ts";
 import { drawAs, makeToolbar, plainly, startShell } from "../viewer/toolbar.ts";
-import { shareTogether } from "./scales.ts";
 
 export interface Shown {
   name: string;
@@ -20,7 +19,7 @@ class Stage {
   readonly name = element("figcaption", "frame-name");
   readonly missing = element("p", "missing");
   private readonly stage = element("div", "place");
-  shell: Shell3D | null = null;
+  shell: StandingShell | null = null;
   shown: Shown | null = null;
 
   constructor(mark: string) {
@@ -63,7 +62,7 @@ export class Shells {
   }
 
   /** The shells that are drawn. */
-  get drawn(): Shell3D[] {
+  get drawn(): StandingShell[] {
     return this.active.flatMap(({ shell }) => (shell ? [shell] : []));
   }
 
@@ -130,7 +129,7 @@ export class Shells {
     this.following = false;
   }
 
-  private follow(turned: Shell3D, other: Shell3D | undefined): void {
+  private follow(turned: StandingShell, other: StandingShell | undefined): void {
     if (this.following || !other) return;
     this.following = true;
     other.sight = turned.sight;

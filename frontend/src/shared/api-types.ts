@@ -1,5 +1,5 @@
 // What the server sends and pages have in them, from orishell.studio.api and orishell.studio.info,
-// orishell.io.view and orishell.search.page. Do not edit:
+// orishell.io.view, orishell.search.page and orishell.search.variants. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 /** The share of the work that is done, from 0 to 1, and what the work is. */
@@ -1442,6 +1442,44 @@ export interface Utilisation {
   buckling: number | null;
   /** The largest of these; None if there is none. */
   governs: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling" | null;
+}
+
+/** A key of the design file that has a slider. */
+export interface Variable {
+  /** Its name in words. */
+  label: string;
+  /** Of its values; empty where they have none. */
+  unit: string;
+  /** Those that were tried, in the order of the slider. */
+  values: unknown[];
+  /** Where each lies on the slider, from 0 to 1. */
+  shares: number[];
+}
+
+/** A design that was tried. */
+export interface Variant {
+  /** Number of its value, for each variable. */
+  at: number[];
+  /** Its figures; none if it cannot be made or breaks a limit. */
+  figures: number[];
+  /** The view of its shell, deflated, in base64; null if there is none. */
+  view: string | null;
+  /** Why there is none. */
+  missing: string;
+}
+
+/** What a page of variants shows. */
+export interface VariantsPage {
+  /** The name of the design. */
+  title: string;
+  /** How many designs were tried, and of how many there is a shell. */
+  said: string;
+  variables: Variable[];
+  /** Names of the figures. */
+  figures: string[];
+  variants: Variant[];
+  /** Number of the one that is shown first. */
+  first: number;
 }
 
 /** A shell that has been verified: its report, contact and distances. */

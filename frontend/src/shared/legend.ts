@@ -33,6 +33,9 @@ const MARKS = {
   chosen: ["chosen", "--accent"],
   measured: ["distance", "--text"],
   pinned: ["pinned", "--ghost"],
+  feet: ["feet", "--foot"],
+  flaps: ["flaps", "--flap"],
+  ties: ["ties", "--tie"],
 } as const;
 export type Mark = keyof typeof MARKS;
 

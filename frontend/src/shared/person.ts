@@ -21,6 +21,14 @@ export function heightOfPerson(unit: string): number {
   return HEIGHT / (METRES[unit] ?? 1);
 }
 
+/** Half the width of a person, in its height: over so much room is clear. */
+const SHOULDERS = 0.15;
+
+/** Half the side of the square that a person needs clear, in a unit of length. */
+export function roomOfPerson(unit: string): number {
+  return SHOULDERS * heightOfPerson(unit);
+}
+
 /** From the neck down the right side to between the legs. */
 const SIDE: Point[] = [
   [0.034, 0.868], [0.036, 0.846], [0.07, 0.832], [0.11, 0.82], [0.133, 0.8], [0.145, 0.765],

@@ -76,6 +76,21 @@ export function targetShare(stops: Stop[]): number {
   return stops.find(({ name }) => name === "target")?.share ?? 1;
 }
 
+/** Where another shell is in its motion while the first is at a share of its own: at flat, target and
+ * pack both are together. */
+export function together(first: readonly Stop[], other: readonly Stop[], share: number): number {
+  if (first.map(({ name }) => name).join() !== other.map(({ name }) => name).join()) return share;
+  const k = Math.max(1, first.findIndex((stop, number) => number > 0 && share <= stop.share));
+  const from = first[k - 1], to = first[k];
+  if (!from || !to) return share;
+  const part = shareOf([from.share, to.share], share);
+  return other[k - 1]!.share + part * (other[k]!.share - other[k - 1]!.share);
+}
+
+export function shareTogether(first: View, other: View, share: number): number {
+  return together(stopsOf(first), stopsOf(other), share);
+}
+
 /** From what to what the motion goes, in words. */
 export function wayOf(stops: Stop[]): string {
   const [first, ...others] = stops.map(({ label }) => label.toLowerCase());

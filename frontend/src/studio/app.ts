@@ -6,6 +6,8 @@ import { CurveEditor } from "./curves/curve-editor.ts";
 import { h } from "./parts/dom.ts";
 import { DeploymentControls } from "./design/deployment.ts";
 import { Drop } from "./files/drop.ts";
+import { ExampleCards } from "./files/example-cards.ts";
+import { examplesOf } from "./files/example-list.ts";
 import { ExportMenu } from "./files/export-menu.ts";
 import { Families } from "./design/families.ts";
 import { familyTrials } from "./design/family-trials.ts";
@@ -28,6 +30,7 @@ import { announceTheme } from "./parts/theme.ts";
 import { aimOf } from "./state/aims.ts";
 import { DrawingForm, PATTERNS } from "./surface/drawing-form.ts";
 import { fitBar } from "./surface/fit-bar.ts";
+import { Sketch } from "./curves/sketch.ts";
 import { SurfaceEditor } from "./surface/surface-editor.ts";
 import { keepSurfaceDrawn } from "./surface/keep-drawn.ts";
 import { targetSection } from "./surface/target-section.ts";
@@ -42,10 +45,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     surface.refit();
   });
   const files = new Files(store, { endings: PATTERNS, read: (file) => void drawing.read(file) });
-  const example = (name: string): void => {
-    const found = store.info.examples.find((each) => each.name === name);
-    if (found) void files.take(found.text, found.name);
-  };
+  const examples = new ExampleCards(examplesOf(store.info), ({ text, name }) => void files.take(text, name));
   const banner = new Banner(store, {
     goTo: (key) => parameters.focus(key),
     example: (family) => {
@@ -62,7 +62,9 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     await painted();
     results.draw();
   });
-  const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
+  const [f, g] = (["f", "g"] as const).map((name) => new CurveEditor(store, name, () => sketch.begin([name]))) as [CurveEditor, CurveEditor];
+  const editors = [f, g];
+  const sketch = new Sketch(store, { f, g });
   store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
@@ -71,22 +73,27 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
-    blank: () => store.open(blankDesign(store)),
+    blank: () => {
+      const before = store.named;
+      store.open(blankDesign(store));
+      sketch.begin(["f", "g"], before);
+    },
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
     help: () => help.tour(),
-    example,
+    examples: () => examples.open(),
   });
   const drop = new Drop({
     design: (file) => void files.read(file),
-    curve: (name, file) => void editors[name === "f" ? 0 : 1]!.read(file),
+    curve: (name, file) => void (name === "f" ? f : g).read(file),
     surface: (file) => void surface.read(file),
     pattern: (file) => void drawing.read(file),
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
-  stage.frame.append(blankCover(store), fitBar(store, live));
+  stage.frame.append(blankCover(store, (names) => sketch.begin(names)), fitBar(store, live));
+  stage.element.append(sketch.element);
   linkHover(stage, results);
   addInspection(store, stage, results);
   listenForShortcuts({
@@ -120,6 +127,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     ),
     saidElement(store),
     help.element,
+    examples.element,
     drop.element,
   );
   // Only now are the drawings in the page, whose colours they take.

@@ -9,6 +9,7 @@ import "./parts/controls.css";
 import "./parts/front-figure.css";
 import "./curves/curves.css";
 import "./curves/drawing.css";
+import "./curves/sketch.css";
 import "./surface/surface.css";
 import "./design/parameters.css";
 import "./shell/stage.css";
@@ -17,12 +18,14 @@ import "./page/overlays.css";
 import "./shell/inspect.css";
 import "./design/tradeoff.css";
 import "./search/search.css";
+import "./files/example-cards.css";
 import "./files/export-window.css";
 import "./page/tour.css";
 import "./page/windows.css";
 import "./page/touch.css";
 import "./parts/theme.ts";
-import { fetchInfo } from "./server/api.ts";
+import { fetchInfo, parseDesign } from "./server/api.ts";
+import { FIRST } from "./files/example-list.ts";
 import { h } from "./parts/dom.ts";
 import { askEarly } from "./server/early-view.ts";
 import { ServerFault, faultOf } from "./state/faults.ts";
@@ -35,11 +38,10 @@ import type { Design, Info } from "./state/types.ts";
 async function start(root: HTMLElement): Promise<void> {
   const page = import("./app.ts");
   const info = await fetchInfo();
-  const first = info.start ?? info.examples[0]!;
-  const named: Named = { name: first.name, design: first.design as unknown as Design };
+  const named = await opened(info);
   const open = openBefore(info);
   const kept = open ?? broughtBack(info);
-  const other = !open && kept !== null && info.start !== null && kept.name !== first.name;
+  const other = !open && kept !== null && info.start !== null && kept.name !== named.name;
   // Undo takes work that came back for what it was made of, which is in a file.
   const home = kept && { ...kept.home, file: kept.home.file ?? named };
   const store = new Store(info, other ? kept : home ? { ...home.file, home } : named);
@@ -53,6 +55,11 @@ async function start(root: HTMLElement): Promise<void> {
   askEarly(store.design.value);
   (await page).buildStudio(root, store);
   keepUnsaved(store, window);
+}
+
+/** The design that the studio was started with, or else an example. */
+async function opened({ start }: Info): Promise<Named> {
+  return start ? { name: start.name, design: start.design as unknown as Design } : { name: FIRST.name, design: await parseDesign(FIRST.text) };
 }
 
 /** What this tab had open before it was loaded again; a studio that was started with a design shows that. */

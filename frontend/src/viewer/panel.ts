@@ -3,74 +3,58 @@
 import { LoadedControls } from "../shared/loaded-controls.ts";
 import { Pattern2D } from "../shared/pattern2d.ts";
 import { renderFigures } from "../shared/figures.ts";
-import type { Shell3D } from "../shared/shell3d.ts";
-import { stopsOf } from "../shared/stops.ts";
+import { shareTogether, stopsOf, targetShare } from "../shared/stops.ts";
 import { Verdict } from "../shared/verdict.ts";
-import { decodeView, panelName, stateCount, type View } from "../shared/view.ts";
+import { panelName, stateCount, type View } from "../shared/view.ts";
 import { element } from "./elements.ts";
 import { Player } from "./player.ts";
+import type { StandingShell } from "./standing-shell.ts";
 import { Theme } from "./theme.ts";
-import { makeToolbar, plainly, startShell } from "./toolbar.ts";
+import { drawAs, makeToolbar, plainly, startShell } from "./toolbar.ts";
 
 const CAPTION = "Solid red: mountain. Dashed blue: valley.";
 
 export class Viewer {
-  readonly view: View;
-  readonly shell: Shell3D | null;
+  view!: View;
+  player!: Player;
+  readonly shell: StandingShell | null;
   readonly pattern: Pattern2D;
-  readonly player: Player;
   readonly theme: Theme;
+  protected readonly head = element("header", "head");
+  private readonly scene = element("section", "scene", { "aria-label": "Shell in space" });
+  private readonly figures = element("section", "figures", { "aria-label": "Figures" });
+  private readonly verdict = new Verdict();
+  private readonly caption = element("p", "caption", { "aria-live": "polite" });
+  private readonly title = element("h1", "");
   private readonly loads: LoadedControls | null;
+  private readonly drawing = plainly();
 
   /** `host` bears the theme: the page's root, or the widget's. */
-  constructor(root: HTMLElement, buffer: ArrayBuffer, host: HTMLElement) {
-    this.view = decodeView(buffer);
+  constructor(root: HTMLElement, view: View, host: HTMLElement) {
     root.classList.add("orishell-viewer");
     this.theme = new Theme(host);
-    const { title } = this.view.header;
-
-    const scene = element("section", "scene", { "aria-label": "Shell in space" });
     const side = element("aside", "side", { "aria-label": "Crease pattern and figures" });
-    const head = element("header", "head");
-    head.append(element("h1", "", {}, title), this.theme.button());
+    this.head.append(this.title, this.theme.button());
     const drawing = element("section", "pattern", { "aria-label": "Crease pattern" });
-    const caption = element("p", "caption", { "aria-live": "polite" });
-    const figures = element("section", "figures", { "aria-label": "Figures" });
-    const verdict = new Verdict();
-    verdict.show(this.view.header.report);
-    side.append(head, drawing, caption, verdict.element, figures);
-    root.append(scene, side);
+    side.append(this.head, drawing, this.caption, this.verdict.element, this.figures);
+    root.append(this.scene, side);
 
     const stage = element("div", "stage");
-    scene.append(stage);
-    this.shell = startShell(stage, title);
+    this.scene.append(stage);
+    this.shell = startShell(stage, view.header.title);
     this.pattern = new Pattern2D(drawing, { label: "Crease pattern" });
-    this.player = new Player(stopsOf(this.view), (share) => this.fold(share));
     this.loads = this.shell && new LoadedControls(this.shell, (on) => this.player.hold(on));
-    const switches = this.loads && this.view.loaded ? [this.loads.element] : [];
-    const fit = (): void => this.shell?.fit(true);
-    scene.append(makeToolbar([this.view], this.shell ? [this.shell] : [], plainly(), fit, switches), this.player.bar);
-
-    const point = (panel: number | null): void => {
-      caption.textContent = panel === null ? CAPTION : panelName(this.view, panel);
-    };
-    this.pattern.show(this.view);
     this.pattern.onHover = (panel) => {
       this.shell?.highlight(panel);
-      point(panel);
+      this.point(panel);
     };
     if (this.shell) {
-      this.shell.show(this.view);
       this.shell.onHover = (panel) => {
         this.pattern.highlight(panel);
-        point(panel);
+        this.point(panel);
       };
     }
-    this.loads?.show(this.view);
-    point(null);
-    renderFigures(figures, this.view);
-    this.player.bar.hidden = stateCount(this.view) < 2;
-    this.player.rest();
+    this.show(view);
     root.addEventListener("keydown", (event) => {
       const target = event.composedPath()[0] as HTMLElement;
       if (event.key === " " && target.tagName === "CANVAS") {
@@ -80,10 +64,39 @@ export class Viewer {
     });
   }
 
+  /** Show a shell; one that is shown after another is seen from where that was, as far folded. */
+  show(view: View): void {
+    const before = this.view ? { view: this.view, share: this.player.share } : null;
+    this.view = view;
+    this.title.textContent = view.header.title;
+    this.pattern.show(view);
+    if (this.shell) {
+      this.shell.show(view, before !== null);
+      drawAs(this.shell, this.drawing);
+    }
+    const stops = stopsOf(view);
+    if (before) this.player.stop();
+    this.player = new Player(stops, (share) => this.fold(share));
+    this.player.bar.hidden = stateCount(view) < 2;
+    this.loads?.show(view);
+    for (const old of this.scene.querySelectorAll(":scope > :not(.stage)")) old.remove();
+    const switches = this.loads && view.loaded ? [this.loads.element] : [];
+    const fit = (): void => this.shell?.fit(true);
+    this.scene.append(makeToolbar([view], this.shell ? [this.shell] : [], this.drawing, fit, switches), this.player.bar);
+    this.point(null);
+    this.verdict.show(view.header.report);
+    renderFigures(this.figures, view);
+    this.player.set(before ? shareTogether(before.view, view, before.share) : targetShare(stops));
+  }
+
   dispose(): void {
     this.player.stop();
     this.shell?.dispose();
     this.pattern.dispose();
+  }
+
+  private point(panel: number | null): void {
+    this.caption.textContent = panel === null ? CAPTION : panelName(this.view, panel);
   }
 
   private fold(share: number): void {

@@ -18,7 +18,7 @@ export class Player {
   private time = 0;
   private direction = 1;
   private last = 0;
-  private share = 1;
+  share = 1;
 
   constructor(private readonly stops: Stop[], private readonly fold: (share: number) => void) {
     this.journey = new Journey(stops);
@@ -40,11 +40,6 @@ export class Player {
     this.name();
   }
 
-  /** Show the shell at its target. */
-  rest(): void {
-    this.set(targetShare(this.stops));
-  }
-
   set(share: number): void {
     this.share = share;
     this.slider.value = String(share);
@@ -61,7 +56,7 @@ export class Player {
   hold(on: boolean): void {
     if (on) {
       this.stop();
-      this.rest();
+      this.set(targetShare(this.stops));
     }
     this.bar.inert = on;
   }

@@ -1,8 +1,9 @@
 // How shells are drawn: colours, what is shown beside them, whether boards are.
 
-import { Shell3D, type Colouring, type Overlay } from "../shared/shell3d.ts";
+import type { Colouring, Overlay } from "../shared/shell3d.ts";
 import type { View } from "../shared/view.ts";
 import { element, toggle } from "./elements.ts";
+import { BESIDE, type Beside, StandingShell } from "./standing-shell.ts";
 
 const COLOURINGS: [Colouring, string][] = [
   ["plain", "Plain"],
@@ -16,20 +17,26 @@ const OVERLAYS: [Overlay, string, string][] = [
   ["g", "g", "--curve-g"],
 ];
 
+const STANDING: [Beside, string, string, string][] = [
+  ["person", "Person", "--person", "A person of 1.75 m, for the size"],
+  ["ties", "Ties", "--tie", "Taut: a line; slack: dashes"],
+];
+
 /** What is chosen in the toolbar. */
 export interface Drawing {
   colouring: Colouring;
   overlays: Set<Overlay>;
+  beside: Set<Beside>;
   thickness: boolean;
 }
 
 export function plainly(): Drawing {
-  return { colouring: "plain", overlays: new Set(), thickness: true };
+  return { colouring: "plain", overlays: new Set(), beside: new Set(["person", "ties"]), thickness: true };
 }
 
 /** Switches for what at least one of the views has; `more` are further ones. */
 export function makeToolbar(
-  views: View[], shells: Shell3D[], drawing: Drawing, fit: () => void, more: HTMLElement[] = [],
+  views: View[], shells: StandingShell[], drawing: Drawing, fit: () => void, more: HTMLElement[] = [],
 ): HTMLElement {
   const bar = element("div", "toolbar");
   const choice = element("fieldset", "choice");
@@ -56,6 +63,17 @@ export function makeToolbar(
     if (label.length === 1) item.classList.add("curve");
     shown.append(item);
   }
+  for (const [name, label, colour, hint] of STANDING) {
+    if (!views.some(BESIDE[name])) continue;
+    const set = (on: boolean): void => {
+      drawing.beside[on ? "add" : "delete"](name);
+      for (const shell of shells) shell.setBeside(name, on);
+    };
+    const item = toggle("checkbox", label, drawing.beside.has(name), set, "orishell-overlay", name);
+    item.style.setProperty("--ink", `var(${colour})`);
+    item.title = hint;
+    shown.append(item);
+  }
   if (views.some((view) => view.boards)) {
     const set = (on: boolean): void => {
       drawing.thickness = on;
@@ -75,15 +93,16 @@ export function makeToolbar(
 }
 
 /** Draw a shell as was chosen for another one. */
-export function drawAs(shell: Shell3D, { colouring, overlays, thickness }: Drawing): void {
+export function drawAs(shell: StandingShell, { colouring, overlays, beside, thickness }: Drawing): void {
   shell.setColouring(colouring);
+  for (const [name] of STANDING) shell.setBeside(name, beside.has(name));
   for (const [name] of OVERLAYS) shell.setOverlay(name, overlays.has(name));
   shell.setThickness(thickness);
 }
 
-export function startShell(stage: HTMLElement, label: string): Shell3D | null {
+export function startShell(stage: HTMLElement, label: string): StandingShell | null {
   try {
-    return new Shell3D(stage, { label: `Shell in space: ${label}` });
+    return new StandingShell(stage, { label: `Shell in space: ${label}` });
   } catch {
     stage.replaceChildren(element("p", "failed", {}, "This browser offers no WebGL 2, which the view in space needs."));
     return null;

@@ -1,5 +1,6 @@
 // The viewer in a notebook (anywidget): in a shadow root, so that neither styles the other.
 
+import { decodeView } from "../shared/view.ts";
 import { nextGroup } from "./elements.ts";
 import { Viewer } from "./panel.ts";
 import { adoptStyles } from "./styles.ts";
@@ -27,7 +28,7 @@ export function render({ model, el }: { model: Model; el: HTMLElement }): () => 
     shadow.replaceChildren(root);
     const data = model.get("view") as DataView;
     // Arrays of the view begin at multiples of four of their own block.
-    viewer = new Viewer(root, data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength) as ArrayBuffer, host);
+    viewer = new Viewer(root, decodeView(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength) as ArrayBuffer), host);
   }
 
   open();

@@ -24,6 +24,10 @@ def search(
         Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
     ],
     *,
+    write: Annotated[
+        str | None,
+        typer.Option(help="html: also a page with sliders for the variables, variants.html."),
+    ] = None,
     processes: Annotated[
         int | None, typer.Option(min=1, help="Processes of this machine; one a core without it.")
     ] = None,
@@ -36,14 +40,19 @@ def search(
 
     It goes on where a search into the same directory ended.
     """
+    from orishell.conventions.errors import InputError
     from orishell.search import dask_workers, local_processes
 
+    if write not in {None, "html"}:
+        raise InputError(
+            "a search has no such format", where="--write", got=write or "", expected="html"
+        )
     workers = local_processes(processes) if cluster is None else dask_workers(cluster)
     with workers as pool:  # at once: it imports what this process does meanwhile
-        _search(file, out, pool)
+        _search(file, out, pool, variants=write is not None)
 
 
-def _search(file: Path, out: Path, pool: WorkerPool) -> None:
+def _search(file: Path, out: Path, pool: WorkerPool, *, variants: bool) -> None:
     from orishell.io import OutputDirectory
     from orishell.search import open_journal, read_problem, search_designs
     from orishell.search.journal import NAME
@@ -61,7 +70,9 @@ def _search(file: Path, out: Path, pool: WorkerPool) -> None:
             with bar() as shown:
                 found = search_designs(problem, pool, journal, shown, stop=stopped)
             with bar() as shown:
-                written = write_found(problem, found, out, pool, shown, stop=stopped)
+                written = write_found(
+                    problem, found, out, pool, shown, variants=variants, stop=stopped
+                )
     say("\n".join(_summary(problem, found, written)))
     if stopped.is_set():
         raise typer.Exit(128 + stopped.number)

@@ -8,6 +8,7 @@ import threading
 import warnings
 import zlib
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TypedDict
@@ -36,6 +37,8 @@ STATES = 13
 """States of a shell's motion; panels stay rigid between them."""
 MOST_SHELLS = 60
 """Members that are drawn; a shelter's shell is 60 kB, packed."""
+PUBLIC = tuple(step for step in STEPS if step not in {"verification", "pack"})
+"""What is not looked at in shells for the public."""
 MOST_DOTS = 4000
 """Designs that others beat which are drawn; of more every k-th."""
 
@@ -99,7 +102,10 @@ def write_page(
 ) -> None:
     """Write ``front.html``, which needs no other file; no shell is drawn once it is to stop."""
     program = read_program(PROGRAM, NOT_BUILT)
-    shown = _page(problem, found, _draw(problem, found, pool, progress, stop or threading.Event()))
+    members = found.front.members
+    chosen = {k: members[k].values for k in _chosen(len(members), found.front.knee)}
+    drawn = draw(problem, chosen, pool, progress, stop or threading.Event())
+    shown = _page(problem, found, drawn)
     page = program_page(
         program,
         title=f"{shown['title']}: the front of a search",
@@ -110,46 +116,55 @@ def write_page(
     path.write_text(page, encoding="utf-8", newline="\n")
 
 
-def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]:
-    """The views of shells, as they were when they were evaluated, by numbers of members."""
+def draw_shells(
+    job: Job, numbered: Sequence[tuple[int, Values]], *, public: bool = False
+) -> list[Drawn]:
+    """The views of shells, as they were when they were evaluated, by numbers of designs.
+
+    Those for the ``public`` have their pack measured; without the target's curves they are half as
+    large.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
-        return [_drawn(job, number, values) for number, values in numbered]
+        return [_drawn(job, number, values, public=public) for number, values in numbered]
 
 
-def _drawn(job: Job, number: int, values: Values) -> Drawn:
+def _drawn(job: Job, number: int, values: Values, *, public: bool) -> Drawn:
     try:
-        return number, dump_view(shell_of(job, values, STATES, STEPS).document), ""
+        document = shell_of(job, values, STATES, PUBLIC if public else STEPS).document
+        return number, dump_view(replace(document, curves={}) if public else document), ""
     except OrishellError as error:
         return number, None, str(error)
     except Exception as error:  # the front is worth more than one of its shells
         return number, None, f"{type(error).__name__}: {error}"
 
 
-def _draw(
+def draw(
     problem: Problem,
-    found: SearchResult,
+    chosen: dict[int, Values],
     pool: WorkerPool,
     progress: Progress,
     stop: threading.Event,
+    *,
+    public: bool = False,
 ) -> dict[int, Drawn]:
-    """Members that are drawn, by number; a process that dies leaves its own out."""
-    members = found.front.members
-    chosen = _chosen(len(members), found.front.knee)
+    """The shells of designs, by number; a process that dies leaves its own out."""
     drawn: dict[int, Drawn] = {}
     count = 0
     progress(0.0, DRAWING)
-    work = pool.work(
-        partial(draw_shells, job_of(problem)),
-        [(number, members[number].values) for number in chosen],
-        stop,
-    )
+    task = partial(draw_shells, job_of(problem), public=public)
+    work = pool.work(task, list(chosen.items()), stop)
     for chunk, done in work:
         drawn |= {each[0]: each for each in done or ()}
         count += len(chunk)
         progress(count / len(chosen), DRAWING)
     missing = "it was stopped" if stop.is_set() else "the process that drew it died"
     return {number: drawn.get(number, (number, None, missing)) for number in chosen}
+
+
+def packed(view: bytes | None) -> str | None:
+    """A view as pages carry it: deflated, in base64."""
+    return None if view is None else base64.b64encode(zlib.compress(view, 9)).decode("ascii")
 
 
 def _chosen(count: int, knee: int) -> list[int]:
@@ -197,7 +212,7 @@ def _member(
         "values": values,
         "figures": [member.figures[name] for name in problem.figures],
         "steps": [{"to": to, "words": costs(problem, member, members[to])} for to in neighbours],
-        "view": None if view is None else base64.b64encode(zlib.compress(view, 9)).decode("ascii"),
+        "view": packed(view),
         "missing": why
         and f"{why[:1].upper()}{why[1:].rstrip('.')}. The shell is made by: "
         f"orishell design {file} --out DIRECTORY",

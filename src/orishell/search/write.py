@@ -24,6 +24,7 @@ from orishell.search.front import Front, beaten, scores
 from orishell.search.page import require_page, write_page
 from orishell.search.problem import Problem, files_named
 from orishell.search.run import SearchResult
+from orishell.search.variants import NAME, write_variants
 from orishell.search.worker_pool import WorkerPool
 
 
@@ -66,7 +67,7 @@ def _moved(problem: Problem, values: Values, directory: Path) -> Values:
     }
 
 
-_WRITTEN = re.compile(r"front(-\d+\.toml|\.(csv|png|html))")
+_WRITTEN = re.compile(rf"front(-\d+\.toml|\.(csv|png|html))|{re.escape(NAME)}")
 MANIFEST = ".orishell-search.json"
 """The list of the files of a search."""
 
@@ -89,7 +90,7 @@ def require_apart(problem: Problem, directory: Path) -> None:
     """
     own = OutputDirectory(directory, MANIFEST).of_earlier_run()
     files = {path.resolve() for path in (problem.path, *problem.files())}
-    for path in sorted(directory.glob("front*")):
+    for path in sorted(directory.glob("*")):
         if _WRITTEN.fullmatch(path.name) and (path not in own or path.resolve() in files):
             raise InputError(
                 "the search would write over this file, which is not as a search left it",
@@ -105,9 +106,12 @@ def write_found(
     pool: WorkerPool,
     progress: Progress = no_progress,
     *,
+    variants: bool = False,
     stop: threading.Event | None = None,
 ) -> list[Path]:
     """Write ``front.csv``, the design files of its members, ``front.png`` and ``front.html``.
+
+    And a page of variants, ``variants.html``, if it is asked for.
 
     Files of an earlier run that this one does not write are removed, unless somebody changed them.
     """
@@ -120,6 +124,8 @@ def write_found(
             )
         draw_front(draft / "front.png", problem, found)
         write_page(draft / "front.html", problem, found, pool, progress, stop=stop)
+        if variants:
+            write_variants(draft / NAME, problem, found, pool, progress, stop=stop)
         names = sorted(file.name for file in draft.iterdir())
     return [directory / name for name in names]
 

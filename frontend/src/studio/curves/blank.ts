@@ -1,9 +1,10 @@
 // A design to be drawn: both curves are still missing.
 
 import { NO_CURVE, isCurve, isWhole } from "./curve-table.ts";
+import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import type { Store } from "../state/store.ts";
-import type { Design, Value } from "../state/types.ts";
+import type { CurveName, Design, Value } from "../state/types.ts";
 
 const SIZES = { rows: 9, columns: 11 };
 
@@ -19,10 +20,11 @@ export function blankDesign(store: Store): { name: string; design: Design } {
 }
 
 /** Stands in the shell's place until there is one. */
-export function blankCover(store: Store): HTMLElement {
+export function blankCover(store: Store, draw: (names: CurveName[]) => void): HTMLElement {
   const words = h("p", {});
-  const cover = h("div", { class: "blank-cover", role: "status", "data-testid": "blank", hidden: true }, words);
-  const missing = (): string[] =>
+  const begin = button({ label: "Draw", text: "Draw", class: "button primary", testid: "draw-missing", act: () => draw(missing()) });
+  const cover = h("div", { class: "blank-cover", role: "status", "data-testid": "blank", hidden: true }, words, begin);
+  const missing = (): CurveName[] =>
     isWhole(store.design.value) ? [] : (["f", "g"] as const).filter((name) => !isCurve(store.design.value.target?.[name] ?? NO_CURVE));
   const refresh = (): void => {
     const { design, freshness } = store;
@@ -30,6 +32,7 @@ export function blankCover(store: Store): HTMLElement {
     // It stays until the first shell of the new curves is there.
     else if (isWhole(design.value) && freshness.value !== "computing") cover.hidden = true;
     const which = missing();
+    begin.hidden = !which.length;
     words.textContent =
       which.length === 2
         ? "Draw the profile f and the path g: the shell appears here."

@@ -5,7 +5,7 @@ import { readCurve } from "../server/api.ts";
 import { type Segmented, button, segmented } from "../parts/controls.ts";
 import { CurvePlot } from "./curve-plot.ts";
 import * as tables from "./curve-table.ts";
-import { BLANK, FALLBACK, FILES, MODES, TITLES, WIDTHS, WORDS } from "./curve-words.ts";
+import { BLANK, FALLBACK, FILES, LEVELS, MODES, TITLES, WIDTHS, WORDS } from "./curve-words.ts";
 import { Dimensions } from "./dimensions.ts";
 import { h, pickFile, setAttribute } from "../parts/dom.ts";
 import { hasEnding, listenForFiles } from "../parts/file-target.ts";
@@ -27,6 +27,10 @@ export class CurveEditor {
   private readonly note = new Note();
   private readonly mode: Segmented<tables.Mode>;
   private readonly draw: HTMLButtonElement;
+  private readonly tools: HTMLElement;
+  /** In the panel, while the curve is drawn on the canvas. */
+  private readonly away: HTMLElement;
+  private large = false;
   /** The formula that the curve had, for the way back from the spline. */
   private remembered: CurveTable;
   private shown: CurveTable | null = null;
@@ -37,6 +41,8 @@ export class CurveEditor {
   constructor(
     private readonly store: Store,
     private readonly name: CurveName,
+    /** The curve is to be drawn on the canvas. */
+    private readonly sketch: () => void,
   ) {
     this.remembered = FALLBACK[name];
     this.mode = segmented<tables.Mode>(
@@ -62,9 +68,13 @@ export class CurveEditor {
         clicked: (at) => this.putPoint(at),
         stroked: (track) => this.take([...this.begun, ...fitStroke(track)], true, `a stroke of ${name}`),
         turned: (on) => this.turned(on),
+        wanted: () => this.startDrawing(),
         last: () => this.begun.at(-1) ?? null,
         beside: () => (name === "f" && store.figure.value ? headOf(this.samples, this.unit) : []),
-        backdrop: (plane) => (name === "f" ? profileGround(plane, this.samples, this.unit, store.figure.value) : []),
+        backdrop: (plane) => [
+          ...(name === "f" ? profileGround(plane, this.standing, this.unit, store.figure.value) : []),
+          ...(this.large ? this.dimensions.layOut(plane, this.samples) : []),
+        ],
       },
     );
     this.fields = new PointFields(name, {
@@ -78,15 +88,31 @@ export class CurveEditor {
     this.formula = new FormulaFields(name, (table, gesture) =>
       store.setCurve(name, table, `formula of ${name}`, gesture),
     );
-    this.dimensions = new Dimensions(name, (table, what, gesture) => store.setCurve(name, table, what, gesture));
+    this.dimensions = new Dimensions(name, (table, what, gesture) => {
+      if (this.large) this.plot.refit();
+      store.setCurve(name, table, what, gesture);
+    });
     this.draw = button({
       label: `Draw ${name} anew`,
       icon: "pencil",
       text: "Draw",
       testid: `draw-${name}`,
       class: "button draw",
-      act: () => this.plot.drawing.turn(!this.plot.drawing.active),
+      act: () => (this.plot.drawing.active ? this.plot.drawing.turn(false) : this.startDrawing()),
     });
+    this.tools = h(
+      "div",
+      { class: "curve-tools" },
+      this.draw,
+      button({
+        label: `Read ${name} from a CSV, SVG or DXF file`,
+        icon: "drop",
+        testid: `file-${name}`,
+        act: () => void pickFile(FILES).then((file) => file && this.read(file)),
+      }),
+      this.dimensions.element,
+    );
+    this.away = h("p", { class: "note curve-away" }, `The ${TITLES[name]} ${name} is being drawn on the canvas.`);
     this.element = this.build();
     listenForFiles(this.element, (file) => {
       const taken = hasEnding(file, FILES);
@@ -115,6 +141,17 @@ export class CurveEditor {
     return tables.samplesOf(this.table) ?? this.store.curves.value?.[this.name] ?? [];
   }
 
+  /** How wide the plane is where there is no curve. */
+  private get width(): number {
+    return WIDTHS[this.unit] ?? 8;
+  }
+
+  /** What stands on the ground: before there is a curve, the ground is at 0. */
+  private get standing(): Point[] {
+    const { samples } = this;
+    return samples.length > 1 ? samples : [[-this.width / 2, 0], [this.width / 2, 0]];
+  }
+
   /** The points that the present drawing has put. */
   private get begun(): Point[] {
     const { points } = this.table;
@@ -133,18 +170,7 @@ export class CurveEditor {
         h("h3", { title: WORDS[name] }, h("span", { class: `curve-badge curve-${name}` }, name), h("span", { class: "curve-word" }, TITLES[name])),
         this.mode.element,
       ),
-      h(
-        "div",
-        { class: "curve-tools" },
-        this.draw,
-        button({
-          label: `Read ${name} from a CSV, SVG or DXF file`,
-          icon: "drop",
-          testid: `file-${name}`,
-          act: () => void pickFile(FILES).then((file) => file && this.read(file)),
-        }),
-        this.dimensions.element,
-      ),
+      this.tools,
       this.plot.element,
       this.fields.element,
       this.formula.element,
@@ -163,7 +189,7 @@ export class CurveEditor {
       const drawn = handles.length > 0 && mode !== "file";
       // Another kind of curve, or one from elsewhere: show all of it.
       if (before !== mode && !(drawn && before && before !== "file")) this.plot.refit();
-      if (Array.isArray(table.points) && !table.points.length) this.begin();
+      if (Array.isArray(table.points) && !table.points.length) this.clear();
       else if (!tables.isCurve(table) || this.begun.length) this.drawn.add(table);
       this.shown = table;
       this.stale = !tables.samplesOf(table);
@@ -181,7 +207,7 @@ export class CurveEditor {
       stale: this.stale,
       handles,
       joined: mode === "spline" || mode === "lines",
-      blank: blank ? { words: BLANK[this.name], width: WIDTHS[unit] ?? 8 } : null,
+      blank: blank ? { words: BLANK[this.name], width: this.width, level: LEVELS[this.name] } : null,
     });
     this.plot.select(this.fields.selected);
     this.dimensions.show(table, this.samples, unit);
@@ -193,18 +219,48 @@ export class CurveEditor {
     this.plot.refit();
   }
 
-  /** Nothing is drawn yet: the plane waits for it. */
-  private begin(): void {
+  /** Move to a place on the canvas, or back into the panel. */
+  enlarge(place: HTMLElement | null): void {
+    this.large = place !== null;
+    this.plot.drawing.turn(false);
+    if (place) {
+      this.element.replaceWith(this.away);
+      place.append(this.element);
+      this.plot.element.append(this.dimensions.element);
+    } else {
+      this.away.replaceWith(this.element);
+      this.tools.append(this.dimensions.element);
+    }
+    this.dimensions.separate(this.large);
+    this.plot.refit();
+    this.refresh();
+  }
+
+  /** Take the next clicks, strokes and keys as a drawing. */
+  begin(): void {
+    this.plot.drawing.turn(true);
+    this.plot.takeFocus();
+  }
+
+  private startDrawing(): void {
+    if (this.large) this.begin();
+    else this.sketch();
+  }
+
+  /** Nothing is drawn yet: the plane on the canvas waits for it. */
+  private clear(): void {
     this.drawn.clear();
     this.plot.refit();
-    this.plot.drawing.turn(true);
+    this.plot.drawing.turn(this.large);
   }
 
   private turned(on: boolean): void {
     this.drawn.clear();
     setAttribute(this.draw, "aria-pressed", String(on));
     this.store.rest();
-    if (!on) this.refresh();
+    if (on) return;
+    this.refresh();
+    if (this.large && tables.isCurve(this.table)) this.dimensions.takeFocus();
   }
 
   private putPoint(at: Point): void {

@@ -10,6 +10,8 @@ import { type Caught, caught } from "./snapping.ts";
 import type { CurveName, Point } from "../state/types.ts";
 
 export interface PlotEvents extends HandleEvents, DrawEvents {
+  /** The curve is to be drawn anew. */
+  wanted(): void;
   /** A point is wanted where the curve is nearest. */
   added(at: Point): void;
   /** What is in view with the curve. */
@@ -26,15 +28,18 @@ export interface Shown {
   stale: boolean;
   /** Whether handles are joined by a line in their order. */
   joined: boolean;
-  /** What to do where there is no curve yet, and how wide the plane then is. */
-  blank: { words: string; width: number } | null;
+  /** What to do where there is no curve yet, how wide the plane then is, and how high y = 0 lies in it
+   * (a share). */
+  blank: { words: string; width: number; level: number } | null;
 }
 
 /** From how far points are caught, in pixels. */
 const REACH = { mouse: 7, touch: 12 };
 const NOTHING_YET = "Nothing is drawn yet: press Draw.";
 const ONE_POINT = "One point is no curve yet: press Draw, or undo.";
-const HOW_TO_DRAW = "click point by point, or draw a stroke; Enter ends.";
+const HOW_TO_DRAW = matchMedia("(pointer: coarse)").matches
+  ? "tap point by point, or draw a stroke."
+  : "click point by point, or draw a stroke; Enter ends.";
 
 export class CurvePlot {
   readonly element: HTMLElement;
@@ -110,7 +115,7 @@ export class CurvePlot {
     const { samples, stale, handles, blank } = shown;
     const box = boxOf([...(samples.length ? samples : handles.map(({ at }) => at)), ...this.events.beside()]);
     if (blank) {
-      if (this.wantsFit) this.plane.fit({ low: [-blank.width / 2, 0], high: [blank.width / 2, blank.width / 4] });
+      if (this.wantsFit) this.plane.spread(blank.width, blank.level);
       this.wantsFit = false;
     } else if (box && !stale && !this.handles.held && !this.drawing.active) {
       const follow = this.wantsFit || (!handles.length && !this.plane.suits(box));
@@ -142,6 +147,10 @@ export class CurvePlot {
 
   select(index: number | null): void {
     this.handles.select(index);
+  }
+
+  takeFocus(): void {
+    this.svg.focus({ preventScroll: true });
   }
 
   focus(index: number): void {
@@ -251,7 +260,7 @@ export class CurvePlot {
       else if (event.key === "+" || event.key === "=") this.plane.zoom(1.25);
       else if (event.key === "-") this.plane.zoom(0.8);
       else if (event.key === "0" || event.key === "Home") return this.fit();
-      else if (event.key === "d" && !event.ctrlKey && !event.metaKey) this.drawing.turn(true);
+      else if (event.key === "d" && !event.ctrlKey && !event.metaKey) this.events.wanted();
       else return;
       event.preventDefault();
       this.draw();

@@ -8,10 +8,13 @@ export const WORDS: Record<CurveName, string> = {
   f: "the profile that is swept",
   g: "the path that f is swept along",
 };
+export const VIEWS: Record<CurveName, string> = { f: "seen from the front", g: "seen from above" };
 export const BLANK: Record<CurveName, string> = {
   f: "The profile from the front:",
   g: "The path from above:",
 };
+/** How high y = 0 lies in an empty plane: the ground is below, a plan has it in the middle. */
+export const LEVELS: Record<CurveName, number> = { f: 0.25, g: 0.5 };
 /** How wide an empty plane is, in units of length. */
 export const WIDTHS: Record<string, number> = { mm: 400, cm: 80, m: 8, in: 16, ft: 24 };
 export const FALLBACK: Record<CurveName, CurveTable> = {

@@ -2,11 +2,12 @@
 
 import { button, numberBox, setNumber } from "../parts/controls.ts";
 import { scaleOf, withExtent, withScale } from "./curve-table.ts";
-import { h, setAttribute } from "../parts/dom.ts";
+import { h, s, setAttribute } from "../parts/dom.ts";
 import { icon } from "../parts/icons.ts";
 import { keptSwitch } from "../state/storage.ts";
 import { short } from "../parts/numbers.ts";
-import { boxOf } from "./plane.ts";
+import { type Plane, boxOf } from "./plane.ts";
+import { line } from "./plot-grid.ts";
 import type { CurveName, CurveTable, Point } from "../state/types.ts";
 
 type Axis = 0 | 1;
@@ -15,6 +16,10 @@ type Axis = 0 | 1;
 const proportional = keptSwitch("orishell.proportional", true);
 /** An extent below this share of the other is none that could be scaled. */
 const NOTHING = 1e-6;
+/** On the canvas: how far a line that measures is from the curve, half its ends, and the room that its
+ * box needs to either side of its middle (pixels). */
+const [AWAY, END] = [40, 5];
+const ROOM: Point = [84, 20];
 
 interface Measure {
   name: string;
@@ -38,6 +43,8 @@ export class Dimensions {
   /** Extents and factors when the typing began: samples follow the typing later. */
   private base: { extents: Point; scale: Point } | null = null;
   private typed: CurveTable | null = null;
+  /** Each extent by itself, whether or not proportions are kept elsewhere. */
+  private apart = false;
 
   constructor(
     private readonly name: CurveName,
@@ -64,6 +71,40 @@ export class Dimensions {
       }),
       lock,
     );
+  }
+
+  /** Boxes beside the lines that they measure, each by itself; or in a row. */
+  separate(on: boolean): void {
+    this.apart = on;
+    for (const box of this.boxes) box.parentElement!.hidden = false;
+  }
+
+  /** Ready to be typed into, where that brings no keyboard onto the screen. */
+  takeFocus(): void {
+    if (matchMedia("(pointer: coarse)").matches) return;
+    this.boxes[0]!.focus({ preventScroll: true });
+    this.boxes[0]!.select();
+  }
+
+  /** The lines that measure a curve in its plane; the boxes go to the middle, or to the upper end of one
+   * that is upright: there an arch is least in the way. */
+  layOut(plane: Plane, samples: Point[]): Node[] {
+    const box = boxOf(samples);
+    return MEASURES[this.name].flatMap((measure, k) => {
+      const label = this.boxes[k]!.parentElement!;
+      label.hidden = !box;
+      if (!box) return [];
+      const axis = measure.axis(this.extents);
+      const [[left, bottom], [right, top]] = [plane.toPixels(box.low), plane.toPixels(box.high)];
+      const x = clamp(axis === 0 ? (left + right) / 2 : right + AWAY, ROOM[0], plane.width - ROOM[0]);
+      const y = clamp(axis === 1 ? top : bottom + AWAY, 2 * ROOM[1], plane.height - 2 * ROOM[1]);
+      label.style.setProperty("--x", `${x}px`);
+      label.style.setProperty("--y", `${y}px`);
+      const ends: Point[][] = axis === 0
+        ? [[[left, y], [right, y]], ...[left, right].map((at): Point[] => [[at, y - END], [at, y + END]])]
+        : [[[x, bottom], [x, top]], ...[bottom, top].map((at): Point[] => [[x - END, at], [x + END, at]])];
+      return [s("path", { class: "plot-measure", d: ends.map((each) => line(...each)).join("") })];
+    });
   }
 
   show(table: CurveTable, samples: Point[], unit: string): void {
@@ -94,7 +135,7 @@ export class Dimensions {
         const axis = measure.axis(extents);
         const factor = value / extents[axis];
         if (!(factor > 0) || !Number.isFinite(factor)) return input.classList.add("unfinished");
-        this.typed = proportional.value
+        this.typed = proportional.value && !this.apart
           ? withScale(this.table, [scale[0] * factor, scale[1] * factor])
           : withExtent(this.table, axis, value, scale.with(axis, scale[axis] * factor) as Point);
         this.scaled(this.typed, `${word} of ${name}`, `size-${name}-${word}`);
@@ -107,4 +148,8 @@ export class Dimensions {
     });
     return input;
   }
+}
+
+function clamp(value: number, low: number, high: number): number {
+  return Math.max(low, Math.min(value, high));
 }

@@ -145,7 +145,7 @@ export class Drawing {
       this.at = plane.rounded([from[0] + direction[0] * step, from[1] + direction[1] * step], step);
     } else if (event.key === " ") {
       this.put(this.at ?? plane.rounded(plane.centre, plane.step / 4));
-    } else if (event.key === "Enter" || event.key === "Escape") {
+    } else if (event.key === "Enter" || (event.key === "Escape" && this.events.last())) {
       this.turn(false);
     } else {
       return;

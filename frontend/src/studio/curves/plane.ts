@@ -21,6 +21,9 @@ export function boxOf(points: Point[]): Box | null {
   return { low, high };
 }
 
+/** Share of the shorter side that stays free about what is shown. */
+const MARGIN = 0.14;
+
 export class Plane {
   width = 288;
   height = 168;
@@ -43,12 +46,18 @@ export class Plane {
   }
 
   /** Show a box with a margin in pixels. */
-  fit(box: Box, margin = 22): void {
+  fit(box: Box, margin = MARGIN * Math.min(this.width, this.height)): void {
     const size = [box.high[0] - box.low[0], box.high[1] - box.low[1]] as const;
     const room = [this.width - 2 * margin, this.height - 2 * margin] as const;
     const scale = Math.min(room[0] / (size[0] || 1e-12), room[1] / (size[1] || 1e-12));
     this.scale = Number.isFinite(scale) && scale < 1e11 ? scale : 100;
     this.centre = [(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2];
+  }
+
+  /** Show so much of the x axis about 0 and y = 0 at a share of the height. */
+  spread(width: number, level: number): void {
+    this.fit({ low: [-width / 2, 0], high: [width / 2, width / 4] });
+    this.centre = [0, (0.5 - level) * (this.height / this.scale)];
   }
 
   /** Whether a box lies in view and is not tiny there. */

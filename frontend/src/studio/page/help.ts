@@ -15,7 +15,7 @@ const KEYS: [string, string][] = [
   ["Enter and arrow keys in the pattern", "choose a panel and go to those beside; measuring: vertices"],
   ["Arrow keys on a point", "move it; with Shift ten times as far, with Alt a tenth"],
   ["Delete on a point", "remove it"],
-  ["D on a curve", "draw it anew; arrow keys and Space put points, Enter ends"],
+  ["D on a curve", "draw it anew; arrow keys and Space put points, Enter ends, Escape cancels"],
   ["Double click on a curve", "add a point"],
   ["Alt while dragging a point", "it is not caught by the grid, axes and mirror images"],
   ["Wheel, drag, + and −", "zoom and pan a curve, the pattern, the shell"],

@@ -13,31 +13,18 @@ export interface ToolbarEvents {
   save(): void;
   link(): void;
   help(): void;
-  example(name: string): void;
+  examples(): void;
 }
 
 export class Toolbar {
   readonly element: HTMLElement;
-  private readonly examples: HTMLSelectElement;
 
   constructor(
     private readonly store: Store,
     exportMenu: HTMLElement,
     events: ToolbarEvents,
   ) {
-    this.examples = h(
-      "select",
-      { "aria-label": "Examples", "data-testid": "example-select", onchange: () => events.example(this.examples.value) },
-      h("option", { value: "", disabled: true, hidden: true }, "Examples"),
-      ...store.info.examples.map(({ name, title }) => h("option", { value: name }, title)),
-    );
-    store.name.bind((text) => {
-      document.title = `${text} – orishell studio`;
-      const example = store.info.examples.some((each) => each.name === text);
-      this.examples.value = example ? text : "";
-      // A long name is cut short.
-      this.examples.title = this.examples.selectedOptions[0]?.text ?? "";
-    });
+    store.name.bind((text) => (document.title = `${text} – orishell studio`));
     const undo = button({ label: "Undo", icon: "undo", keys: "Ctrl+Z", testid: "undo", act: () => store.undo() });
     const redo = button({ label: "Redo", icon: "redo", keys: "Ctrl+Shift+Z", testid: "redo", act: () => store.redo() });
     store.steps.bind(() => {
@@ -49,7 +36,7 @@ export class Toolbar {
       { class: "toolbar" },
       h("h1", { class: "brand" }, h("span", { class: "brand-mark", "aria-hidden": "true" }), "orishell", h("span", { class: "brand-room" }, "studio")),
       nameField(store),
-      this.examples,
+      button({ label: "Examples", icon: "examples", text: "Examples", class: "button with-word", testid: "examples", act: events.examples }),
       this.units(),
       h(
         "div",

@@ -3,7 +3,7 @@
 import { feetOf, groundOf } from "../../shared/ground.ts";
 import { type Headroom, headroomOf } from "../../shared/headroom.ts";
 import { Feet3D, flapSides, Ties3D } from "../../shared/moving3d.ts";
-import { heightOfPerson } from "../../shared/person.ts";
+import { roomOfPerson } from "../../shared/person.ts";
 import { Person3D } from "../../shared/person3d.ts";
 import { tiesOf } from "../../shared/ties.ts";
 import type { View } from "../../shared/view.ts";
@@ -14,9 +14,6 @@ import type { Store } from "../state/store.ts";
 
 /** Rest after a change before headroom is measured, in milliseconds. */
 const REST = 150;
-
-/** Half the width of a person, in its height: over so much room is clear. */
-const SHOULDERS = 0.15;
 
 /** Room below a shell; null where nothing is clear. */
 export interface Measured {
@@ -65,7 +62,7 @@ export class Standing {
       this.explain(view);
       clearTimeout(this.timer);
       this.timer = window.setTimeout(() => {
-        const room = headroomOf(view, groundOf(view).atTarget, Person3D.suits(view) ? SHOULDERS * heightOfPerson(view.header.unit) : 0);
+        const room = headroomOf(view, groundOf(view).atTarget, Person3D.suits(view) ? roomOfPerson(view.header.unit) : 0);
         this.headroom.set({ view, room });
         place(view, room);
       }, REST);

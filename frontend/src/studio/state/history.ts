@@ -58,6 +58,13 @@ export class History<T> {
     return this.move(this.past, this.future);
   }
 
+  /** Undo until a value is the present one again, if it was. */
+  undoTo(value: T): boolean {
+    if (!this.past.some((step) => step.value === value)) return false;
+    while (this.present !== value) this.undo();
+    return true;
+  }
+
   redo(): boolean {
     return this.move(this.future, this.past);
   }

@@ -127,6 +127,12 @@ export class Store {
     if (this.history.undo()) this.publish();
   }
 
+  /** Undo all that was done since the design was this one. */
+  backTo(work: Work): void {
+    this.changedAt = eventTime();
+    if (this.history.undoTo(work)) this.publish();
+  }
+
   redo(): void {
     this.changedAt = eventTime();
     if (this.history.redo()) this.publish();

@@ -1,0 +1,30 @@
+// Designs to begin with: those that people would build, and one of each family.
+
+import canopy from "../../../../examples/canopy.toml?raw";
+import shelter from "../../../../examples/shelter.toml?raw";
+import tunnel from "../../../../examples/tunnel.toml?raw";
+import type { Info } from "../state/types.ts";
+
+export interface Example {
+  name: string;
+  title: string;
+  /** In a line, what it is. */
+  what: string;
+  /** Its design file. */
+  text: string;
+}
+
+/** What the studio opens with. */
+export const FIRST: Example = {
+  name: "shelter", title: "Shelter", text: shelter,
+  what: "3 m by 6 m with 2 m of headroom; it travels as a bundle, and ties hold its feet.",
+};
+const BUILT: Example[] = [
+  FIRST,
+  { name: "canopy", title: "Canopy", text: canopy, what: "A ring of a roof about an open court." },
+  { name: "tunnel", title: "Tunnel", text: tunnel, what: "A covered way round a bend, on level ground." },
+];
+
+export function examplesOf({ examples, families }: Info): Example[] {
+  return [...BUILT, ...examples.map(({ name, title, text }) => ({ name, title, text, what: `${families[name]!.what}.` }))];
+}
