@@ -49,6 +49,43 @@ MISPLACED = """() => {
 """Controls that are not in the window (or in what scrolls), whose text is cut, or that overlap."""
 
 
+CUT_RINGS = """() => {
+  const wrong = [];
+  const controls = "a[href], button, input, select, canvas, [tabindex]";
+  for (const each of document.querySelectorAll(controls)) {
+    const seen = each.checkVisibility({ visibilityProperty: true });
+    if (each.tabIndex < 0 || each.disabled || each.closest("svg") || !seen) continue;
+    each.focus({ focusVisible: true });
+    if (document.activeElement !== each) continue;
+    const name = each.dataset.testid || each.ariaLabel || each.textContent.trim();
+    const ringed = [each, each.nextElementSibling, each.closest("label")]
+      .find((one) => one && getComputedStyle(one).outlineStyle !== "none");
+    if (!ringed) {
+      wrong.push(`${name} has no ring`);
+      continue;
+    }
+    const { outlineOffset, outlineWidth } = getComputedStyle(ringed);
+    const out = parseFloat(outlineOffset) + parseFloat(outlineWidth);
+    const own = ringed.getBoundingClientRect();
+    const rooms = [{ left: 0, top: 0, right: innerWidth, bottom: innerHeight }];
+    for (let room = ringed.parentElement; room !== document.body; room = room.parentElement) {
+      const { overflowX, overflowY } = getComputedStyle(room);
+      if (overflowX === "visible" && overflowY === "visible") continue;
+      rooms.push(room.getBoundingClientRect());
+    }
+    const cut = rooms.some(({ left, top, right, bottom }) =>
+      own.left - out < left - 0.5 || own.right + out > right + 0.5
+      || own.top - out < top - 0.5 || own.bottom + out > bottom + 0.5);
+    if (cut) wrong.push(`the ring of ${name} is cut`);
+  }
+  document.activeElement.blur();
+  scrollTo(0, 0);
+  for (const room of document.querySelectorAll(".rooms > *")) room.scrollTop = 0;
+  return wrong;
+}"""
+"""Controls that have the focus and no ring around them, or one that is not all in view."""
+
+
 def serious_findings(page: Page) -> list[Any]:
     """What axe-core finds serious or worse; the page must be opened with ``bypass_csp``."""
     axe = PACKAGES / "axe-core" / "axe.min.js"

@@ -29,7 +29,7 @@ const design: Design = {
 };
 const report = { parameters: { xi_deg: 48 }, quantities: { mass_kg: null, built: null } } as unknown as Report;
 const found = (changed: Partial<Design> = {}): ReturnType<typeof candidates> =>
-  candidates({ ...design, ...changed }, PARAMETERS, { xi_deg: { span: [1, 179], intervals: [[2, 9], [30, 53.123456]], below: "", above: "" } }, report, LABELS);
+  candidates({ ...design, ...changed }, PARAMETERS, { xi_deg: { span: [1, 179], intervals: [[2, 9], [30, 53.123456]], below: "", above: "", beyond: [false, false] } }, report, LABELS);
 const allowed = (key: string, changed: Partial<Design> = {}): unknown => found(changed).find((each) => each.key === key)?.allowed;
 
 describe("what may change", () => {

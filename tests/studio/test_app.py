@@ -118,11 +118,16 @@ def test_ranges_hold_what_works_and_say_why_not_beyond(client: httpx.Client) -> 
     ((low, high),) = ranges["xi_deg"]["intervals"]
     # geometry.md: xi below 180 degrees less the spread of f's tangents, 2 atan 2.
     assert high == pytest.approx(180 - 2 * np.rad2deg(np.arctan(2)), abs=0.3)
-    assert low == 1.0
+    assert 0 < low < 1  # its slider begins at 1
+    assert ranges["xi_deg"]["beyond"] == [False, False]
     assert "too large" in ranges["xi_deg"]["above"]
     for degrees, status in ((high - 0.5, 200), (high + 0.5, 422)):
         design["pattern"]["xi_deg"] = degrees
         assert client.post("/api/design", json={"design": design}).status_code == status
+    # Of what may be as large as one likes, no end is named.
+    assert ranges["flap"]["beyond"] == [False, True]
+    design["pattern"] |= {"xi_deg": high - 0.5, "flap": 4 * ranges["flap"]["intervals"][0][1]}
+    assert client.post("/api/design", json={"design": design}).status_code == 200
 
 
 def test_text_and_tables(client: httpx.Client) -> None:

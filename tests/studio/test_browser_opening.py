@@ -115,6 +115,12 @@ def test_nothing_is_left_of_the_design_before(browser: Browser, address: str) ->
 
 def test_numbers_are_those_that_were_typed_and_counted(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
+        # What is said to work is what is taken.
+        settle(page)
+        assert "to at least" in page.locator(".parameter[data-key=flap] .note").inner_text()
+        page.get_by_test_id("param-flap").fill("5")
+        drawn(page)
+        assert page.evaluate(f"[{STORE}.freshness.value, {STORE}.fault.value]") == ["current", None]
         # A spline goes another way between points that are stretched in one direction.
         open_text(page, "spline", SPLINE)
         page.get_by_test_id("proportional-f").click()

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from orishell.design_file import starter_file
-from page_checks import MISPLACED, serious_findings
+from page_checks import CUT_RINGS, MISPLACED, serious_findings
 from samples import led_by, thorough
-from studio_pages import SIZES, choose, drawn, drop_file, opened, settle
+from studio_pages import SIZES, all_formats, choose, drawn, drop_file, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> No
         if "has_touch" in options:
             for name in ("play", "undo", "export", "more-rows", "param-xi_deg"):
                 assert _box(page.get_by_test_id(name))["height"] >= 44
+        assert page.evaluate(CUT_RINGS) == []
         for theme in ("light", "dark"):
             assert page.evaluate("document.documentElement.dataset.theme") == theme
             await_frames(page)
@@ -135,6 +136,7 @@ def test_the_designs_name_is_that_of_its_files(page: Page) -> None:
     assert saved.value.suggested_filename == "Zelt 3 m.toml"
     page.get_by_test_id("export").click()
     with page.expect_download() as exported:
+        all_formats(page)
         page.get_by_test_id("export-csv").click()
     assert exported.value.suggested_filename == "Zelt 3 m-csv.zip"
     page.keyboard.press("Escape")

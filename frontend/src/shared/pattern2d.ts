@@ -309,7 +309,7 @@ export class Pattern2D {
 }
 
 /** Dash and gap of a line, which begins and ends with a dash. */
-function dashes(size: number): [number, number] {
+export function dashes(size: number): [number, number] {
   const gaps = Math.max(1, Math.round(size / PERIOD - 0.6));
   const gap = Math.max(GAP, (0.4 * size) / (gaps + 0.6));
   return [(size - gaps * gap) / (gaps + 1), gap];

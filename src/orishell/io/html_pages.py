@@ -126,7 +126,7 @@ tr { break-inside: avoid; }
 thead { display: table-header-group; }
 @media screen and (max-width: 700px) {
   body { padding: 6mm 4mm; } table { display: block; overflow-x: auto; }
-  h1 { overflow-wrap: anywhere; }
+  body { overflow-wrap: anywhere; } th, td { overflow-wrap: normal; }
 }
 @page { size: A4; margin: 15mm 12mm; }
 @media print { body { padding: 0; max-width: none; font-size: 9.5pt; } table { font-size: 8.5pt; } }

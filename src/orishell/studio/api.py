@@ -61,6 +61,8 @@ class Range(TypedDict):
 
     span: tuple[float, float]  # those that were tried
     intervals: list[tuple[float, float]]  # those that work
+    # whether all works that was tried below the first interval, and above the last
+    beyond: tuple[bool, bool]
     # why values below the lowest interval, or above the highest, fail; empty at the span's end
     below: str
     above: str

@@ -126,30 +126,34 @@ def _size(file: DesignFile) -> float:
 def _find(
     works: Callable[[float], str], span: tuple[float, float], value: Any, count: int
 ) -> Range:
-    trials = np.linspace(*span, count)
+    inside = np.linspace(*span, count)
     if isinstance(value, int | float) and span[0] < value < span[1]:
-        trials = np.unique(np.append(trials, value))
-    whys = [works(float(trial)) for trial in trials]
+        inside = np.unique(np.append(inside, value))
+    whys = [works(float(trial)) for trial in inside]
+    # Where the span's end works, values beyond it may be typed all the same.
+    width = float(span[1] - span[0])
+    trials = [span[0] - width, *map(float, inside), span[1] + width]
+    beyond = [whys[0] or works(trials[0]), whys[-1] or works(trials[-1])]
+    fails = list(map(bool, [beyond[0], *whys, beyond[1]]))
+    tolerance = ENDS * width / (count - 1)
+
+    def edge(good: int, bad: int) -> float:
+        """The end of an interval: between two trials, the farthest that works."""
+        if not 0 <= bad < len(trials):  # the end is not known: it works up to the last trial
+            return trials[good]
+        ends = trials[good], trials[bad]
+        return bisect(lambda trial: not works(trial), *ends, relative=0.0, absolute=tolerance)
+
     intervals: list[tuple[float, float]] = []
-    for fails, run in groupby(range(len(trials)), lambda k: bool(whys[k])):
-        if fails:
-            continue
-        first, *others = run
-        last = others[-1] if others else first
-        low = trials[0] if first == 0 else _edge(works, trials[first], trials[first - 1])
-        high = trials[last]
-        if last + 1 < len(trials):
-            high = _edge(works, trials[last], trials[last + 1])
-        intervals.append((float(low), float(high)))
+    for failed, run in groupby(range(len(trials)), fails.__getitem__):
+        if not failed:
+            first, *others = run
+            last = [first, *others][-1]
+            intervals.append((edge(first, first - 1), edge(last, last + 1)))
     return {
         "span": (float(span[0]), float(span[1])),
         "intervals": intervals,
+        "beyond": (not fails[0], not fails[-1]),
         "below": whys[0],
         "above": whys[-1],
     }
-
-
-def _edge(works: Callable[[float], str], good: float, bad: float) -> float:
-    """The end of an interval: of values from ``good`` to ``bad`` the farthest that works."""
-    step = abs(bad - good)
-    return bisect(lambda trial: not works(trial), good, bad, relative=0.0, absolute=ENDS * step)

@@ -75,12 +75,17 @@ export class ParameterRow {
   /** Which values work, and why not others. */
   private words({ range, value, taken }: RowState): string[] {
     if (!range || !isNumeric(this.parameter)) return [];
-    const { intervals, below, above } = range;
+    const { intervals, beyond, below, above } = range;
     if (!intervals.length) return [sentence(`No value works${below ? `: ${below}` : ""}`)];
     const low = intervals[0]![0];
     const high = intervals.at(-1)![1];
     const sign = this.parameter.unit === "deg" ? "°" : "";
-    const parts = intervals.map(([a, b]) => a === b ? `at ${pretty(a, 4)}${sign} only` : `from ${pretty(a, 4)} to ${pretty(b, 4)}${sign}`);
+    const parts = intervals.map(([a, b], k) => {
+      if (a === b) return `at ${pretty(a, 4)}${sign} only`;
+      // No end was found.
+      const [from, to] = [k === 0 && beyond[0] ? "at most " : "", k === intervals.length - 1 && beyond[1] ? "at least " : ""];
+      return `from ${from}${pretty(a, 4)} to ${to}${pretty(b, 4)}${sign}`;
+    });
     const at = Number(value === "auto" ? taken : (value ?? taken));
     // The reason on the side where the value is; both where it is in the middle of nowhere.
     const middle = (low + high) / 2;

@@ -35,6 +35,8 @@ export class Help {
   private readonly next = button({ label: "Next", text: "Next", class: "button primary", testid: "tour-next", act: () => this.go(this.at + 1) });
   private readonly card: HTMLElement;
   private at = 0;
+  /** How far the page and its rooms were scrolled before they were shown. */
+  private scrolled: [Element, number][] = [];
 
   constructor(version: string) {
     this.keys = h(
@@ -62,6 +64,7 @@ export class Help {
     });
     // What opened it may be gone; keys belong to the page again.
     this.element.addEventListener("close", () => {
+      for (const [room, top] of this.scrolled) room.scrollTop = top;
       if (this.element.contains(document.activeElement)) (document.activeElement as HTMLElement).blur();
     });
     window.addEventListener("resize", () => this.element.open && this.place());
@@ -78,7 +81,10 @@ export class Help {
   }
 
   private open(at: number): void {
-    if (!this.element.open) this.element.showModal();
+    if (!this.element.open) {
+      this.scrolled = [...document.querySelectorAll("html, .rooms > *")].map((room) => [room, room.scrollTop]);
+      this.element.showModal();
+    }
     this.go(at);
     this.next.focus();
   }

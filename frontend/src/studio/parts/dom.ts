@@ -55,6 +55,15 @@ export function keepFocus(change: () => void): void {
   next?.focus({ preventScroll: true });
 }
 
+/** A frame that keys reach where not all of its content has room. */
+export function scrolledByKeys(frame: HTMLElement): HTMLElement {
+  const observer = new ResizeObserver(() => {
+    frame.tabIndex = frame.scrollHeight > frame.clientHeight ? 0 : -1;
+  });
+  for (const each of [frame, ...frame.children]) observer.observe(each);
+  return frame;
+}
+
 let counter = 0;
 /** An id that no other element of the page has. */
 export function uniqueId(stem: string): string {

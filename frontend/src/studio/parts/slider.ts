@@ -48,7 +48,7 @@ export class Slider {
     let [low, high] = given;
     if (this.parameter.unit === "length") {
       // A length's scale is the design's own.
-      const limit = range?.intervals.at(-1)?.[1] ?? 0;
+      const limit = Math.min(range?.intervals.at(-1)?.[1] ?? 0, range?.span[1] ?? 0);
       const wanted = Math.max(2 * (value ?? 0), 1.25 * limit, 0.05 * (range?.span[1] ?? 0));
       if (wanted > 0) [low, high] = [0, niceAbove(wanted)];
     }

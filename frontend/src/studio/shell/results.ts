@@ -6,7 +6,7 @@ import { explainSigns } from "../../shared/legend.ts";
 import { Pattern2D } from "../../shared/pattern2d.ts";
 import { assignmentCounts } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
-import { h, keepFocus } from "../parts/dom.ts";
+import { h, keepFocus, scrolledByKeys } from "../parts/dom.ts";
 import { pretty } from "../parts/numbers.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
@@ -35,7 +35,7 @@ export class Results {
       ),
       sheet,
       this.legend,
-      h("div", { class: "figures-frame", tabindex: 0, role: "region", "aria-label": "Figures" }, this.figures),
+      scrolledByKeys(h("div", { class: "figures-frame", role: "region", "aria-label": "Figures" }, this.figures)),
       this.said,
     );
     this.pattern = new Pattern2D(sheet, { label: "Crease pattern" });
