@@ -83,6 +83,11 @@ def choose(page: Page, family: str) -> None:
     assert page.evaluate("window.__orishell.report.family") == family
 
 
+def all_formats(page: Page) -> None:
+    """In the window of files: every format, whatever it is for."""
+    page.locator("label:has([data-testid=task-all])").click()
+
+
 def figures(page: Page) -> str:
     return page.get_by_test_id("figures").inner_text()
 

@@ -108,7 +108,7 @@ def test_export_is_the_command_lines_file(page: Page, written: Path, tmp_path: P
     choose(page, "orthodiagonal")
     page.get_by_test_id("export").click()
     with page.expect_download() as download:
-        page.get_by_test_id("export-dxf").click()
+        page.get_by_test_id("export-write").click()
     assert download.value.suggested_filename == "orthodiagonal.dxf"
     download.value.save_as(tmp_path / "there.dxf")
     ours = (written / "pattern.dxf").read_bytes()

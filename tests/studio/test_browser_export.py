@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -133,7 +134,7 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     page.keyboard.press("Escape")
     # The window opens all the same: that is where it is mended.
     page.get_by_test_id("export").click()
-    wait_until(page, "document.querySelector('[data-testid=export-dxf]').disabled")
+    wait_until(page, "document.querySelector('[data-testid=export-write]').disabled")
     say(page, "stock-height", "2.5")
     await_sheets(page)
     page.get_by_test_id("export-close").click()
@@ -150,6 +151,40 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     for side in ("width", "height"):
         say(page, f"stock-{side}", "")
     assert "workshop" not in design(page)
+    page.keyboard.press("Escape")
+
+
+def test_files_by_what_they_are_for(page: Page) -> None:
+    """By keys alone: each task with its formats, the settings that matter there, one button."""
+    choose(page, "orthodiagonal")
+    page.get_by_test_id("export").press("Enter")
+    await_frames(page)
+    write = page.get_by_test_id("export-write")
+    for said, format_, setting, other in (
+        ("Write DXF", "svg", "stock-width", "paper"),
+        ("Write PDF", "pdf", "paper", "stock-width"),
+        ("Write 3DM", "obj", None, "paper"),
+        ("Write CSV", "vtu", "areal_density", "paper"),
+    ):
+        assert write.inner_text() == said
+        assert page.get_by_test_id(f"format-{format_}").is_visible()
+        if setting:
+            assert page.get_by_test_id(f"workshop-{setting}").is_visible()
+        assert not page.get_by_test_id(f"workshop-{other}").is_visible()
+        assert page.locator(".export-window .button.primary:visible").count() == 1
+        page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowLeft")
+    # What the design has nothing for says what it lacks.
+    assert page.get_by_test_id("format-inp").is_disabled()
+    assert "needs supports" in page.locator("label:has([data-testid=format-inp])").inner_text()
+    canvas = page.get_by_test_id("export-shell").locator("canvas")
+    colours = "c => new Set(c.getContext('2d').getImageData(0, 0, 560, 400).data).size"
+    assert canvas.evaluate(colours) > 20  # the shell is on it
+    page.keyboard.press("ArrowRight")
+    assert page.locator(".export-window button.format:visible").count() == 16
+    assert not write.is_visible()
+    page.keyboard.press("ArrowRight")  # round to the first
+    page.keyboard.press("Escape")
 
 
 @thorough
@@ -175,7 +210,8 @@ def test_the_window_lies_within_the_page(browser: Browser, address: str, size: s
         assert window.evaluate("window => window.scrollWidth <= window.clientWidth")
         # However far it is scrolled, it can be closed.
         assert page.get_by_test_id("export-close").is_visible()
-        for theme in ("light", "dark"):
+        for task, theme in product(("cut", "paper", "cad", "all"), ("light", "dark")):
+            page.locator(f"label:has([data-testid=task-{task}])").click()
             page.evaluate("theme => { document.documentElement.dataset.theme = theme; }", theme)
             found = page.evaluate(
                 "axe.run('.export-window').then((result) => result.violations.filter("

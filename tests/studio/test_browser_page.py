@@ -10,7 +10,7 @@ import pytest
 from orishell.design_file import starter_file
 from page_checks import CUT_RINGS, MISPLACED, serious_findings
 from samples import led_by, thorough
-from studio_pages import SIZES, choose, drawn, drop_file, opened, settle
+from studio_pages import SIZES, all_formats, choose, drawn, drop_file, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -136,6 +136,7 @@ def test_the_designs_name_is_that_of_its_files(page: Page) -> None:
     assert saved.value.suggested_filename == "Zelt 3 m.toml"
     page.get_by_test_id("export").click()
     with page.expect_download() as exported:
+        all_formats(page)
         page.get_by_test_id("export-csv").click()
     assert exported.value.suggested_filename == "Zelt 3 m-csv.zip"
     page.keyboard.press("Escape")

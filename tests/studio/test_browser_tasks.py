@@ -22,7 +22,7 @@ from ezdxf.filemanagement import new, readfile
 from command_line import orishell
 from orishell.shell.make import design_shell
 from samples import thorough
-from studio_pages import choose, drawn, opened, settle
+from studio_pages import all_formats, choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -109,6 +109,7 @@ def require_proved(page: Page) -> None:
 
 
 def export(page: Page, name: str, directory: Path) -> Path:
+    all_formats(page)
     with page.expect_download(timeout=120_000) as download:
         page.get_by_test_id(f"export-{name}").click()
     path = directory / download.value.suggested_filename

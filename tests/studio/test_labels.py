@@ -12,7 +12,14 @@ from orishell.design_file import starter_file
 from orishell.design_file.file import check_design
 from orishell.design_file.tables import FileTable, keys_of
 from orishell.families.registry import FAMILIES
-from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables, describe_workshop
+from orishell.io.formats import all_formats
+from orishell.studio.labels import (
+    TABLES,
+    WORKSHOP_CHOICES,
+    describe_tables,
+    describe_tasks,
+    describe_workshop,
+)
 
 FAMILY = "parallel-repeating"
 THICK = {"thickness": 0.02, "membrane": 0.001}
@@ -51,3 +58,12 @@ def test_the_workshop_is_called_what_its_controls_are_called() -> None:
     words = describe_tables()["workshop"]["keys"]
     assert words["areal_density"]["label"] == "Mass per area"
     assert words["model_scale"]["label"] == "Print scale"
+
+
+def test_every_format_and_setting_has_its_place_among_the_tasks() -> None:
+    tasks = {each["name"]: each for each in describe_tasks()}
+    assert {each.task for each in all_formats()} == {"", *tasks} - {"all"}
+    assert all(each["formats"] for each in tasks.values())
+    assert tasks["all"]["formats"] == [each.name for each in all_formats()]
+    settings = [key for each in tasks.values() for key in each["settings"]]
+    assert set(settings) == {each["key"] for each in describe_workshop()}

@@ -437,6 +437,22 @@ export interface Example {
   design: Record<string, unknown>;
 }
 
+/** What one writes files for. */
+export interface ExportTask {
+  name: string;
+  label: string;
+  /** What is written, in a sentence. */
+  what: string;
+  /** The names of its formats. */
+  formats: string[];
+  /** The keys of the table [workshop] that matter to it. */
+  settings: string[];
+  /** Whether its files show one state, which is chosen. */
+  state: boolean;
+  /** What is shown of it before it is written. */
+  preview: "sheets" | "paper" | "shell";
+}
+
 /** A line of the answer: what the families make of the target that were tried so far. */
 export interface FamiliesFound {
   found: FamilyTrial[];
@@ -524,6 +540,8 @@ export interface FileFormat {
   name: string;
   file: string;
   what: string;
+  /** What the design must have for it: panels with a thickness, or loads; empty where any will do. */
+  needs: "" | "thickness" | "loads";
 }
 
 /** What speaks against a case, or is in doubt. */
@@ -685,6 +703,7 @@ export interface Info {
   families: Record<string, Family>;
   examples: Example[];
   formats: FileFormat[];
+  tasks: ExportTask[];
   workshop: Parameter[];
   tables: Record<string, TableWords>;
   search: SearchInfo;

@@ -71,7 +71,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const drawing = new DrawingForm(store, (work) => store.open(work));
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
-  const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
+  const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames), (width, height) => stage.shell.picture(width, height));
   const toolbar = new Toolbar(store, exportMenu.element, {
     blank: () => {
       const before = store.named;

@@ -70,6 +70,8 @@ class Format:
     solid: bool = False  # whether it shows nothing but boards, so that panels must have a thickness
     # whether it shows the shell as a structure, so that it must have been analysed
     analysed: bool = False
+    # what one writes it for: "cut", "paper", "cad" or "analysis"; empty where for none of these
+    task: str = ""
 
     def fits(self, document: Document) -> bool:
         """Whether a document has what it shows."""

@@ -19,14 +19,15 @@ from starlette.exceptions import HTTPException
 from orishell.conventions.memory import Memory
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
-from orishell.io.formats import all_formats
 from orishell.studio.api import Refusal
 from orishell.studio.guard import Guard, Key
 from orishell.studio.info import Info, NamedDesign
 from orishell.studio.labels import (
     describe_examples,
     describe_families,
+    describe_formats,
     describe_tables,
+    describe_tasks,
     describe_workshop,
 )
 from orishell.studio.pages import Compressed, Pages
@@ -93,9 +94,8 @@ def make_app(
             "units": list(MILLIMETRES),
             "families": describe_families(),
             "examples": describe_examples(),
-            "formats": [
-                {"name": each.name, "file": each.file, "what": each.what} for each in all_formats()
-            ],
+            "formats": describe_formats(),
+            "tasks": describe_tasks(),
             "workshop": describe_workshop(),
             "tables": describe_tables(),
             "search": describe_search(),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NotRequired, TypedDict
+from typing import Literal, NotRequired, TypedDict
 
 from orishell.conventions.table import Kind, Measure
 from orishell.families.pattern import Aim
@@ -67,6 +67,20 @@ class FileFormat(TypedDict):
     name: str
     file: str
     what: str
+    # what the design must have for it: panels with a thickness, or loads; empty where any will do
+    needs: Literal["", "thickness", "loads"]
+
+
+class ExportTask(TypedDict):
+    """What one writes files for."""
+
+    name: str
+    label: str
+    what: str  # what is written, in a sentence
+    formats: list[str]  # the names of its formats
+    settings: list[str]  # the keys of the table [workshop] that matter to it
+    state: bool  # whether its files show one state, which is chosen
+    preview: Literal["sheets", "paper", "shell"]  # what is shown of it before it is written
 
 
 class Largest(TypedDict):
@@ -110,6 +124,7 @@ class Info(TypedDict):
     families: dict[str, Family]
     examples: list[Example]
     formats: list[FileFormat]
+    tasks: list[ExportTask]
     workshop: list[Parameter]
     tables: dict[str, TableWords]
     search: SearchInfo

@@ -18,7 +18,16 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.families.pattern import AnyPattern
 from orishell.families.registry import AUTO, FAMILIES
-from orishell.studio.info import Example, Family, KeyWords, Parameter, TableWords
+from orishell.io.formats import all_formats
+from orishell.studio.info import (
+    Example,
+    ExportTask,
+    Family,
+    FileFormat,
+    KeyWords,
+    Parameter,
+    TableWords,
+)
 from orishell.workshop import Workshop
 from orishell.workshop.palettes import Layer
 
@@ -55,6 +64,36 @@ def describe_examples() -> list[Example]:
             "design": parse_toml(starter_file(name)),
         }
         for name, family in FAMILIES.items()
+    ]
+
+
+def describe_formats() -> list[FileFormat]:
+    """The formats that a shell can be written in."""
+    return [
+        {
+            "name": each.name,
+            "file": each.file,
+            "what": each.what,
+            "needs": "thickness" if each.solid else "loads" if each.analysed else "",
+        }
+        for each in all_formats()
+    ]
+
+
+def describe_tasks() -> list[ExportTask]:
+    """What one writes files for, with the formats that say so, and all formats at the end."""
+    tasks: dict[str, Any] = _WORDS["tasks"]
+    return [
+        {
+            "name": name,
+            "label": words["label"],
+            "what": words["what"],
+            "formats": [each.name for each in all_formats() if name in (each.task, "all")],
+            "settings": words["settings"],
+            "state": words["state"],
+            "preview": words["preview"],
+        }
+        for name, words in tasks.items()
     ]
 
 

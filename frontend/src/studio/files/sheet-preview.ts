@@ -32,6 +32,7 @@ export class SheetPreview {
   private at = 0;
   private url = "";
   private open = false;
+  private subject: "sheets" | "paper" = "sheets";
   private timer = 0;
   private stopping = new AbortController();
 
@@ -52,6 +53,12 @@ export class SheetPreview {
     store.name.watch(() => this.later(REST));
     store.freshness.watch((now) => now === "current" && this.later(REST));
     this.state = "none";
+  }
+
+  /** What is shown: the drawings to leaf through, or the sheet of which a paper model is made. */
+  of(subject: "sheets" | "paper"): void {
+    this.subject = subject;
+    if (this.sheets) this.take(this.sheets);
   }
 
   /** The window is open or closed: sheets are drawn for those who look. */
@@ -117,12 +124,14 @@ export class SheetPreview {
   private take(sheets: Sheets): void {
     this.work.hide();
     this.sheets = sheets;
-    this.at = Math.min(this.at, sheets.sheets.length - 1);
+    const paper = this.subject === "paper";
+    this.at = paper ? 0 : Math.min(this.at, sheets.sheets.length - 1);
     this.note.classList.remove("error");
     this.note.textContent = sheets.palette && `${sheets.palette}. Lines are wider here than in the files.`;
     this.paper.hidden = false;
-    this.leaves.hidden = sheets.sheets.length < 2;
-    this.facts.replaceChildren(...factsOf(sheets).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
+    this.leaves.hidden = paper || sheets.sheets.length < 2;
+    const facts = paper ? [["Model", sheets.paper] as const] : factsOf(sheets);
+    this.facts.replaceChildren(...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
     this.legend.replaceChildren(
       ...[...sheets.layers].reverse().map(({ label, colour }) => h("li", {}, swatch(colour), label)),
     );
@@ -161,7 +170,7 @@ export class SheetPreview {
 }
 
 /** What the sheets come to. */
-export function factsOf({ stock, boards, paper, unit, sheets }: Sheets): [string, string][] {
+export function factsOf({ stock, boards, unit, sheets }: Sheets): [string, string][] {
   const length = (value: number): string => `${pretty(value, 4)} ${unit}`;
   const facts: [string, string][] = [
     ["Drawings", String(sheets.length)],
@@ -171,7 +180,6 @@ export function factsOf({ stock, boards, paper, unit, sheets }: Sheets): [string
     ["Creases", length(stock.crease_length)],
   ];
   if (boards !== null) facts.push(["Sheets for boards", String(boards)]);
-  facts.push(["Paper model", paper]);
   return facts;
 }
 

@@ -17,12 +17,20 @@ interface Control {
 export class WorkshopSettings {
   readonly element: HTMLElement;
   private readonly rows: { parameter: Parameter; element: HTMLElement; show: Show }[];
+  private keys: readonly string[] = [];
   private readonly units: [HTMLElement, Parameter][] = [];
 
   constructor(private readonly store: Store) {
     this.rows = store.info.workshop.map((parameter) => this.row(parameter));
     this.element = h("div", { class: "workshop-settings", role: "group", "aria-label": "Workshop" }, ...this.rows.map(({ element }) => element));
     store.design.bind(() => this.show());
+  }
+
+  /** Show the settings with these keys, in this order, and no others. */
+  only(keys: readonly string[]): void {
+    this.keys = keys;
+    this.element.append(...keys.map((key) => this.rows.find(({ parameter }) => parameter.key === key)!.element));
+    this.show();
   }
 
   private row(parameter: Parameter): { parameter: Parameter; element: HTMLElement; show: Show } {
@@ -125,7 +133,7 @@ export class WorkshopSettings {
   private show(): void {
     for (const { parameter, element, show } of this.rows) {
       show(this.value(parameter.key));
-      element.hidden = isIdle(parameter.key, (key) => this.value(key));
+      element.hidden = !this.keys.includes(parameter.key) || isIdle(parameter.key, (key) => this.value(key));
     }
     const { unit } = this.store.design.value.shell;
     for (const [element, parameter] of this.units) {

@@ -4,7 +4,7 @@ import type * as Api from "../../shared/api-types.ts";
 import type { Remedy } from "../../shared/api-types.ts";
 import type { Known } from "../../shared/view.ts";
 
-export type { Curves, DroppedCurve, FileFormat, Info, Lock, Parameter, Range, Remedy, Verified } from "../../shared/api-types.ts";
+export type { Curves, DroppedCurve, ExportTask, FileFormat, Info, Lock, Parameter, Range, Remedy, Verified } from "../../shared/api-types.ts";
 
 export type Value = string | number | boolean | Value[];
 export type CurveName = "f" | "g";

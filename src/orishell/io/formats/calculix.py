@@ -253,4 +253,5 @@ FORMAT = Format(
     "the analysed structure (CalculiX)",
     write_calculix,
     analysed=True,
+    task="analysis",
 )

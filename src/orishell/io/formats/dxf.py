@@ -167,4 +167,6 @@ def _plain(words: str) -> str:
     )
 
 
-FORMAT = Format("dxf", "pattern.dxf", (".dxf",), "flat pattern for the workshop", write_dxf)
+FORMAT = Format(
+    "dxf", "pattern.dxf", (".dxf",), "flat pattern for the workshop", write_dxf, task="cut"
+)

@@ -67,4 +67,4 @@ def _faces(faces: Integers) -> Iterator[str]:
     return (f"f {' '.join(map(str, corners))}\n" for corners in faces.tolist())
 
 
-FORMAT = Format("obj", "shell.obj", (".obj",), "one state (Wavefront OBJ)", write_obj)
+FORMAT = Format("obj", "shell.obj", (".obj",), "one state (Wavefront OBJ)", write_obj, task="cad")

@@ -255,4 +255,6 @@ def _cut(words: str, most: int) -> str:
     return words if len(words) <= most else words[: most - 3] + "..."
 
 
-FORMAT = Format("pdf", "pattern.pdf", (".pdf",), "paper model, tiled over pages", write_pdf)
+FORMAT = Format(
+    "pdf", "pattern.pdf", (".pdf",), "paper model, tiled over pages", write_pdf, task="paper"
+)

@@ -40,4 +40,4 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
         file.write(faces.tobytes())
 
 
-FORMAT = Format("ply", "shell.ply", (".ply",), "one state (PLY)", write_ply)
+FORMAT = Format("ply", "shell.ply", (".ply",), "one state (PLY)", write_ply, task="cad")

@@ -237,4 +237,6 @@ def _without_clock(data: bytes) -> bytes:
     return data[:begin] + content + checksum + data[end:]
 
 
-FORMAT = Format("3dm", "shell.3dm", (".3dm",), "pattern, shell and curves (Rhino)", write_rhino)
+FORMAT = Format(
+    "3dm", "shell.3dm", (".3dm",), "pattern, shell and curves (Rhino)", write_rhino, task="cad"
+)

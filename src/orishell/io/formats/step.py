@@ -106,4 +106,5 @@ FORMAT = Format(
     missing="STEP needs the library build123d, which is not installed",
     remedy='pip install "orishell[cad]"',
     solid=True,
+    task="cad",
 )

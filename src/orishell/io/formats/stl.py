@@ -47,4 +47,4 @@ def _header(document: Document, nearby: Array) -> bytes:
     return words.encode("ascii", "replace")[:HEADER_LENGTH].ljust(HEADER_LENGTH)
 
 
-FORMAT = Format("stl", "shell.stl", (".stl",), "one state (STL)", write_stl)
+FORMAT = Format("stl", "shell.stl", (".stl",), "one state (STL)", write_stl, task="cad")

@@ -131,4 +131,6 @@ def _rounding(unit: str) -> Number:
     return number
 
 
-FORMAT = Format("svg", "pattern.svg", (".svg",), "flat pattern for the workshop", write_svg)
+FORMAT = Format(
+    "svg", "pattern.svg", (".svg",), "flat pattern for the workshop", write_svg, task="cut"
+)

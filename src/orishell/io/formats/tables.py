@@ -280,4 +280,6 @@ def _arms(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[S
     )
 
 
-FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)
+FORMAT = Format(
+    "csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables, task="analysis"
+)

@@ -132,4 +132,6 @@ def _collection(files: list[str], drives: list[float], unit: str) -> str:
     return "".join(f"{line}\n" for line in lines)
 
 
-FORMAT = Format("vtu", "shell.vtu", (".vtu", SERIES), "states for ParaView", write_vtk)
+FORMAT = Format(
+    "vtu", "shell.vtu", (".vtu", SERIES), "states for ParaView", write_vtk, task="analysis"
+)
