@@ -84,8 +84,8 @@ DRAGS: dict[str, tuple[Callable[[str, Design, int], None], bool]] = {
 
 
 PARALLEL = "parallel-repeating"
-MOST = 30 / 16
-"""What other families may cost, over parallel repeating: 30 ms where that takes 16."""
+MOST = 1.2 * 30 / 16
+"""What others may cost, over parallel repeating: 30 ms where that takes 16; a fifth for noise."""
 
 
 def cost(family: str, drag: str, step: int) -> float:
@@ -99,14 +99,14 @@ def cost(family: str, drag: str, step: int) -> float:
 
 
 @pytest.mark.parametrize("drag", DRAGS)
-@pytest.mark.parametrize("family", sorted(SLIDERS))
+@pytest.mark.parametrize("family", sorted({*SLIDERS} - {PARALLEL}))
 def test_one_step_of_a_drag(benchmark: BenchmarkFixture, family: str, drag: str) -> None:
     """Steps of two families by turns, so that a busy machine is as slow for both."""
     both = [(cost(family, drag, k), cost(PARALLEL, drag, k)) for k in range(STEPS + 2)]
     # The first ones import, and fill what is kept.
     found, parallel = np.median(both[2:], axis=0).tolist()
     benchmark.extra_info["milliseconds of processor time"] = found
-    benchmark.extra_info["over parallel repeating"] = found / parallel
+    benchmark.extra_info["those of parallel repeating"] = parallel
     benchmark(cost, family, drag, STEPS + 2)
-    print(f"\n{family}, {drag}: {found:.0f} ms, {found / parallel:.2f} of parallel repeating")
+    print(f"\n{family}, {drag}: {found:.0f} ms; parallel repeating: {parallel:.0f} ms")
     assert found < MOST * parallel

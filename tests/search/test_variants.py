@@ -93,16 +93,18 @@ def test_values_that_are_chosen_freely_have_their_places_on_a_slider(tmp_path: P
     assert angle["shares"] == pytest.approx([(value - 40) / 10 for value in values])
 
 
-def test_a_search_writes_it_only_if_it_is_asked_to(tmp_path: Path) -> None:
+def test_a_search_writes_it_if_it_is_asked_to(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("orishell.search.local_processes", lambda *_: alone())
     (tmp_path / "vault.toml").write_text(GRID)
-    for words in ((), ("--write", "html")):
-        done = orishell("search", tmp_path / "vault.toml", "--out", tmp_path / "out", *words)
-        assert done.returncode == 0, done.stderr
-        assert (tmp_path / "out" / NAME).is_file() == bool(words)
-    done = orishell("search", tmp_path / "vault.toml", "--out", tmp_path / "no", "--write", "pdf")
-    assert done.returncode == 2
-    assert "expected html" in done.stderr
-    assert not (tmp_path / "no").exists()
+    for form, status in (("pdf", 2), ("html", 0)):
+        out = tmp_path / form
+        done = orishell("search", tmp_path / "vault.toml", "--out", out, "--write", form)
+        assert done.returncode == status, done.stderr
+        assert (out / NAME).is_file() == (form == "html")
+        assert out.exists() == (form == "html")
+        assert ("expected html" in done.stderr) == (form == "pdf")
 
 
 def test_a_page_that_is_not_of_a_search_is_not_written_over(tmp_path: Path) -> None:

@@ -133,17 +133,18 @@ def measure_departures(mechanism: LongitudinalLinearRepeating) -> dict[str, floa
     mechanism = replace(mechanism, stop=None)
     rows = mechanism.grid.rows - 2
     flat_foldable = flat_foldable_rows(rows, mechanism.first_row)
-    worst = {"f_row": 0.0, "s_row": 0.0, "column": 0.0}
-    for drive in np.linspace(0.0, mechanism.target_drive, STATES + 1)[1:]:
-        inner = mechanism.positions(drive)[1:-1, 1:-1]
-        of_rows = departures_from_plane(inner) if inner.shape[1] > 3 else np.zeros(rows)
-        of_columns = departures_from_plane(inner.swapaxes(0, 1)) if rows > 3 else np.zeros(1)
+    drives = np.linspace(0.0, mechanism.target_drive, STATES + 1)[1:]
+    inner = mechanism.positions(drives)[:, 1:-1, 1:-1]
+    of_rows = departures_from_plane(inner) if inner.shape[2] > 3 else np.zeros((STATES, rows))
+    of_columns = departures_from_plane(inner.swapaxes(1, 2)) if rows > 3 else np.zeros((STATES, 1))
+    worst = {
+        name: float(values.max(initial=0.0))
         for name, values in (
-            ("f_row", of_rows[flat_foldable]),
-            ("s_row", of_rows[~flat_foldable]),
+            ("f_row", of_rows[:, flat_foldable]),
+            ("s_row", of_rows[:, ~flat_foldable]),
             ("column", of_columns),
-        ):
-            worst[name] = max(worst[name], float(values.max(initial=0.0)))
+        )
+    }
     names = {"f_row": "F rows", "s_row": "S rows", "column": "columns"}
     return {
         **{f"{name}_out_of_plane": value for name, value in worst.items()},

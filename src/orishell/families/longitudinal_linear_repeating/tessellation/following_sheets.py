@@ -16,10 +16,12 @@ from orishell.families.longitudinal_linear_repeating.tessellation.lengths import
     InnerLengths,
     end_limits,
 )
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
 
 LARGEST_RATIO = 1000.0
 """A sheet whose longest inner crease is more than this times the shortest does not count."""
+ROUNDING = 1e-10
+"""Lengths that are too short or too long by less, over the longest, are as they should be."""
 NOWHERE = 0.5 / LARGEST_RATIO**2
 """1/(1 + d^2) is smaller where the most even sheet is at a distance d that does not count."""
 CHOICE = 1e-3
@@ -37,6 +39,7 @@ class FollowingSheets:
     row: Array  # lengths (n-1, k) of the middle row
     column: Array  # lengths (m-1, k) of column 1
     every: Array  # lengths (N, k) of all inner creases
+    rim: Booleans  # which of them (N,) are likely to be the shortest or the longest
     scale: Array  # of the wanted column (k,)
     room: Array  # what must not be negative (R, k), so that column 1's ends have room
 
@@ -72,7 +75,16 @@ class FollowingSheets:
             if np.isfinite(limit):
                 room.append(limit * made.row[:, place, 0] - end * scale)
         parts = [each.reshape(count, -1).T for each in (made.row, made.column)]
-        return cls(rows, column, np.concatenate(parts), scale, np.reshape(room, (-1, count)))
+        rim = [np.zeros(each.shape[1:], np.bool_) for each in (made.row, made.column)]
+        rim[0][[0, m // 2, -1]] = rim[1][[0, -1]] = True
+        return cls(
+            row=rows,
+            column=column,
+            every=np.concatenate(parts),
+            rim=np.concatenate([each.ravel() for each in rim]),
+            scale=scale,
+            room=np.reshape(room, (-1, count)),
+        )
 
     def most_even(self) -> tuple[Array, Array] | None:
         """Lengths (n-1,) of the middle row and (m-1,) of column 1, the shortest of all being 1.
@@ -91,12 +103,19 @@ class FollowingSheets:
         conditions[unknowns, count : 2 * count] = 1.0
         conditions[-1, :count] = 1.0
         goal = np.append(np.zeros(unknowns + 1), 1.0)
-        forces = nnls(conditions, goal)[0]
-        if (goal - conditions @ forces)[-1] < NOWHERE:
-            return None
-        # The conditions that hold it there, alone: freed of the rounding of all others.
-        met = conditions[:, forces > 0]
-        nearest = np.linalg.lstsq(met[:-1].T, met[-1], rcond=None)[0]
+        asked = np.concatenate([self.rim, self.rim, np.ones(len(self.room), np.bool_)])
+        while True:
+            part = conditions[:, asked]
+            forces = nnls(part, goal)[0]
+            if (goal - part @ forces)[-1] < NOWHERE:
+                return None
+            # The conditions that hold it there, alone: freed of the rounding of all others.
+            met = part[:, forces > 0]
+            nearest = np.linalg.lstsq(met[:-1].T, met[-1], rcond=None)[0]
+            missed = conditions[-1] - nearest @ conditions[:-1] > ROUNDING * nearest[unknowns]
+            if not (missed & ~asked).any():
+                break
+            asked |= missed
         found = nearest[:unknowns] / CHOICE
         return self.row @ found, self.column @ found
 
