@@ -29,8 +29,8 @@ test.each([
   ["[pattern] rows, columns", "Pattern rows, columns"],
   ["[target.f] range", "curve f: range"],
   ["[target.surface] formula", "surface: formula"],
-  ["add the table [structure]", "add the table [structure]"],
-  ["frames in [motion]", "frames in [motion]"],
+  ["add the table [structure]", "add the table Structure"],
+  ["frames in [motion]", "frames under Motion"],
   ["stage_deg = 12 is beyond", "Stage = 12° is beyond"],
   ["a depth of no_such_key = 3", "a depth of no_such_key = 3"],
 ])("%s", (text, expected) => {

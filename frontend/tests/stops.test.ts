@@ -5,7 +5,6 @@ import { isEarly, targetPoints } from "../src/shared/view.ts";
 import { frameAt, Journey, stopsOf, targetShare, wayOf } from "../src/shared/stops.ts";
 import { Motion } from "../src/shared/rigid.ts";
 import { decodeView } from "../src/shared/view.ts";
-import { wordsOfLock } from "../src/studio/shell/lock.ts";
 import type { Report } from "../src/studio/state/types.ts";
 import scipy from "./motion.json";
 
@@ -91,34 +90,9 @@ test("panels are drawn at descending drives", () => {
   expect(targetPoints({ ...view, header, positions: turned })).toEqual(targetPoints(view));
 });
 
-const lock = { cause: "crease", drive_deg: 180, target_drive_deg: 90, first_contact: null };
-const deployment = { start: "pack", closing: "clipped flaps", opening: null, end_drive_deg: 180 };
-const words = (changes: object, held: object = {}) =>
-  wordsOfLock({ lock: { ...lock, ...changes }, deployment: { ...deployment, ...held } } as unknown as Report);
-
-test("a lock is said to be against closing, and what holds the shell", () => {
-  expect(wordsOfLock(null)).toEqual(["Not verified.", "quiet"]);
-  expect(words({ cause: "flaps" }, { start: "flat", closing: "flaps" })[0]).toBe(
-    "Locked against closing by its flaps: nothing touches on the way, proved.",
-  );
-  expect(words({})[0]).toMatch(/^Held from closing by flaps clipped on .* closes on to the pack at 180°: nothing/);
-  expect(words({ cause: "clash" }, { end_drive_deg: 120 })[0]).toContain("closes until panels meet at 120°");
-  expect(words({}, { start: "flat", closing: null })[0]).toMatch(/^Nothing holds it from closing; it closes on to 180°/);
-  expect(words({ cause: null }, { closing: null, end_drive_deg: 90 })[0]).toMatch(/^Nothing holds it from closing:/);
-  expect(words({}, { opening: "ties" })[0]).toContain("Held from opening by ties.");
-});
-
-test("flaps without room at the target hold nothing", () => {
-  const clipped = { drive_deg: 90, panels: [[0, -1], [1, 0]], kind: "flap on panel", overlap: 0.1 };
-  expect(words({ clipped_contact: clipped })).toEqual([
-    "Flaps have no room at the target: panels 0,-1 and 1,0 meet when they are clipped on.",
-    "bad",
-  ]);
-});
-
 test("only a contact before the target is too early", () => {
-  const contact = { drive_deg: 80, panels: [[0, 0], [1, 0]], kind: "neighbours" };
-  expect(words({ cause: "clash", first_contact: contact })[1]).toBe("bad");
-  expect(words({ cause: "clash", first_contact: { ...contact, drive_deg: 120 } })[1]).toBe("good");
+  const lock = { drive_deg: 180, target_drive_deg: 90 } as Report["lock"];
+  expect(isEarly({ drive_deg: 80 }, lock)).toBe(true);
+  expect(isEarly({ drive_deg: 120 }, lock)).toBe(false);
   expect(isEarly({ drive_deg: 120 }, undefined)).toBe(true);
 });

@@ -19,13 +19,13 @@ test("the largest displacement and what governs are named with their cases", () 
   const cases = [caseOf("snow", "free", null), caseOf("wind", "free", 0.02), caseOf("snow", 150, 0.05), caseOf("wind", 150, 0.01)];
   const governs = { part: "ties", case: "wind", creases: "free", utilisation: 0.803 } as const;
   expect(structureFigures(reportOf(cases, governs), "m")).toEqual([
-    { name: "Displaced", value: "0.05 m", note: "at most, under snow, creases of 150 N" },
-    { name: "Used", value: "80.3 %", note: "the force in a tie governs, under wind, free creases" },
+    { name: "Displacement", value: "50 mm", note: "at most, under snow, creases of 150 N" },
+    { name: "Utilisation", value: "80.3 %", note: "the force in a tie governs, under wind, free creases" },
   ]);
 });
 
 test("with one stiffness of creases it is not said", () => {
   expect(structureFigures(reportOf([caseOf("snow", "rigid", 2)]), "mm")).toEqual([
-    { name: "Displaced", value: "2 mm", note: "at most, under snow" },
+    { name: "Displacement", value: "2 mm", note: "at most, under snow" },
   ]);
 });

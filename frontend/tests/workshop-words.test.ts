@@ -16,7 +16,7 @@ it("what sheets come to has its units", () => {
   const sheets: Sheets = { sheets: [], unit: "m", layers: [], palette: "", stock, boards: 2, paper: "Scale 1:10" };
   const facts = new Map(factsOf(sheets));
   expect(facts.get("Used of the sheets")).toBe("68 %");
-  expect(facts.get("Cut")).toBe("34.17 m");
+  expect(facts.get("Cut")).toBe("34.2 m");
   expect(facts.get("Sheets for boards")).toBe("2");
   expect(new Map(factsOf({ ...sheets, boards: null })).has("Sheets for boards")).toBe(false);
   expect(percent(0.005)).toBe("1 %");

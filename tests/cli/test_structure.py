@@ -58,7 +58,7 @@ def test_the_summary(report: Analysis) -> None:
     assert sum(line.startswith("load ") for line in lines) == 2
     assert sum(line.startswith("case ") for line in lines) == 3
     assert lines[0].startswith(
-        "x carries   no: 1 of 4 cases fail; under both, free creases it opens"
+        "x stands    no: 1 of 4 cases fail; under both, free creases it opens"
     )
     assert lines[1].startswith("x both, free creases: it opens under its loads: nothing holds")
     assert [line[0] for line in lines[1:5]] == ["x", "!", "!", "!"]
@@ -126,7 +126,7 @@ def test_check_asks_for_status_1(tmp_path: Path, old: str, new: str, status: int
     (tmp_path / "arch.toml").write_text(ARCH.replace(old, new))
     done = orishell("structure", "arch.toml", "--check", cwd=tmp_path)
     assert done.returncode == status, done.stderr
-    assert done.stdout.split()[1] == "carries"
+    assert done.stdout.split()[1] == "stands"
     assert orishell("structure", "arch.toml", cwd=tmp_path).returncode == 0
 
 

@@ -100,7 +100,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
         assert page.evaluate("orishell.shell.fold") == 1
         legend = page.locator(".orishell-legend").inner_text()
         assert "snow: displacement; displacements \u00d7 5" in legend
-        assert f"{LARGEST} m" in legend
+        assert f"{1000 * LARGEST:g} mm" in legend
         snow = pixels(page, ".stage canvas")
         page.evaluate("orishell.player.toggle()")  # held: it does not move
         assert not page.evaluate("orishell.player.bar.querySelector('.playing') !== null")
@@ -112,7 +112,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
         choose(page, "measure", "stress")
         assert "MPa" in page.locator(".orishell-legend").inner_text()
         choose(page, "case", "own weight")
-        assert "moves: nothing resists this" in page.locator(".orishell-legend").inner_text()
+        assert "unstable: nothing resists this" in page.locator(".orishell-legend").inner_text()
         assert page.get_by_test_id("load-measure").is_disabled()
         moves = pixels(page, ".stage canvas")
 

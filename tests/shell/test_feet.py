@@ -157,9 +157,9 @@ def test_curves_and_surface_are_raised_with_the_shell(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "says"),
     [
-        ("figure1", "stands    level on z = 0, on rows 0 and 10"),
-        ("figure3", "stands    on rows 0 and 8, from z = 0 up to 0.433 m above"),
-        ("canopy", "stands    nowhere: f's ends are not its lowest part"),
+        ("figure1", "feet      level on z = 0, on rows 0 and 10"),
+        ("figure3", "feet      on rows 0 and 8, from z = 0 up to 0.433 m above"),
+        ("canopy", "feet      nowhere: f's ends are not its lowest part"),
     ],
 )
 def test_summary_says_what_a_shell_stands_on(name: str, says: str, tmp_path: Path) -> None:

@@ -45,7 +45,7 @@ def made(directory: Path, thickness: float, kind: str = "pinned") -> Shell:
 
 
 def offer(shell: Shell) -> str:
-    return next(row.remedy for row in shell.report.verdict if row.subject == "carries")
+    return next(row.remedy for row in shell.report.verdict if row.subject == "stands")
 
 
 def test_a_thickness_that_is_offered_carries(tmp_path: Path) -> None:

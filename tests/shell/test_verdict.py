@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from orishell.design_file import read_design_file
 from orishell.shell import make_shell
 from orishell.shell.make import Shell
 from orishell.shell.report import Report
+from orishell.shell.steps import MEASURES
 from orishell.shell.verdict import find_verdict
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -42,16 +44,17 @@ def test_the_worst_comes_first_and_the_report_has_it() -> None:
     assert isinstance(said, list)
     assert said[0] == {
         "sign": "warns",
-        "subject": "held",
+        "subject": "locks",
         "finding": "at 180 degrees: its flaps stop it closing; only its supports stop it opening",
         "remedy": "",
+        "changes": {},
     }
 
 
 def test_nothing_is_called_clear_that_nobody_looked_at() -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
     report = make_shell(file, clash="unexamined").report
-    sign, finding = rows(report)["clear"]
+    sign, finding = rows(report)["folds"]
     assert (sign, finding.partition(":")[0]) == ("warns", "not known")
 
 
@@ -61,11 +64,62 @@ def test_panels_that_meet_speak_against_a_shell() -> None:
     assert contact is not None
     lock = replace(report.lock, cause="clash", first_contact=replace(contact, drive=np.pi / 2))
     found = rows(replace(report, lock=lock, feasible=False))
-    sign, finding = found["clear"]
+    sign, finding = found["folds"]
     assert sign == "fails"
     assert "meet at 90 degrees" in finding
     assert "short of the target at 180 degrees" in finding
-    assert "held" not in found
+    assert "locks" not in found
+
+
+@pytest.mark.parametrize(
+    ("closing", "opening", "push", "subject", "sign"),
+    [
+        (None, None, 0.0, "locks", "warns"),
+        (None, "ties", 0.1, "held", "holds"),
+        (None, "ties", -0.1, "held", "warns"),
+        ("flaps", None, 0.1, "locks", "warns"),
+        ("flaps", None, -0.1, "locks", "holds"),
+        ("flaps", "ties", 0.1, "locks", "holds"),
+    ],
+)
+def test_what_nothing_but_supports_holds_wants_attention(
+    closing: Literal["flaps"] | None,
+    opening: Literal["ties"] | None,
+    push: float,
+    subject: str,
+    sign: Sign,
+) -> None:
+    """Of a shell that was made, with other things to hold it, pushed open or closed by weight."""
+    report = shell("figure1").report
+    weight = report.deployment.weight
+    assert weight is not None
+    other = replace(
+        report.deployment,
+        closing=closing,
+        opening=opening,
+        weight=replace(weight, at_feet=push),
+    )
+    assert rows(replace(report, deployment=other))[subject][0] == sign
+
+
+def test_a_shell_without_flaps_is_not_said_to_lock() -> None:
+    file = read_design_file(EXAMPLES / "figure1.toml").changed({"pattern.flap": 0})
+    sign, finding = rows(make_shell(file, skip=MEASURES).report)["locks"]
+    assert sign == "warns"
+    assert finding.endswith("only its supports stop it closing and opening")
+
+
+def test_what_is_packed_and_cut_has_rows_where_it_is_asked_for() -> None:
+    report = shell("figure1").report
+    assert {"packs", "fits"}.isdisjoint(rows(report))
+    packed = replace(report, deployment=replace(report.deployment, start="pack"))
+    assert rows(packed)["packs"][0] == "holds"
+    assert rows(replace(packed, feasible=None))["packs"][0] == "says"
+    (fits,) = [row for row in find_verdict(report, stock=(2.5, 1.25)) if row.subject == "fits"]
+    assert (fits.sign, fits.finding) == ("holds", "on 1 sheet of 2.5 x 1.25 m")
+    unknown = replace(report, quantities=replace(report.quantities, stock=None))
+    (fits,) = [row for row in find_verdict(unknown, stock=(2.5, 1.25)) if row.subject == "fits"]
+    assert fits.sign == "warns"
 
 
 @pytest.mark.parametrize(
@@ -94,10 +148,10 @@ def test_a_shell_carries_what_it_bears_without_sinking(
         feet=(),
     )
     structure = replace(report.structure, cases=(replace(standing, equilibrium=stands),))
-    assert rows(replace(report, structure=structure))["carries"][0] == sign
+    assert rows(replace(report, structure=structure))["stands"][0] == sign
 
 
 def test_a_shell_that_moves_carries_nothing() -> None:
-    sign, finding = rows(shell("shelter_structure").report)["carries"]
+    sign, finding = rows(shell("shelter_structure").report)["stands"]
     assert sign == "fails"
     assert "gives way under its loads" in finding

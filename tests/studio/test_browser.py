@@ -153,7 +153,7 @@ def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> Non
     page.evaluate(TOUCHING)
     settle(page)
     card = page.get_by_test_id("verify-status")
-    assert "touch first" in card.inner_text()
+    assert "short of the target" in card.inner_text()
     assert "Nearest found that works" in card.inner_text()
     assert page.get_by_test_id("contact").is_visible()
     card.get_by_test_id("use-nearest").click()
@@ -173,7 +173,7 @@ def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
     settle(page)
     assert page.get_by_test_id("target").inner_text() == "Target"
     assert page.get_by_test_id("deployment-flap_attachment-folded").is_disabled()
-    assert "closes until panels meet" in page.get_by_test_id("verify-status").inner_text()
+    assert "beyond the target" in page.get_by_test_id("verify-status").inner_text()
     # The slider begins where the pack is proved, and stands at the target.
     drives, named, deployment = page.evaluate(
         "(({ header }) => [header.drives_deg, header.named, header.report.deployment])"
@@ -218,7 +218,7 @@ def test_panels_with_a_thickness(page: Page) -> None:
     type_into(page, "panel-thickness", "0.1")
     assert page.evaluate(table) == {"thickness": 0.1, "membrane": 0.005}
     assert page.get_by_test_id("refusal").is_hidden()
-    assert "the thickness of its boards" in page.get_by_test_id("verify-status").inner_text()
+    assert "flaps clipped on stop it" in page.get_by_test_id("verify-status").inner_text()
     assert switch.is_visible()
     on = pixels(page, "canvas")
     switch.click()

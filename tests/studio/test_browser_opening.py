@@ -116,6 +116,7 @@ def test_nothing_is_left_of_the_design_before(browser: Browser, address: str) ->
 def test_numbers_are_those_that_were_typed_and_counted(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         # What is said to work is what is taken.
+        open_text(page, "bend", starter_file("parallel-repeating"))
         settle(page)
         assert "to at least" in page.locator(".parameter[data-key=flap] .note").inner_text()
         page.get_by_test_id("param-flap").fill("5")

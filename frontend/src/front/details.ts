@@ -1,7 +1,7 @@
 // What is known of the chosen member, and of that which it is compared with.
 
 import type { FrontPage } from "../shared/api-types.ts";
-import { length, threeDigits } from "../shared/colours.ts";
+import { length, threeDigits } from "../shared/quantities.ts";
 import type { View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
 import { written } from "../shared/written.ts";
@@ -21,7 +21,7 @@ export function tableOf(page: FrontPage, numbers: number[], views: (View | null)
   const figures = page.figures.map(({ name, note }, k): Row => ({ name, note, values: members.map((each) => each.figures[k]) }));
   const wanted = page.figures.map(({ minimised }) => minimised);
   const groups: [string, Row[]][] = [
-    ["Minimised", figures.filter((_, k) => wanted[k])],
+    ["Minimise", figures.filter((_, k) => wanted[k])],
     ["Limited", figures.filter((_, k) => !wanted[k])],
     ["Variables", page.variables.map((name, k) => ({ name, note: "", values: members.map((each) => each.values[k]) }))],
     ["Sizes", sizesOf(views)],

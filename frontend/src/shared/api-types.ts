@@ -1052,6 +1052,8 @@ export interface Parameter {
   default: number | string | boolean | null;
   /** The target without which it has no meaning. */
   only: "curves" | "surface" | "drawing" | "none" | null;
+  /** Whether it is folded away until it is asked for. */
+  advanced: boolean;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
   /** Between two of its places. */
@@ -1256,6 +1258,8 @@ export interface Row {
   finding: string;
   /** What mends it, which has been tried; empty if nothing was found that does. */
   remedy: string;
+  /** The same as values of keys of the design file; empty where it is none of these. */
+  changes: Record<string, unknown>;
 }
 
 /** The last line of the answer: the search has come to its end. */

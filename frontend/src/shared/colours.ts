@@ -68,22 +68,3 @@ export function largest(values: Float32Array): number {
   for (const value of values) if (Math.abs(value) > most) most = Math.abs(value);
   return most;
 }
-
-/** A length of three significant digits with its unit. */
-export function length(value: number, unit: string): string {
-  const text = threeDigits(value);
-  return unit === "unit" ? text : `${text} ${unit}`;
-}
-
-/** An area likewise. */
-export function area(value: number, unit: string): string {
-  return unit === "unit" ? threeDigits(value) : `${threeDigits(value)} ${unit}\u00b2`;
-}
-
-export function threeDigits(value: number): string {
-  if (!Number.isFinite(value)) return "-";
-  if (value === 0) return "0";
-  const size = Math.abs(value);
-  const text = size >= 100 ? value.toFixed(0) : size < 1e-4 ? value.toExponential(1) : String(Number(value.toPrecision(3)));
-  return text.replace("-", "\u2212");
-}

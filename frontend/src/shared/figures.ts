@@ -1,10 +1,8 @@
 // The figures of a shell, from its report; what a report does not say is measured on the view.
 
-import { area, length, threeDigits } from "./colours.ts";
+import { area, length, sides, threeDigits } from "./quantities.ts";
 import { structureFigures } from "./structure-figures.ts";
-import { verdictList } from "./verdict.ts";
 import { panelCount, targetPoints, type Known, type View } from "./view.ts";
-import { sentence } from "./words.ts";
 
 interface Size { width: number; height: number; depth?: number; area?: number }
 
@@ -17,70 +15,86 @@ const CAUSES = {
   boards: "boards close no further",
 };
 
-/** A list of names and figures; `container` is emptied first. `said` puts warnings into the page's words. */
-export function renderFigures(container: HTMLElement, view: View, said = (text: string): string => text): void {
-  const { report } = view.header;
-  const known = Object.keys(report).length > 0;
-  const unit = view.header.unit;
-  const grid = view.header.grid;
+/** A pack less high than this share of its length is a bundle, whose layers count: as in the verdict. */
+const SLIM = 0.03;
+
+/** Names and figures in three groups; `container` is emptied first. */
+export function renderFigures(container: HTMLElement, view: View): void {
+  const { report, unit, names } = view.header;
+  const whole = Object.keys(report).length > 0;
+  container.replaceChildren(
+    ...group("Shell", (add) => {
+      const shell: Size | null = report.deployed ?? measured(view, "shell");
+      if (shell) {
+        add("Span", sides([shell.width, shell.depth ?? 0], unit), "in plan");
+        add("Height", length(shell.height, unit), "");
+      }
+      if (whole) closeness(report, unit, add);
+    }),
+    ...group("Sheet", (add) => {
+      const sheet: Size | null = report.sheet ?? measured(view, "flat");
+      const { grid } = view.header;
+      const count = names ? new Set(names).size : panelCount(view);  // parts of one have one name
+      // The report counts boards that are clipped on, too.
+      const { panels = count, clipped = 0 } = report.quantities ?? {};
+      const counted = grid && !names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "";
+      add("Panels", panels.toLocaleString("en").replaceAll(",", "\u202f"), clipped ? `${counted || count}, and ${clipped} clipped on` : counted);
+      if (sheet) {
+        add("Flat sheet", sides([sheet.width, sheet.height], unit), "", "sheet");
+        if (sheet.area) add("Area", area(sheet.area, unit), "");
+      }
+    }),
+    ...(whole ? group("Deployment and loads", (add) => deployed(report, unit, add)) : []),
+  );
+}
+
+type Add = (name: string, value: string, note: string, key?: string) => void;
+
+function closeness({ deviation }: Known, unit: string, add: Add): void {
+  if (deviation === null) return;
+  const { surface, crests, valleys, tilted } = deviation ?? {};
+  const mean = surface && `mean ${length(surface.mean, unit)}${tilted ? `; in the surface asked for ${tilted}` : ""}`;
+  add("Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
+  if (!crests || !valleys) return;
+  const most = Math.max(crests.max, valleys.max);
+  const parts = `crests ${length(crests.max, unit)}, valleys ${length(valleys.max, unit)}`;
+  add("Vertices", `within ${length(most, unit)}`, `of the surfaces beside the target that they follow: ${parts}`);
+}
+
+function deployed(report: Known, unit: string, add: Add): void {
+  const { flap_attachment: flaps, start, packed, pieces, weight, ties } = report.deployment ?? {};
+  const locked = report.lock ? report.lock.cause === "flaps" : flaps === "folded";
+  add(locked ? "Locks at" : "Closes to", lockOf(report), lockNote(report), "lock");
+  if (pieces?.length) add("Pieces", String(pieces.length), "the largest packs as follows");
+  add(start === "pack" ? "Pack" : "Smallest box", packed ? boxOf(packed, unit) : UNKNOWN,
+    packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} ${packed.layers === 1 ? "panel" : "panels"} deep` : "");
+  if (weight) {
+    const force = weight.force_unit === "N" ? `${threeDigits(Math.abs(weight.at_feet))} N` : `${threeDigits(100 * Math.abs(weight.at_feet))} % of it`;
+    add("Own weight", force, `at the feet: ${weight.at_feet > 0 ? "opens" : "closes"} the shell`);
+  }
+  if (ties?.length) {
+    const slack = ties.filter((tie) => tie.slack).length;
+    const late = ties.every((tie) => tie.slack === null);
+    add("Ties", String(ties.length), late ? "fixed when pieces are joined" : `${slack === ties.length ? "all" : slack} proved slack until the target`);
+  }
+  for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(name, value, note);
+}
+
+/** Without a height where that is of panels without thickness. */
+function boxOf({ length: long, width, height }: { length: number; width: number; height: number }, unit: string): string {
+  return sides(height < SLIM * long ? [long, width] : [long, width, height], unit);
+}
+
+/** A heading, and what `fill` adds below it; nothing if that is nothing. */
+function group(title: string, fill: (add: Add) => void): HTMLElement[] {
   const list = document.createElement("dl");
   list.className = "orishell-figures";
-
-  const sheet: Size | null = report.sheet ?? measured(view, "flat");
-  const shell: Size | null = report.deployed ?? measured(view, "shell");
-  const { names } = view.header;
-  const sheets = names ? new Set(names).size : panelCount(view);  // parts of one have one name
-  // The report counts boards that are clipped on, too.
-  const { panels = sheets, clipped = 0 } = report.quantities ?? {};
-  const counted = grid && !names ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "";
-  add(list, "Panels", panels.toLocaleString("en").replaceAll(",", "\u202f"), clipped ? `${counted || sheets}, and ${clipped} clipped on` : counted);
-  if (sheet) {
-    add(list, "Flat sheet", `${threeDigits(sheet.width)} \u00d7 ${length(sheet.height, unit)}`, "", "sheet");
-    if (sheet.area) add(list, "Area", area(sheet.area, unit), "");
-  }
-  if (shell) {
-    add(list, "Span", `${threeDigits(shell.width)} \u00d7 ${length(shell.depth ?? 0, unit)}`, "in plan");
-    add(list, "Height", length(shell.height, unit), "");
-  }
-  if (known) {
-    if (report.deviation !== null) {
-      const surface = report.deviation?.surface;
-      const tilted = report.deviation?.tilted ? `; in the surface asked for ${report.deviation.tilted}` : "";
-      const mean = surface && `mean ${length(surface.mean, unit)}${tilted}`;
-      add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
-    }
-    const { crests, valleys } = report.deviation ?? {};
-    if (crests && valleys) {
-      const most = Math.max(crests.max, valleys.max);
-      const parts = `crests ${length(crests.max, unit)}, valleys ${length(valleys.max, unit)}`;
-      add(list, "Vertices", `within ${length(most, unit)}`, `of the surfaces beside the target that they follow: ${parts}`);
-    }
-    const { flap_attachment: flaps, start } = report.deployment ?? {};
-    const locked = report.lock ? report.lock.cause === "flaps" : flaps === "folded";
-    add(list, locked ? "Locks at" : "Closes to", lockOf(report), lockNote(report), "lock");
-    const { packed, pieces, weight, ties } = report.deployment ?? {};
-    if (pieces?.length) add(list, "Pieces", String(pieces.length), "the largest packs as follows");
-    add(list, start === "pack" ? "Pack" : "Smallest box", packed ? [packed.length, packed.width].map(threeDigits).join(" \u00d7 ") + ` \u00d7 ${length(packed.height, unit)}` : UNKNOWN,
-      packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} ${packed.layers === 1 ? "panel" : "panels"} deep` : "");
-    if (weight) {
-      const force = weight.force_unit === "N" ? `${threeDigits(Math.abs(weight.at_feet))} N` : `${threeDigits(100 * Math.abs(weight.at_feet))} % of it`;
-      add(list, "Own weight", force, `at the feet: ${weight.at_feet > 0 ? "opens" : "closes"} the shell`);
-    }
-    if (ties?.length) {
-      const slack = ties.filter((tie) => tie.slack).length;
-      const late = ties.every((tie) => tie.slack === null);
-      add(list, "Ties", String(ties.length), late ? "fixed when pieces are joined" : `${slack === ties.length ? "all" : slack} proved slack until the target`);
-    }
-    for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(list, name, value, note);
-  }
-  const examined = report.feasible !== null && report.verdict !== undefined;
-  container.replaceChildren(...(examined ? [verdictList(report.verdict ?? [])] : []), list);
-  for (const warning of new Set([...(report.warnings ?? []), ...(report.structure?.warnings ?? [])])) {
-    const line = document.createElement("p");
-    line.className = "orishell-warning";
-    line.textContent = sentence(said(warning));
-    container.append(line);
-  }
+  fill((name, value, note, key = name.toLowerCase()) => list.append(rowOf(name, value, note, key)));
+  if (!list.children.length) return [];
+  const head = document.createElement("h2");
+  head.className = "orishell-group";
+  head.textContent = title;
+  return [head, list];
 }
 
 function lockOf(report: Known): string {
@@ -100,7 +114,7 @@ function lockNote(report: Known): string {
   return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0${held}` : cause;
 }
 
-function add(list: HTMLElement, name: string, value: string, note: string, key = name.toLowerCase()): void {
+function rowOf(name: string, value: string, note: string, key: string): HTMLElement {
   const row = document.createElement("div");
   row.dataset["figure"] = key;
   const term = document.createElement("dt");
@@ -116,7 +130,7 @@ function add(list: HTMLElement, name: string, value: string, note: string, key =
     figure.append(small);
   }
   row.append(term, figure);
-  list.append(row);
+  return row;
 }
 
 /** Box of the flat sheet, or of the shell as it stands. */

@@ -1,7 +1,8 @@
 // What the colours mean, in a corner of the view in space.
 
 import type { Drawn } from "./loaded3d.ts";
-import { AMOUNT_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
+import { AMOUNT_MAP, DISTANCE_MAP, type Colouring } from "./colours.ts";
+import { length, threeDigits } from "./quantities.ts";
 
 export interface LegendFacts {
   colouring: Colouring;
@@ -54,7 +55,7 @@ export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
     bar(container, "fold angle, largest of the panel's creases", AMOUNT_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
   } else if (facts.range) {
     bar(container, "distance to the target surface", DISTANCE_MAP, [
-      `\u2212${length(facts.range, facts.unit)}`, "0", `+${threeDigits(facts.range)}`,
+      `\u2212${length(facts.range, facts.unit)}`, "0", `+${length(facts.range, facts.unit)}`,
     ]);
   } else {
     part(container, "orishell-legend-title").textContent = "distance to the target: not yet known";
@@ -80,7 +81,7 @@ function key(container: HTMLElement, name: string, colour: string, kind = "orish
 
 function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, strength, force }: Drawn, unit: string): void {
   const { name, balanced } = deflection;
-  const what = balanced ? measure : "moves: nothing resists this";
+  const what = balanced ? measure : "unstable: nothing resists this";
   const mpa = (size: number): string => `${threeDigits(size)} MPa`;
   const end = !balanced ? "most" : measure === "stress" ? mpa(most) : length(most, unit);
   const drawn = !balanced ? "" : `; displacements \u00d7 ${threeDigits(scale)}`;

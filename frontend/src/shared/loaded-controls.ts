@@ -1,7 +1,7 @@
 // The choice of a load case, of what colours mean, and of how large displacements are drawn.
 
 import { SIGNS } from "./verdict.ts";
-import { threeDigits } from "./colours.ts";
+import { threeDigits } from "./quantities.ts";
 import { deflectionOf, scalesOf, type Deflection, type Measure } from "./loaded.ts";
 import type { Shell3D } from "./shell3d.ts";
 import type { Loaded, View } from "./view.ts";

@@ -1,7 +1,8 @@
 // The crease pattern: the flat sheet seen from +z. Zoom by wheel, pinch and keys; pan by drag.
 
 import { roundLength } from "./camera.ts";
-import { length, themeOf, type Theme } from "./colours.ts";
+import { themeOf, type Theme } from "./colours.ts";
+import { length } from "./quantities.ts";
 import { PatternGestures } from "./gestures.ts";
 import { Assignment, outlines, type View } from "./view.ts";
 

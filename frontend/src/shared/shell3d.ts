@@ -4,7 +4,8 @@ import { Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRend
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
 import { Clipped3D } from "./clipped3d.ts";
-import { largest, length, themeOf, type Colouring } from "./colours.ts";
+import { largest, themeOf, type Colouring } from "./colours.ts";
+import { length } from "./quantities.ts";
 import { Following } from "./following.ts";
 import { armAfter } from "./keys.ts";
 import { renderLegend, type Mark } from "./legend.ts";

@@ -2,7 +2,7 @@
 
 import type { CaseResult, Analysis } from "./api-types.ts";
 import { GOVERNING } from "./api-words.ts";
-import { length, threeDigits } from "./colours.ts";
+import { length, threeDigits } from "./quantities.ts";
 
 export interface Figure {
   name: string;
@@ -18,12 +18,12 @@ export function structureFigures(report: Analysis | null, unit: string): Figure[
   if (held.length) {
     const size = (each: CaseResult): number => each.equilibrium!.displacement.size;
     const worst = held.reduce((most, each) => (size(each) > size(most) ? each : most));
-    figures.push({ name: "Displaced", value: length(size(worst), unit), note: `at most, under ${namesOf([worst], cases)}` });
+    figures.push({ name: "Displacement", value: length(size(worst), unit), note: `at most, under ${namesOf([worst], cases)}` });
   }
   if (governs) {
     const found = cases.filter(({ name, creases }) => name === governs.case && creases === governs.creases);
     figures.push({
-      name: "Used", value: `${threeDigits(100 * governs.utilisation)} %`,
+      name: "Utilisation", value: `${threeDigits(100 * governs.utilisation)} %`,
       note: `${GOVERNING[governs.part]} governs, under ${namesOf(found, cases)}`,
     });
   }

@@ -1,31 +1,122 @@
-// The verdict on a shell, in the words of its report: what speaks against it, what wants attention, what holds.
+// The verdict on a shell: independent rows, worst first, as terminal and report have them. A row says
+// its sign and subject, and its finding when it is opened.
 
 import type { Row } from "./api-types.ts";
+import type { Known } from "./view.ts";
+import { capital, sentence } from "./words.ts";
 
 export const SIGNS = { fails: "\u2715", warns: "!", holds: "\u2713" } as const;
 const MEANS = { fails: "fails", warns: "attention", holds: "holds" } as const;
+const HEADS = { fails: "Fails", warns: "Needs attention", holds: "Holds" } as const;
 
-/** A list of findings, worst first; what only informs stands among the figures. */
-export function verdictList(rows: readonly Row[]): HTMLElement {
-  const list = document.createElement("ul");
-  list.className = "orishell-verdict";
-  for (const { sign, subject, finding, remedy } of rows) {
-    if (sign === "says") continue;
-    const row = document.createElement("li");
-    row.dataset["sign"] = sign;
-    const mark = document.createElement("span");
-    mark.textContent = SIGNS[sign];
-    mark.setAttribute("role", "img");
-    mark.setAttribute("aria-label", MEANS[sign]);
-    const name = document.createElement("b");
-    name.textContent = subject;
-    row.append(mark, name, ` ${finding}`);
-    if (remedy) {
-      const mends = document.createElement("i");
-      mends.textContent = ` \u2192 ${remedy}`;
-      row.append(mends);
-    }
-    list.append(row);
+export type Tone = keyof typeof SIGNS;
+type Judged = Row & { sign: Tone };
+
+/** The rows that judge; what only informs stands among the figures. */
+export function judged(report: Known | null): Judged[] {
+  return (report?.verdict ?? []).filter((row): row is Judged => row.sign !== "says");
+}
+
+/** The worst of the rows, and which they are. */
+export function headline(rows: readonly Judged[]): [string, Tone] | null {
+  const tone = rows[0]?.sign;
+  if (!tone) return null;
+  const subjects = rows.filter(({ sign }) => sign === tone).map(({ subject }) => capital(subject));
+  return [`${HEADS[tone]}: ${subjects.join(", ")}`, tone];
+}
+
+export class Verdict {
+  readonly element = document.createElement("ul");
+  /** By their subjects, the rows that were opened or closed. */
+  private readonly chosen = new Map<string, boolean>();
+
+  /** `said` puts texts into the page's words; `mend` makes a button of what mends a row. */
+  constructor(
+    private readonly said = (text: string): string => text,
+    private readonly mend = (_: Row): HTMLElement | null => null,
+  ) {
+    this.element.className = "orishell-verdict";
+    this.element.setAttribute("aria-label", "Verdict");
   }
-  return list;
+
+  /** `pending`: what the rows will say is not known yet. */
+  show(report: Known | null, pending = false): void {
+    const rows = judged(report);
+    if (pending) {
+      const subjects = rows.map(({ subject }) => subject).filter((each) => each !== "unchecked");
+      this.element.replaceChildren(...subjects.map(unknown));
+      return;
+    }
+    const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])]);
+    this.element.replaceChildren(
+      ...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")),
+      ...(notes.size ? [this.notes([...notes])] : []),
+    );
+  }
+
+  private row(row: Judged, first: boolean): HTMLElement {
+    const text = document.createElement("span");
+    text.className = "orishell-finding";
+    text.textContent = ` ${this.said(row.finding)}`;
+    const item = this.item(row.sign, row.subject, first, text);
+    if (!row.remedy) return item;
+    const mends = document.createElement("p");
+    mends.textContent = `\u2192 ${this.said(row.remedy)}`;
+    item.firstElementChild!.append(mends, ...[this.mend(row) ?? []].flat());
+    return item;
+  }
+
+  private notes(texts: string[]): HTMLElement {
+    const item = this.item("warns", texts.length === 1 ? "1 note" : `${texts.length} notes`, false, "", "notes");
+    for (const text of texts) {
+      const line = document.createElement("p");
+      line.className = "orishell-warning";
+      line.textContent = sentence(this.said(text));
+      item.firstElementChild!.append(line);
+    }
+    return item;
+  }
+
+  private item(tone: Tone, subject: string, first: boolean, finding: string | Node, name = subject): HTMLElement {
+    const row = document.createElement("details");
+    row.open = this.chosen.get(name) ?? first;
+    const head = document.createElement("summary");
+    head.dataset["testid"] = `verdict-${name}`;
+    head.addEventListener("click", () => this.chosen.set(name, !row.open));
+    head.append(signOf(tone), bold(subject), finding);
+    row.append(head);
+    return listed(tone, name, row);
+  }
+}
+
+function unknown(subject: string): HTMLElement {
+  const words = document.createElement("span");
+  words.className = "orishell-pending";
+  words.textContent = " not yet known";
+  const dots = document.createElement("span");
+  dots.setAttribute("aria-hidden", "true");
+  dots.textContent = "\u2026";
+  return listed("pending", subject, dots, bold(subject), words);
+}
+
+export function signOf(tone: Tone): HTMLElement {
+  const mark = document.createElement("span");
+  mark.textContent = SIGNS[tone];
+  mark.setAttribute("role", "img");
+  mark.setAttribute("aria-label", MEANS[tone]);
+  return mark;
+}
+
+function bold(subject: string): HTMLElement {
+  const name = document.createElement("b");
+  name.textContent = capital(subject);
+  return name;
+}
+
+function listed(sign: string, name: string, ...parts: Node[]): HTMLElement {
+  const item = document.createElement("li");
+  item.dataset["sign"] = sign;
+  item.dataset["row"] = name;
+  item.append(...parts);
+  return item;
 }

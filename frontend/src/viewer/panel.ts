@@ -4,6 +4,7 @@ import { LoadedControls } from "../shared/loaded-controls.ts";
 import { Pattern2D } from "../shared/pattern2d.ts";
 import { renderFigures } from "../shared/figures.ts";
 import { shareTogether, stopsOf, targetShare } from "../shared/stops.ts";
+import { Verdict } from "../shared/verdict.ts";
 import { panelName, stateCount, type View } from "../shared/view.ts";
 import { element } from "./elements.ts";
 import { Player } from "./player.ts";
@@ -22,6 +23,7 @@ export class Viewer {
   protected readonly head = element("header", "head");
   private readonly scene = element("section", "scene", { "aria-label": "Shell in space" });
   private readonly figures = element("section", "figures", { "aria-label": "Figures" });
+  private readonly verdict = new Verdict();
   private readonly caption = element("p", "caption", { "aria-live": "polite" });
   private readonly title = element("h1", "");
   private readonly loads: LoadedControls | null;
@@ -34,7 +36,7 @@ export class Viewer {
     const side = element("aside", "side", { "aria-label": "Crease pattern and figures" });
     this.head.append(this.title, this.theme.button());
     const drawing = element("section", "pattern", { "aria-label": "Crease pattern" });
-    side.append(this.head, drawing, this.caption, this.figures);
+    side.append(this.head, drawing, this.caption, this.verdict.element, this.figures);
     root.append(this.scene, side);
 
     const stage = element("div", "stage");
@@ -82,6 +84,7 @@ export class Viewer {
     const fit = (): void => this.shell?.fit(true);
     this.scene.append(makeToolbar([view], this.shell ? [this.shell] : [], this.drawing, fit, switches), this.player.bar);
     this.point(null);
+    this.verdict.show(view.header.report);
     renderFigures(this.figures, view);
     this.player.set(before ? shareTogether(before.view, view, before.share) : targetShare(stops));
   }

@@ -1,7 +1,7 @@
 // A page of variants: a slider for each variable; the shell is that of the nearest design that was made.
 
 import type { Variant, VariantsPage } from "../shared/api-types.ts";
-import { threeDigits } from "../shared/colours.ts";
+import { threeDigits } from "../shared/quantities.ts";
 import { inflated } from "../shared/packed.ts";
 import { decodeView, type View } from "../shared/view.ts";
 import { written } from "../shared/written.ts";

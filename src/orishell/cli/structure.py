@@ -41,7 +41,7 @@ def summarize_structure(
     from orishell.conventions.row import MARKS, Row
     from orishell.structure.anchors import anchors_in_words
 
-    yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
+    yield from lines_of(Row(report.sign, "stands", report.in_words(), remedy))
     for case in report.told:
         yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
@@ -227,7 +227,7 @@ def structure(
         shell = make_shell(asked, progress, clash="unexamined", skip=(*MEASURES, "stock"))
     report = shell.report.structure
     assert report is not None
-    remedy = next(each.remedy for each in shell.report.verdict if each.subject == "carries")
+    remedy = next(each.remedy for each in shell.report.verdict if each.subject == "stands")
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     written = [] if out is None else write_structure(shell, out)

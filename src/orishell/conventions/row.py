@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Literal
+from collections.abc import Iterable, Mapping
+from dataclasses import field
+from typing import Any, Literal
 
 from orishell.conventions.record import record
 
@@ -28,3 +29,5 @@ class Row:
     subject: str  # what it is about, in a word
     finding: str  # what was found, in a line
     remedy: str = ""  # what mends it, which has been tried; empty if nothing was found that does
+    # the same as values of keys of the design file; empty where it is none of these
+    changes: Mapping[str, Any] = field(default_factory=dict)

@@ -73,7 +73,8 @@ class Knob:
     """One parameter, as a control of the studio shows it: metadata of its key in a table.
 
     A "switch" is on or off, a "size" is a width and a height. The unit "length" is the design's.
-    Without a slider it depends on the curves how far it reaches.
+    Without a slider it depends on the curves how far it reaches. What is ``advanced`` is folded
+    away until it is asked for.
     """
 
     label: str
@@ -84,6 +85,7 @@ class Knob:
     slider: tuple[float, float] | None = None
     step: float | None = None
     choices: tuple[str, ...] = ()
+    advanced: bool = False
 
     @classmethod
     def angle(
@@ -94,9 +96,10 @@ class Knob:
         *,
         step: float = 0.5,
         auto: bool = True,
+        advanced: bool = False,
     ) -> Knob:
         """A knob for an angle in degrees."""
-        return cls(label, help, "number", auto, "deg", slider, step)
+        return cls(label, help, "number", auto, "deg", slider, step, advanced=advanced)
 
 
 def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:

@@ -87,19 +87,25 @@ ROWS: Final = Knob("Rows", "Rows of inner vertices, odd", "integer", slider=(1, 
 COLUMNS: Final = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
 FLAP: Final = Knob("Flap", "Width of the locking flaps; 0 for none", "number", True, "length")
 FLAP_SIDE: Final = Knob(
-    "Flaps fold to", "End of f to which both flaps fold", "choice", choices=("start", "end")
+    "Flaps fold to",
+    "End of f to which both flaps fold",
+    "choice",
+    choices=("start", "end"),
+    advanced=True,
 )
 SPACING: Final = Knob(
     "Spacing",
     "Columns closer together where g bends, or equally far apart",
     "choice",
     choices=("curvature", "equal"),
+    advanced=True,
 )
 PLACEMENT: Final = Knob(
     "Placement",
     "Columns on g, or moved off it to be equally wrong on both sides",
     "choice",
     choices=("inscribed", "balanced"),
+    advanced=True,
 )
 
 

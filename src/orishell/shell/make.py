@@ -38,7 +38,7 @@ from orishell.shell.report import (
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
-from orishell.shell.verdict import find_verdict
+from orishell.shell.verdict import CONTACT, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import (
@@ -180,11 +180,11 @@ def _step_by_step(
         clock.lap("structure")
     unknown = {
         "whether panels stay rigid": residuals is None,
-        "contact between panels on the way": clash == "unexamined",
+        CONTACT: clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
         "distance from the surface": deviation is not None and deviation.surface is None,
-        "the layout on the stock": quantities.stock is None,
-        "the structure": analysis is None and file.structure is not None,
+        STOCK: quantities.stock is None,
+        STRUCTURE: analysis is None and file.structure is not None,
     }
     width, height, _ = extents(points_of(design.mechanism, 0.0))
     report = Report(
@@ -219,11 +219,11 @@ def _step_by_step(
         structure=analysis,
         quantities=quantities,
     )
-    stronger = ""
+    stronger: dict[str, float] = {}
     if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
         stronger = find_stronger(file, analysis, _analysed, progress)
         clock.lap("remedies")
-    report = replace(report, verdict=find_verdict(report, stronger))
+    report = replace(report, verdict=find_verdict(report, stronger, file.workshop.stock))
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
         file=file,

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
-from orishell.conventions.quantities import Quantities
 from orishell.design_file import DesignFile
 from orishell.shell.remedies import SECONDS
 from orishell.structure.case import CaseResult
@@ -25,15 +24,15 @@ Analyse = Callable[[DesignFile, Progress], Analysis | None]
 
 def find_stronger(
     file: DesignFile, analysis: Analysis, analysed: Analyse, progress: Progress
-) -> str:
-    """The thickness with which a shell that fails carries all cases; empty if none was found.
+) -> dict[str, float]:
+    """The thickness, by its key, with which a shell that fails carries all cases; or nothing.
 
     analysed: Makes the shell of a file, and analyses it.
     """
     if analysis.model.structure.nonlinear:
-        return ""  # to follow all cases again would take minutes
+        return {}  # to follow all cases again would take minutes
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
-        return ""  # thickness holds nothing
+        return {}  # thickness holds nothing
     key = "structure.thickness" if file.panel is None else "panel.thickness"
     wanted = analysis.model.thickness * max(_times(case) for case in analysis.cases)
     until = time.thread_time() + SECONDS
@@ -50,11 +49,10 @@ def find_stronger(
         except (DesignError, InputError):  # boards so thick cannot be made
             continue
         except TimeoutError:
-            return ""
+            return {}
         if found is not None and found.sign != "fails":
-            said = Quantities(file.unit).displacement(thickness)
-            return f"panels {said} thick carry all cases (tried)"
-    return ""
+            return {key: thickness}
+    return {}
 
 
 def _times(case: CaseResult) -> float:

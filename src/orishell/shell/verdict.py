@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import Quantities, plain
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
 from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
-from orishell.structure.results import Analysis
 
+CONTACT, STOCK, STRUCTURE = (
+    "contact between panels on the way",
+    "the layout on the stock",
+    "the structure",
+)
+"""What may be left out on request, of which a row says that it is not known."""
+SAID = {CONTACT, STOCK, STRUCTURE}
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
 SLIM = 0.03
@@ -29,58 +35,76 @@ CLOSING = {
 }
 
 
-def find_verdict(report: Report, stronger: str = "") -> tuple[Row, ...]:
+def find_verdict(
+    report: Report,
+    stronger: Mapping[str, float] | None = None,
+    stock: tuple[float, float] | None = None,
+) -> tuple[Row, ...]:
     """The findings of a report, worst first.
 
-    stronger: What would carry its loads, which has been tried.
+    stronger: The thickness of panels that would carry its loads, by its key, which has been tried.
+    stock: Size of the sheets that it is cut from, where they are known.
     """
     rows = [
-        *_carries(report.structure, stronger),
-        *_reaches(report),
+        *_stands(report, stronger or {}),
         *_folds(report),
-        *_held(report),
+        *_locks(report),
+        *_packs(report),
+        *_fits(report, stock),
         *_unchecked(report),
         *_boards(report),
         *_hinges(report),
-        *_stands(report),
+        *_feet(report),
         *_surface(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *_sizes(report),
-        *_travels(report.deployment, report.unit),
+        *_weighs(report.deployment),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
 
-def _carries(structure: Analysis | None, stronger: str) -> Iterator[Row]:
+def _stands(report: Report, stronger: Mapping[str, float]) -> Iterator[Row]:
     """Whether the shell carries its load cases."""
+    structure, remedy = report.structure, ""
+    for thickness in stronger.values():
+        said = Quantities(report.unit).displacement(thickness)
+        remedy = f"panels {said} thick carry all cases (tried)"
     if structure is not None:
-        yield Row(structure.sign, "carries", structure.in_words(), stronger)
+        yield Row(structure.sign, "stands", structure.in_words(), remedy, stronger)
+    elif STRUCTURE in report.not_checked:
+        yield Row("warns", "stands", "not known: the structure was not analysed")
 
 
-def _reaches(report: Report) -> Iterator[Row]:
+def _folds(report: Report) -> Iterator[Row]:
     """Whether panels meet before the shell stands at its target, and what is proved beyond."""
     lock, aim = report.lock, "stage" if report.deviation is None else "target"
+    exact = ""
+    if report.residuals is not None:
+        exact = (
+            f"; panel lengths to {report.residuals.panel_length:.1e}, fold angles to "
+            f"{report.residuals.fold_angle_rad:.1e} rad"
+        )
     if report.feasible is None:
-        yield Row("warns", "clear", "not known: nobody looked whether panels meet on the way")
+        said = "not known: nobody looked whether panels meet on the way"
+        yield Row("warns", "folds", f"{said}{exact}")
         return
-    target = _degrees(lock.target_drive)
-    if lock.clipped_contact is not None:
-        panels = _panels_of(lock.clipped_contact)
-        yield Row("fails", "clear", f"no: {panels} meet when flaps are clipped on at {target}")
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and lock.cause in ("clash", "boards"):
         meets = f"{_panels_of(contact)} meet at {_degrees(contact.drive)} ({contact.kind})"
         if contact.drive < lock.target_drive:
-            yield Row("fails", "clear", f"no: {meets}, short of the {aim} at {target}")
+            short = f"short of the {aim} at {_degrees(lock.target_drive)}"
+            yield Row("fails", "folds", f"no: {meets}, {short}{exact}")
         else:
             there = contact.drive <= lock.target_drive * (1 + SAME)
             beyond = "" if there else f", beyond the {aim}"
-            yield Row("holds", "clear", f"nothing touches before {meets}{beyond}{proved}")
+            yield Row("holds", "folds", f"nothing touches before {meets}{beyond}{proved}{exact}")
     elif lock.path is not None:
         end = _degrees(report.deployment.end_drive)
-        yield Row("holds", "clear", f"nothing touches from flat to {end}{proved}")
+        yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
+    else:
+        yield Row("holds", "folds", f"in one motion{exact}")
 
 
 def _degrees(drive: float) -> str:
@@ -96,22 +120,16 @@ def _panels_of(contact: Contact) -> str:
     return f"panels {first} and {second}"
 
 
-def _folds(report: Report) -> Iterator[Row]:
-    residuals = report.residuals
-    if residuals is not None:
-        yield Row(
-            "holds",
-            "folds",
-            f"in one motion: panel lengths to {residuals.panel_length:.1e}, fold angles to "
-            f"{residuals.fold_angle_rad:.1e} rad",
-        )
-
-
-def _held(report: Report) -> Iterator[Row]:
+def _locks(report: Report) -> Iterator[Row]:
     """What keeps the shell at its target."""
     if report.feasible is False:
         return
-    held = report.deployment
+    held, lock = report.deployment, report.lock
+    where = f"at {_degrees(lock.target_drive)}"
+    if lock.clipped_contact is not None:
+        panels = _panels_of(lock.clipped_contact)
+        yield Row("fails", "locks", f"no: {panels} meet when flaps are clipped on {where}")
+        return
     slack = sum(tie.slack is True for tie in held.ties)
     known = "all" if slack == len(held.ties) else str(slack)
     before = f"{known} proved slack from the pack to there"
@@ -123,19 +141,58 @@ def _held(report: Report) -> Iterator[Row]:
         else "only its supports stop it opening"
     )
     push = 0.0 if held.weight is None else held.weight.at_feet
-    loose = (push > 0 and held.opening is None) or (push < 0 and held.closing is None)
-    both = held.closing is not None and held.opening is not None
-    sign: Sign = "warns" if loose else "holds" if both else "says"
-    where = f"at {_degrees(report.lock.target_drive)}"
+    if held.closing is None:
+        # Its own weight may press it against its ties, which is all that holds it then.
+        sign: Sign = "holds" if push > 0 and held.opening is not None else "warns"
+    else:
+        sign = "warns" if push > 0 and held.opening is None else "holds"
     text = f"{CLOSING[held.closing]}; {opening}"
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"
-    yield Row(sign, "held", f"{where}: {text}")
+    subject = "held" if held.closing is None and held.opening is not None else "locks"
+    yield Row(sign, subject, f"{where}: {text}")
+
+
+def _packs(report: Report) -> Iterator[Row]:
+    """How small it is before it opens, where it opens from a pack."""
+    deployment, unit = report.deployment, report.unit
+    packed = deployment.packed
+    if deployment.start != "pack" or report.feasible is False:
+        return
+    if packed is None:
+        yield Row("warns", "packs", "not known: its pack was not measured")
+        return
+    # Of panels without thickness a flat pack has no height: its layers count.
+    flat = packed.height < SLIM * packed.length
+    sides = [plain(packed.length), plain(packed.width)]
+    box = f"{' x '.join(sides if flat else [*sides, plain(packed.height, 2)])} {unit}"
+    if deployment.pieces:
+        volume = sum(each.box.volume for each in deployment.pieces)
+        total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
+        box = f"{total}, the largest {box}"
+    deep = f", {packed.layers} panels deep" if flat else ""
+    sign: Sign = "says" if report.feasible is None else "holds"
+    yield Row(sign, "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
+
+
+def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:
+    """On how much stock it is cut: panels that are larger were refused before."""
+    built, used = report.quantities.built, report.quantities.stock
+    if stock is None:
+        return
+    size = f"{plain(stock[0])} x {plain(stock[1])} {report.unit}"
+    if used is None:
+        yield Row("warns", "fits", f"not known: it was not laid out on stock of {size}")
+        return
+    sheets = used.sheets if built is None or built.stock_sheets is None else built.stock_sheets
+    what = "sheet" if sheets == 1 else "sheets"
+    yield Row("holds", "fits", f"on {sheets} {what} of {size}")
 
 
 def _unchecked(report: Report) -> Iterator[Row]:
-    if report.not_checked:
-        yield Row("warns", "unchecked", "; ".join(report.not_checked))
+    others = [each for each in report.not_checked if each not in SAID]
+    if others:
+        yield Row("warns", "unchecked", "; ".join(others))
 
 
 def _boards(report: Report) -> Iterator[Row]:
@@ -189,7 +246,7 @@ def _hinges(report: Report) -> Iterator[Row]:
     )
 
 
-def _stands(report: Report) -> Iterator[Row]:
+def _feet(report: Report) -> Iterator[Row]:
     stands, unit = report.stands, report.unit
     if report.deviation is None:
         return
@@ -209,7 +266,7 @@ def _stands(report: Report) -> Iterator[Row]:
         if not stands.level:
             high = f"{plain(stands.uneven)} {unit}"
             text = f"on rows {first} and {last}, from {low} up to {high} above"
-    yield Row("says", "stands", text)
+    yield Row("says", "feet", text)
 
 
 def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
@@ -248,17 +305,9 @@ def _sizes(report: Report) -> Iterator[Row]:
     yield Row("says", "deployed", f"{box} {unit}")
 
 
-def _travels(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
-    """How the shell travels, and what its own weight does."""
-    packed, weight = deployment.packed, deployment.weight
-    if packed is not None and deployment.start == "pack":
-        box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
-        if deployment.pieces:
-            volume = sum(each.box.volume for each in deployment.pieces)
-            total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
-            box = f"{total}, the largest {box}"
-        deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
-        yield Row("says", "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
+def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
+    """What its own weight does."""
+    weight = deployment.weight
     if weight is None:
         return
     does = "pushes its feet apart" if weight.at_feet > 0 else "pulls its feet together"

@@ -21,6 +21,7 @@ class Parameter(TypedDict):
     choices: list[str]
     default: float | str | bool | None  # null: the design must give it
     only: Aim | None  # the target without which it has no meaning
+    advanced: bool  # whether it is folded away until it is asked for
     # how far the slider reaches; left out where that depends on the curves
     slider: NotRequired[tuple[float, float]]
     step: NotRequired[float]  # between two of its places

@@ -95,7 +95,7 @@ def test_only_the_border_moves_and_it_stays_planar_and_folds_as_before(
 def test_the_report_says_how_it_stands_and_the_proof_runs_as_ever() -> None:
     shell = make_shell(file_of(DOME, rows=5, columns=5, ground="corners"))
     said = {row.subject: row.finding for row in shell.report.verdict}
-    assert said["stands"].startswith("level on z = 0, on vertices ")
+    assert said["feet"].startswith("level on z = 0, on vertices ")
     assert shell.report.feasible
     assert not any("not level" in each for each in shell.report.warnings)
     typed = {

@@ -344,7 +344,7 @@ def test_figures(browser: Browser, tmp_path: Path) -> None:
     write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
     with watched_page(browser) as page:
         opened(page, tmp_path / "viewer.html")
-        figures = page.locator("dl").inner_text()
+        figures = page.locator(".figures").inner_text()
     assert f"{len(document.mesh.faces)}" in figures
     assert f"{document.areas().sum():.3g} m\u00b2" in figures
     assert f"{np.ptp(document.shell.positions[:, 2]):.3g} m" in figures

@@ -1,4 +1,4 @@
-// One parameter: its name, number box, slider, "auto", and in words what is admissible.
+// One parameter: its name, number box, slider, "auto", and in words which values work.
 
 import { sentence } from "../../shared/words.ts";
 import { numberBox, setNumber } from "../parts/controls.ts";
@@ -72,7 +72,7 @@ export class ParameterRow {
     this.element.querySelector<HTMLElement>("input:not([disabled]), select")?.focus();
   }
 
-  /** Admissible values, and why not others. */
+  /** Which values work, and why not others. */
   private words({ range, value, taken }: RowState): string[] {
     if (!range || !isNumeric(this.parameter)) return [];
     const { intervals, beyond, below, above } = range;
@@ -81,10 +81,10 @@ export class ParameterRow {
     const high = intervals.at(-1)![1];
     const sign = this.parameter.unit === "deg" ? "°" : "";
     const parts = intervals.map(([a, b], k) => {
-      if (a === b) return `only ${pretty(a, 4)}${sign}`;
+      if (a === b) return `at ${pretty(a, 4)}${sign} only`;
       // No end was found.
       const [from, to] = [k === 0 && beyond[0] ? "at most " : "", k === intervals.length - 1 && beyond[1] ? "at least " : ""];
-      return `${from}${pretty(a, 4)} to ${to}${pretty(b, 4)}${sign}`;
+      return `from ${from}${pretty(a, 4)} to ${to}${pretty(b, 4)}${sign}`;
     });
     const at = Number(value === "auto" ? taken : (value ?? taken));
     // The reason on the side where the value is; both where it is in the middle of nowhere.
@@ -92,7 +92,7 @@ export class ParameterRow {
     const reasons: string[] = [];
     if (below && (at < middle || !above)) reasons.push(`Below: ${sentence(below)}`);
     if (above && (!(at < middle) || !below)) reasons.push(`Above: ${sentence(above)}`);
-    return [`Admissible ${parts.join(" and ")}. ${reasons.join(" ")}`];
+    return [`Works ${parts.join(" and ")}. ${reasons.join(" ")}`];
   }
 
   private auto(head: HTMLElement): void {

@@ -19,6 +19,8 @@ export class Parameters {
   private readonly sizeRows = h("div", { class: "parameter-list" });
   private readonly count = h("p", { class: "note", "data-testid": "panel-count" });
   private readonly list = h("div", { class: "parameter-list" });
+  private readonly advanced = h("div", { class: "parameter-list" });
+  private readonly more = h("details", { class: "more" }, h("summary", { "data-testid": "more" }, "More"), this.advanced);
   private readonly others = h("div", { class: "others" });
   private rows = new Map<string, ParameterRow>();
   private family = "";
@@ -35,6 +37,7 @@ export class Parameters {
       sizes.element,
       this.count,
       this.list,
+      this.more,
       this.others,
     );
     for (const signal of [store.design, store.report, store.ranges, store.fault]) {
@@ -44,7 +47,9 @@ export class Parameters {
   }
 
   focus(key: string): void {
-    this.rows.get(key)?.focus();
+    const row = this.rows.get(key);
+    if (row && this.advanced.contains(row.element)) this.more.open = true;
+    row?.focus();
   }
 
   private refresh(): void {
@@ -65,6 +70,9 @@ export class Parameters {
         fault: named.includes(key) ? sentence(this.store.labels.said(fault.value!.what)) : "",
       });
     }
+    const advanced = parameters.filter((each) => each.advanced);
+    if (advanced.some(({ key }) => named.includes(key))) this.more.open = true;
+    this.more.hidden = advanced.every(({ key }) => this.rows.get(key)!.element.hidden);
     this.showOthers(pattern, parameters, named);
     this.countPanels();
   }
@@ -87,7 +95,7 @@ export class Parameters {
   private build(family: string, parameters: Parameter[]): void {
     this.family = family;
     this.rows = new Map();
-    const elements: Record<"sizes" | "rest", HTMLElement[]> = { sizes: [], rest: [] };
+    const elements: Record<"sizes" | "rest" | "advanced", HTMLElement[]> = { sizes: [], rest: [], advanced: [] };
     for (const parameter of parameters) {
       const { key } = parameter;
       const row = new ParameterRow(parameter, {
@@ -95,10 +103,11 @@ export class Parameters {
         released: () => this.store.rest(),
       });
       this.rows.set(key, row);
-      elements[SIZES.includes(key) ? "sizes" : "rest"].push(row.element);
+      elements[SIZES.includes(key) ? "sizes" : parameter.advanced ? "advanced" : "rest"].push(row.element);
     }
     this.sizeRows.replaceChildren(...elements.sizes);
     this.list.replaceChildren(...elements.rest);
+    this.advanced.replaceChildren(...elements.advanced);
   }
 
   /** Keys of the file that have no control here: shown, kept, and removable. */

@@ -1,6 +1,7 @@
 // What fewer panels cost: the sizes that were tried as a plot, the best of them as points to choose.
 
 import type { Tradeoff, Trial } from "../../shared/api-types.ts";
+import { length } from "../../shared/quantities.ts";
 import { sentence } from "../../shared/words.ts";
 import { findTradeoff } from "../server/api.ts";
 import { button } from "../parts/controls.ts";
@@ -134,15 +135,14 @@ export class TradeoffCard {
   private choose(trial: Trial): void {
     this.chosen = trial;
     const { unit } = this.store.design.value.shell;
-    const length = (value: number): string => `${short(value, 3)} ${unit}`;
     const facts: [string, string][] = [
       ["Rows × columns", `${trial.rows} × ${trial.columns}`],
       ["Panels without flaps", String(trial.panels)],
-      ["Largest distance", length(trial.error)],
-      ["Edges", `${short(trial.shortest, 3)} to ${length(trial.longest)}`],
+      ["Largest distance", length(trial.error, unit)],
+      ["Edges", `${length(trial.shortest, unit)} to ${length(trial.longest, unit)}`],
     ];
     this.facts.replaceChildren(h("dl", {}, ...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])));
-    const tolerance = length(toleranceOf(trial));
+    const tolerance = length(toleranceOf(trial), unit);
     this.name(this.takeSizes, `Take ${trial.rows} × ${trial.columns}`, `Take ${trial.rows} rows and ${trial.columns} columns`);
     this.name(this.takeTolerance, `Allow ${tolerance}`, `Take ${tolerance} as the tolerance`);
   }

@@ -1,6 +1,7 @@
 // Designs to begin with: those that people would build, and one of each family.
 
 import canopy from "../../../../examples/canopy.toml?raw";
+import dome from "../../../../examples/dome.toml?raw";
 import shelter from "../../../../examples/shelter.toml?raw";
 import tunnel from "../../../../examples/tunnel.toml?raw";
 import type { Info } from "../state/types.ts";
@@ -23,6 +24,7 @@ const BUILT: Example[] = [
   FIRST,
   { name: "canopy", title: "Canopy", text: canopy, what: "A ring of a roof about an open court." },
   { name: "tunnel", title: "Tunnel", text: tunnel, what: "A covered way round a bend, on level ground." },
+  { name: "dome", title: "Dome", text: dome, what: "Over a square of 6 m, of boards on a membrane. Fitting its sheet takes a while." },
 ];
 
 export function examplesOf({ examples, families }: Info): Example[] {

@@ -1,12 +1,12 @@
 // The drawings that a workshop gets, as pictures to leaf through, with what they come to.
 
 import type { Sheets } from "../../shared/api-types.ts";
+import { length } from "../../shared/quantities.ts";
 import { sentence } from "../../shared/words.ts";
 import { drawSheets } from "../server/api.ts";
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { faultOf } from "../state/faults.ts";
-import { pretty } from "../parts/numbers.ts";
 import { isAuto } from "../state/aims.ts";
 import { settled } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
@@ -171,13 +171,12 @@ export class SheetPreview {
 
 /** What the sheets come to. */
 export function factsOf({ stock, boards, unit, sheets }: Sheets): [string, string][] {
-  const length = (value: number): string => `${pretty(value, 4)} ${unit}`;
   const facts: [string, string][] = [
     ["Drawings", String(sheets.length)],
     ["Sheets to cut", String(stock.sheets)],
     ["Used of the sheets", percent(1 - stock.waste)],
-    ["Cut", length(stock.cut_length)],
-    ["Creases", length(stock.crease_length)],
+    ["Cut", length(stock.cut_length, unit)],
+    ["Creases", length(stock.crease_length, unit)],
   ];
   if (boards !== null) facts.push(["Sheets for boards", String(boards)]);
   return facts;

@@ -2,7 +2,7 @@
 
 import { button } from "./controls.ts";
 import type { Store } from "../state/store.ts";
-import type { Fault } from "../state/types.ts";
+import type { Fault, Remedy } from "../state/types.ts";
 
 /** Keys of the table [pattern] that the design's family knows. */
 export function patternKeys(store: Store): string[] {
@@ -15,13 +15,18 @@ export function patternKeys(store: Store): string[] {
 export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
   const [remedy] = fault.remedies;
   if (!remedy) return null;
-  const said = store.labels.remedy(remedy);
+  return changeButton(store, remedy.changes, "use-nearest", fault.again);
+}
+
+/** The button that changes values of the design, or does again what was refused with them. */
+export function changeButton(store: Store, changes: Remedy["changes"], testid = "mend", again?: (changes: Remedy["changes"]) => void): HTMLButtonElement {
+  const said = store.labels.remedy({ text: "", changes });
   const text = `Use ${said}`;
   return button({
     label: text,
     text,
     class: "button primary",
-    testid: "use-nearest",
-    act: () => (fault.again ? fault.again(remedy.changes) : store.set(remedy.changes, said)),
+    testid,
+    act: () => (again ? again(changes) : store.set(changes, said)),
   });
 }

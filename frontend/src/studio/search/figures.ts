@@ -44,7 +44,7 @@ export class FigureList {
   private table: Limits = { minimise: [] };
 
   constructor(private readonly changed: (table: Limits, gesture: string) => void) {
-    this.element = h("div", { class: "search-group" }, h("div", { class: "search-figures-head" }, h("h3", {}, "Is to be small"), h("span", { class: "unit" }, "at most")), this.list);
+    this.element = h("div", { class: "search-group" }, h("div", { class: "search-figures-head" }, h("h3", {}, "Minimise"), h("span", { class: "unit" }, "at most")), this.list);
   }
 
   show(table: Limits, offered: Offered[]): void {

@@ -31,7 +31,7 @@ function joined(table: object, head = ""): Record<string, unknown> {
 export function lacking({ variables, minimise, subject_to: limits = {} }: SearchTable): string {
   const allowed = Object.values(variables);
   if (!allowed.length) return "Nothing may change yet: add what may.";
-  if (!minimise.length) return "Choose at least one figure that is to be small.";
+  if (!minimise.length) return "Choose at least one figure to minimise.";
   const bad = allowed.some((each) => (Array.isArray(each) ? !each.length : !(each.low < each.high)));
   if (bad) return "A range needs a low end below its high end, a list at least one value.";
   if (allowed.some((each) => Array.isArray(each) && new Set(each).size < each.length)) return "Values of a list differ.";

@@ -13,7 +13,7 @@ type Show = (allowed: Variable) => void;
 export class VariableList {
   readonly element: HTMLElement;
   private readonly list = h("div", { class: "search-variables" });
-  private readonly add = h("select", { "aria-label": "Add what may change", "data-testid": "search-add", onchange: () => this.added() });
+  private readonly add = h("select", { "aria-label": "Add a variable", "data-testid": "search-add", onchange: () => this.added() });
   private rows = new Map<string, Show>();
   private built = "";
   private offered = "";
@@ -24,7 +24,7 @@ export class VariableList {
     private readonly changed: (variables: Variables, gesture: string) => void,
     private readonly label: (key: string) => string,
   ) {
-    this.element = h("div", { class: "search-group" }, h("h3", {}, "May change"), this.list, this.add);
+    this.element = h("div", { class: "search-group" }, h("h3", {}, "Variables"), this.list, this.add);
   }
 
   show(variables: Variables, from: Candidate[]): void {
@@ -131,7 +131,7 @@ export class VariableList {
     this.offered = offered;
     const sections = [...new Set(left.map(({ section }) => section))];
     this.add.replaceChildren(
-      h("option", { value: "" }, "Add what may change\u2026"),
+      h("option", { value: "" }, "Add a variable\u2026"),
       ...sections.map((section) =>
         h("optgroup", { label: section }, ...left.filter((each) => each.section === section).map(({ key, label }) => h("option", { value: key }, label))),
       ),

@@ -1,6 +1,6 @@
 // The card of a panel or crease: briefly while one points at it, whole when it is chosen.
 
-import { area, length, threeDigits } from "../../shared/colours.ts";
+import { area, length, threeDigits } from "../../shared/quantities.ts";
 import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
 import { worstUsed } from "../../shared/loaded.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";

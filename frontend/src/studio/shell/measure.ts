@@ -1,7 +1,7 @@
 // Distances between two points of the sheet: as the shell stands, and in the flat sheet.
 
 import type { Vector3 } from "three";
-import { length } from "../../shared/colours.ts";
+import { length } from "../../shared/quantities.ts";
 import { Chosen3D } from "../../shared/moving3d.ts";
 import type { Pattern2D } from "../../shared/pattern2d.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";

@@ -1,11 +1,10 @@
-// What is proved about the motion: that nothing touches on the way, or what does.
+// The verdict on the shell: rows, worst first, the progress of the proof, and what would mend a contact.
 
+import { headline, judged, signOf, type Tone, Verdict } from "../../shared/verdict.ts";
 import { capital, sentence } from "../../shared/words.ts";
-import { h } from "../parts/dom.ts";
+import { h, keepFocus } from "../parts/dom.ts";
 import { wordsOfRemedies } from "../state/faults.ts";
-import { icon } from "../parts/icons.ts";
-import { type Tone, wordsOfLock } from "./lock.ts";
-import { remedyButton } from "../parts/remedy-button.ts";
+import { changeButton, remedyButton } from "../parts/remedy-button.ts";
 import type { Proof, Store } from "../state/store.ts";
 import type { Fault } from "../state/types.ts";
 
@@ -15,27 +14,39 @@ export class ProofCard {
   private readonly mark = h("span", { class: "proof-mark" });
   private readonly refusal = h("div", { class: "proof-refusal", "data-testid": "refusal", hidden: true });
   private readonly bar = h("progress", { max: 1, "aria-label": "Verification" });
+  private readonly verdict: Verdict;
 
   constructor(private readonly store: Store) {
+    const { labels } = store;
+    this.verdict = new Verdict(
+      (text) => labels.said(text),
+      ({ changes }) => (Object.keys(changes).length ? changeButton(store, changes) : null),
+    );
     this.element = h(
-      "div",
-      { class: "proof", "data-testid": "verify-status" },
-      this.mark,
-      h("div", { class: "proof-body" }, this.text, this.bar, this.refusal),
+      "section",
+      { class: "proof", "data-testid": "verify-status", "aria-labelledby": "verdict-title" },
+      h("h2", { id: "verdict-title" }, this.mark, this.text),
+      this.bar,
+      this.verdict.element,
+      this.refusal,
     );
     store.proof.bind((proof) => this.show(proof));
-    for (const signal of [store.freshness, store.view]) {
+    for (const signal of [store.freshness, store.view, store.report]) {
       (signal as { watch(listener: () => void): void }).watch(() => this.show(store.proof.value));
     }
   }
 
   private show(proof: Proof): void {
+    const report = this.store.report.value;
     const [text, tone] = this.words(proof);
     this.text.textContent = text;
     this.element.dataset["state"] = proof.state;
-    this.element.dataset["tone"] = tone;
-    this.mark.replaceChildren(...(tone === "quiet" ? [] : [icon(tone === "good" ? "done" : "warning")]));
-    this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
+    this.element.dataset["tone"] = tone ?? "quiet";
+    this.mark.replaceChildren(...(tone ? [signOf(tone)] : []));
+    keepFocus(() => {
+      this.verdict.show(proof.state === "failed" ? null : report, proof.state !== "done");
+      this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
+    });
     this.bar.hidden = proof.state !== "running";
     if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
     else this.bar.removeAttribute("value");
@@ -51,27 +62,27 @@ export class ProofCard {
     this.refusal.replaceChildren(h("p", {}, words), remedyButton(this.store, fault) ?? "");
   }
 
-  private words(proof: Proof): [string, Tone] {
+  private words(proof: Proof): [string, Tone | null] {
     switch (proof.state) {
       case "none":
         return [
           this.store.freshness.value !== "outdated"
-            ? "Computing…"
+            ? "Computing\u2026"
             : this.store.view.value
               ? "Not verified. Pattern and figures are those of the last shell that worked."
               : "There is no shell yet.",
-          "quiet",
+          null,
         ];
       case "waiting":
-        return ["Verifying…", "quiet"];
+        return ["Verifying\u2026", null];
       case "running":
-        return [`${capital(proof.what)}…${proof.share > 0 ? ` ${Math.round(100 * proof.share)} %` : ""}`, "quiet"];
+        return [`${capital(proof.what)}\u2026${proof.share > 0 ? ` ${Math.round(100 * proof.share)} %` : ""}`, null];
       case "stopped":
-        return ["Stopped: not verified.", "quiet"];
+        return ["Stopped: not verified.", null];
       case "failed":
-        return [sentence(this.store.labels.said(proof.fault.message)), "bad"];
+        return [sentence(this.store.labels.said(proof.fault.message)), "fails"];
       case "done":
-        return wordsOfLock(this.store.report.value);
+        return headline(judged(this.store.report.value)) ?? ["Not verified.", null];
     }
   }
 }

@@ -1,13 +1,13 @@
-// The right: crease pattern, proof, figures.
+// The right: verdict, crease pattern, figures.
 
 import { renderFigures } from "../../shared/figures.ts";
+import { headline, judged } from "../../shared/verdict.ts";
 import { explainSigns } from "../../shared/legend.ts";
 import { Pattern2D } from "../../shared/pattern2d.ts";
 import { assignmentCounts } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h, keepFocus, scrolledByKeys } from "../parts/dom.ts";
 import { pretty } from "../parts/numbers.ts";
-import { wordsOfLock } from "./lock.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
 
@@ -25,7 +25,8 @@ export class Results {
     const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
     this.element = h(
       "aside",
-      { class: "results", "aria-label": "Crease pattern and figures" },
+      { class: "results", "aria-label": "Verdict, crease pattern and figures" },
+      new ProofCard(store).element,
       h(
         "header",
         { class: "panel-head" },
@@ -34,7 +35,6 @@ export class Results {
       ),
       sheet,
       this.legend,
-      new ProofCard(store).element,
       scrolledByKeys(h("div", { class: "figures-frame", role: "region", "aria-label": "Figures" }, this.figures)),
       this.said,
     );
@@ -44,7 +44,8 @@ export class Results {
     store.proof.watch((proof) => {
       if (proof.state !== "done") return;
       this.showFigures();
-      this.say(`${wordsOfLock(store.report.value)[0]} ${this.summary()}`);
+      const rows = judged(store.report.value);
+      this.say(`${headline(rows)?.[0] ?? ""}: ${rows[0]?.finding ?? ""}. ${this.summary()}`);
     });
   }
 
@@ -67,7 +68,7 @@ export class Results {
     const view = this.store.view.value;
     if (!view) return;
     keepFocus(() => {
-      renderFigures(this.figures, view, (text) => this.store.labels.said(text));
+      renderFigures(this.figures, view);
       this.onFigures?.(this.figures);
     });
   }

@@ -1,6 +1,6 @@
 // Figures that only the page knows: headroom, the smallest and the largest panel.
 
-import { area, length } from "../../shared/colours.ts";
+import { area, length } from "../../shared/quantities.ts";
 import { UNKNOWN } from "../../shared/figures.ts";
 import { sheetOf } from "../../shared/inspect.ts";
 import { Person3D } from "../../shared/person3d.ts";

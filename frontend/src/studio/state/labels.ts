@@ -44,10 +44,10 @@ export class Labels {
   /** A text of the server with labels for keys, and sections of the page for tables. */
   said(text: string): string {
     return text
-      .replace(/ (in|of) \[(\w+)\]/g, (whole, _, table: string) => (this.page(table) ? ` under ${this.page(table)}` : whole))
+      .replace(/ (in|of) \[(\w+)\]/g, (_, __, table: string) => ` under ${this.section(table)}`)
       .replace(/\[(target\.)?([fg])\] ?/g, "curve $2: ")
       .replace(/\[target\.surface\] ?/g, "surface: ")
-      .replace(/\[(\w+)\]/g, (whole, table: string) => this.page(table) ?? whole)
+      .replace(/\[([a-z_]{2,})\]/g, (_, table: string) => this.section(table))
       .replace(/\b([a-z][a-z_]*)( = (-?[\d.]+)?)?/g, (whole, key: string, equals = "", number = "", at: number) => {
         // A plain word is a key only where it is given a value.
         const label = equals || key.includes("_") ? this.find(key) : undefined;

@@ -1,7 +1,7 @@
 // Does it carry its loads: material, supports and loads, and the verdict.
 
 import type { KeyWords } from "../../shared/api-types.ts";
-import { threeDigits } from "../../shared/colours.ts";
+import { threeDigits } from "../../shared/quantities.ts";
 import { capital } from "../../shared/words.ts";
 import { button, numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";

@@ -2,7 +2,7 @@
 
 import type { Analysis } from "../../shared/api-types.ts";
 import { GOVERNING } from "../../shared/api-words.ts";
-import { threeDigits } from "../../shared/colours.ts";
+import { threeDigits } from "../../shared/quantities.ts";
 import { capital } from "../../shared/words.ts";
 
 export interface Carries {

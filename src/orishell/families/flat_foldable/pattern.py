@@ -119,11 +119,14 @@ class FlatFoldablePattern(Pattern):
             "number",
             slider=(3, 30),
             step=0.5,
+            advanced=True,
         ),
     ] = 10.0
     direction_deg: Annotated[
         Literal[0, 90, 180, 270] | Auto,
-        Knob.angle("Direction", "How far rows are turned on the surface", (0, 270), step=90),
+        Knob.angle(
+            "Direction", "How far rows are turned on the surface", (0, 270), step=90, advanced=True
+        ),
     ] = "auto"
     border: Annotated[
         Literal["free", "straight"],
@@ -132,6 +135,7 @@ class FlatFoldablePattern(Pattern):
             "Straight in the flat sheet where one is fitted to a surface, so that flaps lock it",
             "choice",
             choices=("free", "straight"),
+            advanced=True,
         ),
     ] = "free"
     ground: Annotated[

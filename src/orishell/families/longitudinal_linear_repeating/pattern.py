@@ -75,6 +75,7 @@ class LongitudinalPattern(Pattern):
             "integer",
             slider=(0, 1),
             step=1,
+            advanced=True,
         ),
     ] = 0
     couplings: list[Coupling] | Literal["periodic"] = "periodic"
@@ -85,6 +86,7 @@ class LongitudinalPattern(Pattern):
             "Kind of the vertices of row 1: flat-foldable or column-straight",
             "choice",
             choices=("F", "S"),
+            advanced=True,
         ),
     ] = "F"
     row_lengths: list[Length] | Auto = "auto"

@@ -72,12 +72,20 @@ class ParallelRepeatingPattern(Pattern):
     ] = "auto"
     theta_deg: Annotated[
         Annotated[Number, Field(**THETA)] | Auto,
-        Knob.angle("Turn of f θ", "Turns f in its own plane before it is swept", (-90, 90)),
+        Knob.angle(
+            "Turn of f θ", "Turns f in its own plane before it is swept", (-90, 90), advanced=True
+        ),
     ] = 0.0
     plane_deg: Annotated[
         Number,
         Field(**PLANE),
-        Knob.angle("Plane angle", "Angle from f's plane to g's tangent", (20, 160), auto=False),
+        Knob.angle(
+            "Plane angle",
+            "Angle from f's plane to g's tangent",
+            (20, 160),
+            auto=False,
+            advanced=True,
+        ),
     ] = 90.0
     plane: Annotated[
         Planes,
@@ -86,6 +94,7 @@ class ParallelRepeatingPattern(Pattern):
             "g's tangent, or the angles of its polyline: then the shell folds flat without flaps",
             "choice",
             choices=("tangent", "bisector"),
+            advanced=True,
         ),
     ] = "tangent"
     spacing: Annotated[Spacing, SPACING] = "curvature"

@@ -176,7 +176,7 @@ def _envelopes(report: Analysis) -> Iterator[str]:
 def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
     found = case.equilibrium
     if found is None:
-        return ("no equilibrium", *7 * [NOTHING])
+        return ("unstable", *7 * [NOTHING])
     used = found.utilisation
     known = [share for share in used.shares.values() if share is not None]
     return (

@@ -1,0 +1,90 @@
+"""The verdict in the studio: rows, the worst first, what each found when it is asked for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from studio_pages import settle
+from viewer_pages import await_frames
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+SNOW: dict[str, Any] = {
+    "shell": {"family": "orthodiagonal", "unit": "m"},
+    "target": {
+        "f": {"formula": "-x**2", "range": [-1, 1]},
+        "g": {"formula": "0.25*sin(pi*x/2)", "range": [0, 2]},
+    },
+    "pattern": {"rows": 5, "columns": 5, "flap": 0, "depth": 0.12, "heading_deg": 90},
+    "structure": {
+        "modulus": 9e9,
+        "strength": 40e6,
+        "crease_stiffness": "rigid",
+        "crease_strength": 1e9,
+        "thickness": 0.003,
+        "cells": 2,
+        "supports": [{"at": "feet", "kind": "pinned"}],
+    },
+    "load_case": [{"name": "snow", "snow": {"ground": 20000}}],
+    "workshop": {"stock": [2.5, 1.25]},
+}
+"""An arch without flaps under far more snow than panels of 3 mm bear (as in test_stronger.py)."""
+SIGNS = """[...document.querySelectorAll('[data-testid=verify-status] [data-row]')]
+    .map((row) => [row.dataset.row, row.dataset.sign])"""
+
+ENDS = """[...document.querySelectorAll('.parameter-head')]
+    .filter((row) => row.closest('.parameters, .deployment, .panel') && row.offsetParent)
+    .map((row) => Math.max(
+        ...[...row.querySelectorAll('input.number, select, .segmented, .stepper')]
+            .filter((each) => each.offsetParent)
+            .map((each) => each.getBoundingClientRect().right)))"""
+"""Where the controls of the left panel end."""
+
+
+def test_a_shell_that_nothing_holds_and_that_breaks_has_no_tick_for_it(page: Page) -> None:
+    page.evaluate("design => window.__orishell.store.change(design, 'snow')", SNOW)
+    settle(page)
+    card = page.get_by_test_id("verify-status")
+    assert card.get_by_role("heading").inner_text().endswith("Fails: Stands")
+    rows = dict(page.evaluate(SIGNS))
+    assert [*rows] == ["stands", "locks", "folds", "fits", "notes"]
+    signs = {"stands": "fails", "locks": "warns", "folds": "holds", "fits": "holds"}
+    assert {name: rows[name] for name in signs} == signs
+    # What a report says is in the page's own words; all of it is there to be read.
+    assert "[structure]" not in (card.text_content() or "")
+    # The worst is open; the others say all when they are asked to, by keys.
+    is_open = "row => row.parentElement.open"
+    assert card.get_by_test_id("verdict-stands").evaluate(is_open)
+    locks = card.get_by_test_id("verdict-locks")
+    assert not locks.evaluate(is_open)
+    locks.press("Enter")
+    assert locks.evaluate(is_open)
+    assert "only its supports stop it closing and opening" in locks.inner_text()
+    # While it is proved anew nothing is known of it.
+    store = "window.__orishell.store"
+    page.evaluate(f"{store}.proof.set({{ state: 'running', share: 0.4, what: 'verifying' }})")
+    await_frames(page)
+    assert {sign for _, sign in page.evaluate(SIGNS)} == {"pending"}
+    assert "40 %" in card.inner_text()
+    page.evaluate(f"{store}.proof.set({{ state: 'done', refusal: null }})")
+    await_frames(page)
+    assert locks.evaluate(is_open)
+    # What mends it has been tried, and is a button.
+    card.get_by_test_id("mend").click()
+    settle(page)
+    assert dict(page.evaluate(SIGNS))["stands"] != "fails"
+
+
+def test_what_is_seldom_needed_is_folded_away(page: Page) -> None:
+    page.evaluate("design => window.__orishell.store.change(design, 'snow')", SNOW)
+    settle(page)
+    spacing = page.get_by_test_id("param-spacing")
+    assert spacing.is_hidden()
+    page.get_by_test_id("more").press("Enter")
+    assert spacing.is_visible()
+    page.get_by_test_id("more").press("Enter")
+    # Controls end at one edge.
+    ends = page.evaluate(ENDS)
+    assert len(ends) > 5
+    assert max(ends) - min(ends) <= 1
