@@ -126,8 +126,8 @@ class FollowingSheets:
         """
         from scipy.optimize import linprog
 
-        between = np.concatenate([self.every, -self.every])
-        bounds = np.repeat([high, -low], len(self.every))
+        between = np.concatenate([self.every, -self.every, -self.room])
+        bounds = np.repeat([high, -low, 0.0], [len(self.every)] * 2 + [len(self.room)])
         limits = []
         for sign in (1.0, -1.0):
             cost = sign * weights @ self.row
