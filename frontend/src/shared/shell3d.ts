@@ -375,7 +375,9 @@ export class Shell3D {
   }
 
   private allPoints(): Float32Array[] {
-    return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
+    if (this.view?.positions.length) return [this.view.positions, ...this.clipped.points];
+    this.sheet.motion!.setFold(this.share);
+    return [this.corners(), ...this.clipped.points];
   }
 
   /** What is to be in view: the state drawn, and what stands beside it. */
@@ -384,9 +386,13 @@ export class Shell3D {
     return [drawn, ...(this.atTarget ? this.clipped.points : []), ...this.guests.flatMap(({ reach }) => reach ?? [])];
   }
 
-  /** Corners of the panels as they are drawn; of many panels, of every k-th. */
   private drawnPoints(): Float32Array {
     this.pose();
+    return this.corners();
+  }
+
+  /** Corners of the panels in the state that was set last; of many panels, of every k-th. */
+  private corners(): Float32Array {
     const motion = this.sheet.motion!;
     const every = Math.ceil(motion.panels / ASKED) || 1, count = Math.ceil(motion.panels / every);
     const points = new Float32Array(12 * count);

@@ -3,7 +3,7 @@
 Sheets that fold make up surfaces among all sheets. Where vertices are flat-foldable, or creases go
 straight on, conditions round panels alone do not tell their tangents: they hold twice over, as x^2
 does at 0. So single vertices are asked to be of the kinds that they nearly are, and then conditions
-are regular (module ``conditions``). Least |x - x0|^2 subject to them: Newton's steps to a place
+are regular (module ``conditions``). Least ``|x - x0|^2`` subject to them: Newton's steps to a place
 where x - x0 is square to the surface, damped as long as much is missing. More conditions than are
 independent do no harm. Not in the paper: docs/theory/vertex.md.
 """
@@ -44,7 +44,7 @@ REFINED, LEFT = 5, 1e-10
 SQUARE = 1e-6
 """The way is square to the surface if they leave less of it."""
 MARGIN = 0.5
-"""The least growth of |x - x0|^2 by |y - x|^2 along the surface that shows a place to be nearest;
+"""The least growth of ``|x - x0|^2`` by ``|y - x|^2`` on the surface that shows the nearest place;
 1 if the surface is flat."""
 
 
