@@ -113,6 +113,7 @@ def test_export_is_the_command_lines_file(page: Page, written: Path, tmp_path: P
     download.value.save_as(tmp_path / "there.dxf")
     ours = (written / "pattern.dxf").read_bytes()
     assert (tmp_path / "there.dxf").read_bytes() == ours
+    page.keyboard.press("Escape")
 
 
 def test_save_is_the_same_design(page: Page, tmp_path: Path) -> None:

@@ -25,8 +25,7 @@ export class Results {
     const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
     this.element = h(
       "aside",
-      { class: "results", "aria-label": "Verdict, crease pattern and figures" },
-      new ProofCard(store).element,
+      { class: "results", "aria-label": "Crease pattern, verdict and figures" },
       h(
         "header",
         { class: "panel-head" },
@@ -35,6 +34,7 @@ export class Results {
       ),
       sheet,
       this.legend,
+      new ProofCard(store).element,
       scrolledByKeys(h("div", { class: "figures-frame", role: "region", "aria-label": "Figures" }, this.figures)),
       this.said,
     );
