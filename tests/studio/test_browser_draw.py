@@ -106,6 +106,7 @@ def test_a_curve_drawn_with_keys(page: Page) -> None:
     choose(page, "orthodiagonal")
     page.get_by_test_id("curve-f").focus()
     page.keyboard.press("d")
+    drawn(page)  # the plane has its new size, and with it the step of a key
     for keys in (
         ["ArrowLeft"] * 6,
         ["ArrowRight"] * 6 + ["ArrowUp"] * 4,
