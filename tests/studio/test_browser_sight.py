@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from samples import thorough
 from studio_pages import drawn, drop_file, fold, opened, settle
 from viewer_pages import await_frames, pixels, wait_until
 
@@ -42,6 +43,7 @@ def the_person(page: Page) -> tuple[NDArray[np.bool_], float]:
     return seen, float(np.abs(there[seen].mean(axis=0) - there[around].mean(axis=0)).max())
 
 
+@thorough
 def test_a_person_is_seen_in_every_state(browser: Browser, address: str) -> None:
     phone = {"width": 390, "height": 844, "has_touch": True, "is_mobile": True}
     with opened(browser, address, **phone, color_scheme="dark") as page:
