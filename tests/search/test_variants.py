@@ -68,6 +68,26 @@ def test_a_page_that_is_full_keeps_the_first_shells_and_says_so(
     ]
 
 
+def test_a_page_that_knows_fewer_designs_than_were_tried_knows_the_front(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    problem, found = posed(tmp_path, GRID)
+    front = [each.values for each in found.front.members]
+    last = sorted(found.outcomes, key=lambda each: each.values in front)
+    monkeypatch.setattr(pages, "MOST_VARIANTS", len(front))
+    page = told(problem, replace(found, outcomes=tuple(last)))
+    names = [each["values"] for each in page["variables"]]
+    known = [
+        [values[k] for values, k in zip(names, each["at"], strict=True)]
+        for each in page["variants"]
+    ]
+    assert sorted(known) == sorted(list(each.values()) for each in front)
+    number = len(front)
+    assert page["said"].startswith(
+        f"6 designs were tried; of {number} that are here, {number} fold and keep all limits"
+    )
+
+
 def test_designs_are_drawn_that_lie_farthest_apart() -> None:
     points = np.array([[0.0], [0.1], [0.5], [0.6], [1.0]])
     assert pages._spread(points, np.arange(5), 1) == [1, 4, 2, 0, 3]
@@ -84,7 +104,7 @@ def test_values_that_are_chosen_freely_have_their_places_on_a_slider(tmp_path: P
     bred = GRID.replace("[46, 50, 70]", "{ low = 40, high = 50 }")
     bred = bred.replace('"grid"', '"auto"\nevaluations = 8\npopulation = 4')
     problem, found = posed(tmp_path, bred)
-    made = next(each for each in found.outcomes if each.figures)
+    made = found.front.members[found.front.knee]
     freely = [replace(made, values={"pattern.rows": 3, "pattern.xi_deg": xi}) for xi in (44.5, 42)]
     page = told(problem, replace(found, outcomes=(*freely, made)))
     angle = page["variables"][1]

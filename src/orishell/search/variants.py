@@ -29,7 +29,7 @@ NAME = "variants.html"
 MOST_BYTES = 4_000_000
 """Bytes of the shells in a page, at most."""
 MOST_VARIANTS = 2000
-"""Designs that a page knows of, at most: those that were made first."""
+"""Designs that a page knows of, at most: the front, and those that were made first."""
 
 
 class Variable(TypedDict):
@@ -94,7 +94,9 @@ def variants_data(
     stop: threading.Event | None = None,
 ) -> str:
     """What a page of variants is told, a :class:`VariantsPage` as JSON."""
-    tried = found.outcomes[:MOST_VARIANTS]
+    every, front = found.outcomes, {key_of(each.values) for each in found.front.members}
+    order = sorted(range(len(every)), key=lambda k: key_of(every[k].values) not in front)
+    tried = [every[k] for k in sorted(order[:MOST_VARIANTS])]
     points = np.array([_shares(problem, each) for each in tried])
     good = np.array([violation(problem, each) == 0.0 for each in tried])
     first = _first(problem, found, tried, good)
@@ -112,7 +114,9 @@ def variants_data(
     shown = sum(view is not None for view in views.values())
     page: VariantsPage = {
         "title": problem.path.stem,
-        "said": f"{len(tried)} designs were tried; {int(good.sum())} fold and keep all limits"
+        "said": f"{len(every)} designs were tried; "
+        + (f"of {len(tried)} that are here, " if len(tried) < len(every) else "")
+        + f"{int(good.sum())} fold and keep all limits"
         + (f", and {shown} of them are drawn here." if shown < good.sum() else "."),
         "variables": variables,
         "figures": [each.label(problem.unit) for each in problem.figures.values()],
@@ -152,13 +156,12 @@ def _first(
     """The design of the file, if it is among those that keep all limits; else the knee."""
     point = problem.space.point(problem.tables)
     keys = [key_of(each.values) for each in tried]
-    wanted = [found.front.members[found.front.knee].values]
+    wanted = found.front.members[found.front.knee].values
     if point is not None:
-        wanted.insert(0, problem.space.values(point))
-    for values in wanted:
-        if key_of(values) in keys and good[keys.index(key_of(values))]:
-            return keys.index(key_of(values))
-    return int(np.flatnonzero(good)[0])
+        own = key_of(problem.space.values(point))
+        if own in keys and good[keys.index(own)]:
+            return keys.index(own)
+    return keys.index(key_of(wanted))
 
 
 def _spread(points: Array, among: np.ndarray, first: int) -> list[int]:

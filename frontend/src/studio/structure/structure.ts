@@ -2,6 +2,7 @@
 
 import type { KeyWords } from "../../shared/api-types.ts";
 import { threeDigits } from "../../shared/quantities.ts";
+import { judged, signOf } from "../../shared/verdict.ts";
 import { capital } from "../../shared/words.ts";
 import { button, numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
@@ -9,7 +10,6 @@ import { short } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
 import type { Store } from "../state/store.ts";
 import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
-import { wordsOfStructure } from "./verdict.ts";
 
 const NONE = "", OWN = "own";
 const FREE = "free", RIGID = "rigid", BOTH = "both";
@@ -172,14 +172,14 @@ export class StructureControls {
   /** How far the analysis is, and what it found. */
   private say(): void {
     const { proof, report } = this.store;
-    const now = proof.value, found = now.state === "done" ? report.value?.structure : null;
+    const now = proof.value;
+    const found = now.state === "done" ? judged(report.value).find(({ subject }) => subject === "stands") : null;
     if (now.state === "running") this.work.show(now.share, now.what);
     else if (now.state === "waiting") this.work.begin("waiting");
     else this.work.hide();
-    const said = found ? wordsOfStructure(found) : null;
-    this.verdict.hidden = !said;
-    this.verdict.textContent = said?.text ?? "";
-    this.verdict.dataset["tone"] = said?.tone ?? "";
+    this.verdict.hidden = !found;
+    this.verdict.replaceChildren(...(found ? [signOf(found.sign), " ", h("b", {}, capital(found.subject)), ` ${this.store.labels.said(found.finding)}`] : []));
+    this.verdict.dataset["tone"] = found?.sign ?? "";
     this.again.hidden = now.state !== "stopped";
   }
 }
