@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Locator, Page
 
 SIZES: dict[str, dict[str, Any]] = {
     "laptop": {"width": 1280, "height": 720},
@@ -76,8 +76,17 @@ def drawn(page: Page) -> None:
     await_frames(page)
 
 
+def in_bar(page: Page, name: str) -> Locator:
+    """A control of the toolbar, whose menu is opened if it stands in that: on a phone."""
+    menu = page.get_by_test_id("toolbar-more")
+    found = page.get_by_test_id(name)
+    if menu.is_visible() and not found.is_visible():
+        menu.click()
+    return found
+
+
 def choose(page: Page, family: str) -> None:
-    page.get_by_test_id("examples").click()
+    in_bar(page, "examples").click()
     page.get_by_test_id(f"example-{family}").click()
     drawn(page)
     assert page.evaluate("window.__orishell.report.family") == family

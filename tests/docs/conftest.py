@@ -40,7 +40,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     require_viewer()
     place = tmp_path_factory.mktemp("site")
     source = place / "source"
-    for folder in ("docs", "examples"):
+    for folder in ("docs", "examples", "frontend/src/shared"):
         leave = shutil.ignore_patterns("__pycache__", "gallery" if folder == "docs" else "")
         shutil.copytree(ROOT / folder, source / folder, ignore=leave)
     for page in ROOT.glob("*.md"):

@@ -10,7 +10,7 @@ import pytest
 from ezdxf.filemanagement import new
 
 from samples import thorough
-from studio_pages import SIZES, choose, drawn, opened
+from studio_pages import SIZES, choose, drawn, in_bar, opened
 from viewer_pages import await_frames, keep_picture, require_apart, wait_until
 
 if TYPE_CHECKING:
@@ -67,6 +67,7 @@ def hold(page: Page, test_id: str, right: float, down: float) -> None:
     await_frames(page)
 
 
+@thorough  # likewise on the canvas: test_browser_sketch
 def test_from_empty_planes_to_a_shell(page: Page) -> None:
     choose(page, "orthodiagonal")
     page.get_by_test_id("new").click()
@@ -254,7 +255,7 @@ def test_tools_of_the_curves_have_room(page: Page) -> None:
 @thorough
 def test_curves_are_drawn_with_a_finger(browser: Browser, address: str) -> None:
     with opened(browser, address, **SIZES["phone"], color_scheme="dark") as page:
-        page.get_by_test_id("new").tap()
+        in_bar(page, "new").tap()
         drawings = {"f": ((0.3, 0.7), (0.5, 0.4), (0.7, 0.7)), "g": ((0.1, 0.5), (0.9, 0.5))}
         for name, places in drawings.items():
             box = plane(page, name)

@@ -101,6 +101,7 @@ def test_of_a_surface_all_are_tried_after_one_was_stopped(page: Page) -> None:
     assert len(state(page, "trials.value.tried")) == 4
 
 
+@thorough  # what is told of each family: test_families
 def test_where_no_family_makes_a_shell_each_says_why(page: Page) -> None:
     any_family(page)
     curve = "{ formula: '0*x + abs(x)', range: [-1, 1] }"

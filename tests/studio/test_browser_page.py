@@ -10,7 +10,7 @@ import pytest
 from orishell.design_file import starter_file
 from page_checks import CUT_RINGS, MISPLACED, serious_findings
 from samples import led_by, thorough
-from studio_pages import SIZES, all_formats, choose, drawn, drop_file, opened, settle
+from studio_pages import SIZES, all_formats, choose, drawn, drop_file, in_bar, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> No
             await_frames(page)
             assert page.evaluate(MISPLACED) == []
             assert serious_findings(page) == []
-            page.get_by_test_id("theme").click()
+            in_bar(page, "theme").click()
         # What is wrong is said beside the shell, and leaves it in sight.
         page.evaluate("window.__orishell.store.setPattern('xi_deg', 120)")
         settle(page)
@@ -54,6 +54,65 @@ def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> No
         assert banner["y"] + banner["height"] <= scene["y"] or banner["y"] >= scene["y"] + 100
         assert scene["height"] >= 0.2 * height
         assert page.evaluate(MISPLACED) == []
+
+
+def test_a_phone_has_one_row_of_buttons_and_a_menu(browser: Browser, address: str) -> None:
+    with opened(browser, address, **SIZES["phone"], bypass_csp=True) as page:
+        assert _box(page.locator(".toolbar"))["height"] < 60
+        menu = page.get_by_test_id("toolbar-more")
+        menu.tap()
+        buttons = page.locator(".toolbar-menu button").all()
+        assert [each.inner_text() for each in buttons] == [
+            *("Examples", "New", "Open", "Save", "Copy link", "Dark colours", "Help")
+        ]
+        assert all(_box(each)["height"] >= 44 for each in buttons)
+        page.get_by_test_id("unit").select_option("mm")
+        assert page.get_by_test_id("unit").is_visible()  # a choice does not close it
+        page.keyboard.press("Escape")
+        assert page.get_by_test_id("save").is_hidden()
+        assert page.evaluate("document.activeElement.dataset.testid") == "toolbar-more"
+        for theme in ("light", "dark"):
+            assert page.evaluate("document.documentElement.dataset.theme") == theme
+            menu.tap()
+            await_frames(page)
+            assert serious_findings(page) == []
+            page.get_by_test_id("theme").tap()
+            assert page.get_by_test_id("theme").is_hidden()  # what is done closes it
+        # On a wide page the same controls stand in the bar, and keys go through it.
+        page.set_viewport_size({"width": 1280, "height": 720})
+        assert menu.is_hidden()
+        page.get_by_test_id("link").focus()
+        page.keyboard.press("Control+z")
+        assert page.evaluate("window.__orishell.store.design.value.shell.unit") == "m"
+
+
+WINDOWS = ("parts", "examples", "help", "sketch", "surface")
+
+
+@pytest.mark.parametrize("window", led_by(WINDOWS))
+@pytest.mark.parametrize("size", led_by(SIZES))
+def test_windows_at_every_size(browser: Browser, address: str, size: str, window: str) -> None:
+    with opened(browser, address, **SIZES[size], bypass_csp=True, color_scheme="light") as page:
+        if window == "parts":
+            for each in page.locator(".inputs details > summary").all():
+                each.click()
+            page.evaluate("scrollTo(0, 0)")
+        elif window == "examples":
+            in_bar(page, window).click()
+        elif window == "help":
+            page.keyboard.press("?")
+        elif window == "sketch":
+            in_bar(page, "new").click()
+        else:
+            page.locator("label:has([data-testid=aim-surface])").click()
+            drawn(page)
+        for theme in ("light", "dark"):
+            page.evaluate("theme => { document.documentElement.dataset.theme = theme; }", theme)
+            await_frames(page)
+            if window in ("parts", "sketch"):  # windows lie on what is behind them
+                assert page.evaluate(MISPLACED) == []
+            assert serious_findings(page) == []
+            assert page.evaluate("document.documentElement.scrollWidth") <= SIZES[size]["width"]
 
 
 def _box(element: Locator) -> dict[str, float]:

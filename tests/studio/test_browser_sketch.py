@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from page_checks import MISPLACED, serious_findings
-from studio_pages import SIZES, choose, drawn, opened
+from studio_pages import SIZES, choose, drawn, in_bar, opened
 from viewer_pages import await_frames, keep_picture
 
 if TYPE_CHECKING:
@@ -163,7 +163,7 @@ def test_all_of_it_by_keys(page: Page) -> None:
 
 def test_with_a_finger_on_a_phone(browser: Browser, address: str) -> None:
     with opened(browser, address, **SIZES["phone"], bypass_csp=True, color_scheme="dark") as page:
-        page.get_by_test_id("new").tap()
+        in_bar(page, "new").tap()
         await_frames(page)
         sketch = box(page, "sketch")
         assert (sketch["x"], sketch["y"]) == (0, 0)

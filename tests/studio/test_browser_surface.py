@@ -98,6 +98,7 @@ def test_a_fit_can_be_stopped_and_begun_again(page: Page) -> None:
     assert state(page, "report.value.sheet.area") == before
 
 
+@thorough  # the same curves are written: tests/shell/test_families
 def test_a_family_that_sweeps_gives_its_curves(page: Page) -> None:
     at_a_surface(page)
     page.locator("label:has([data-testid=family-parallel-repeating])").click()

@@ -1,7 +1,7 @@
 // Help: a short tour of the page, which ends with keys and gestures.
 
 import { button } from "../parts/controls.ts";
-import { h } from "../parts/dom.ts";
+import { h, scrolledByKeys } from "../parts/dom.ts";
 import { placeCard, STEPS } from "./tour-steps.ts";
 
 const KEYS: [string, string][] = [
@@ -49,7 +49,7 @@ export class Help {
       "div",
       { class: "tour-card", "data-testid": "tour-card" },
       h("header", { class: "panel-head" }, this.title, button({ label: "Close", icon: "close", testid: "tour-close", act: () => this.element.close() })),
-      h("div", { class: "tour-body", "aria-live": "polite", tabindex: -1 }, this.text, this.keys),
+      scrolledByKeys(h("div", { class: "tour-body", "aria-live": "polite" }, this.text, this.keys)),
       h("footer", { class: "tour-foot" }, this.count, this.back, this.next),
     );
     this.element = h("dialog", { class: "tour", "aria-labelledby": "help-title", "data-testid": "tour" }, this.ring, this.card);

@@ -26,7 +26,7 @@ export function listenForShortcuts(act: Shortcuts): void {
       event.preventDefault();
       return;
     }
-    if (event.altKey || target.closest("input, select, textarea, dialog[open], [popover]")) return;
+    if (event.altKey || target.closest("input, select, textarea, dialog[open], :popover-open")) return;
     if (key === "?") act.help();
     else if (key === "f") act.fit();
     else if (key === " " && !target.closest("button, summary, [role=button]")) act.play();

@@ -1,4 +1,4 @@
-// The top: name, examples, open, save, undo, redo, unit, export, theme, help.
+// The top: name, undo, redo, examples, files, unit, theme, help, export; on a phone most of it in a menu.
 
 import { button } from "../parts/controls.ts";
 import { h, setAttribute } from "../parts/dom.ts";
@@ -16,8 +16,13 @@ export interface ToolbarEvents {
   examples(): void;
 }
 
+const MENU = "toolbar-menu";
+/** A button whose word only the menu of a phone shows. */
+const QUIET = "button icon-only";
+
 export class Toolbar {
   readonly element: HTMLElement;
+  private readonly more = button({ label: "More", icon: "more", class: "button icon-only more", testid: "toolbar-more", act: () => {} });
 
   constructor(
     private readonly store: Store,
@@ -36,22 +41,31 @@ export class Toolbar {
       { class: "toolbar" },
       h("h1", { class: "brand" }, h("span", { class: "brand-mark", "aria-hidden": "true" }), "orishell", h("span", { class: "brand-room" }, "studio")),
       nameField(store),
-      button({ label: "Examples", icon: "examples", text: "Examples", class: "button with-word", testid: "examples", act: events.examples }),
-      this.units(),
-      h(
-        "div",
-        { class: "group" },
-        button({ label: "New design, to be drawn", icon: "blank", text: "New", class: "button with-word", testid: "new", act: events.blank }),
-        button({ label: "Open a design file, or a crease pattern", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
-        button({ label: "Save the design file", icon: "save", text: "Save", class: "button with-word", keys: "Ctrl+S", testid: "save", act: events.save }),
-        button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
-      ),
       h("div", { class: "group" }, undo, redo),
-      h("span", { class: "spacer" }),
+      this.menu(
+        button({ label: "Examples", icon: "examples", text: "Examples", testid: "examples", act: events.examples }),
+        button({ label: "New design, to be drawn", icon: "blank", text: "New", testid: "new", act: events.blank }),
+        button({ label: "Open a design file, or a crease pattern", icon: "open", text: "Open", keys: "Ctrl+O", testid: "open", act: events.open }),
+        button({ label: "Save the design file", icon: "save", text: "Save", keys: "Ctrl+S", testid: "save", act: events.save }),
+        button({ label: "Copy link, which holds the whole design", icon: "link", text: "Copy link", class: QUIET, testid: "link", act: events.link }),
+        this.units(),
+        h("span", { class: "spacer" }),
+        this.themeButton(),
+        button({ label: "Help: a short tour, keys and gestures", icon: "help", text: "Help", class: QUIET, keys: "?", testid: "help", act: events.help }),
+      ),
       exportMenu,
-      this.themeButton(),
-      button({ label: "Help: a short tour, keys and gestures", icon: "help", keys: "?", testid: "help", act: events.help }),
+      this.more,
     );
+  }
+
+  /** In the bar where that has room, else behind a button. */
+  private menu(...content: HTMLElement[]): HTMLElement {
+    const menu = h("div", { id: MENU, class: "toolbar-menu", popover: "auto", role: "group", "aria-label": "Design, unit and help" }, ...content);
+    setAttribute(this.more, "popovertarget", MENU);
+    menu.addEventListener("click", (event) => {
+      if (event.composedPath().some((each) => each instanceof HTMLButtonElement) && menu.matches(":popover-open")) menu.hidePopover();
+    });
+    return menu;
   }
 
   private describe(control: HTMLButtonElement, word: string, what: string | null): void {
@@ -77,10 +91,10 @@ export class Toolbar {
   }
 
   private themeButton(): HTMLElement {
-    const control = button({ label: "Dark colours", icon: "moon", testid: "theme", act: toggleTheme });
+    const control = button({ label: "Dark colours", icon: "moon", text: "", class: QUIET, testid: "theme", act: toggleTheme });
     theme.bind((value) => {
       const label = value === "dark" ? "Light colours" : "Dark colours";
-      control.replaceChildren(icon(value === "dark" ? "sun" : "moon"));
+      control.replaceChildren(icon(value === "dark" ? "sun" : "moon"), h("span", { class: "word" }, label));
       control.title = label;
       setAttribute(control, "aria-label", label);
     });

@@ -16,7 +16,7 @@ import type { Stage } from "./stage.ts";
 import { Standing } from "./standing.ts";
 import type { Store } from "../state/store.ts";
 
-const TYPING = "input, select, textarea, dialog, [popover]";
+const TYPING = "input, select, textarea, dialog, :popover-open";
 
 /** Windows in which cards would lie over the whole shell. */
 const NARROW = matchMedia("(max-width: 560px)");

@@ -101,7 +101,7 @@ export class SurfaceEditor {
         { class: "surface-tools" },
         this.readyMade(),
         button({
-          label: "Read the surface from a mesh: OBJ, STL, PLY or glTF",
+          label: "Mesh file: the surface of an OBJ, STL, PLY or glTF",
           icon: "drop",
           text: "Mesh file",
           testid: "file-surface",
