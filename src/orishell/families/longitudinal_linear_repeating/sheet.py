@@ -32,7 +32,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
-    PROGRAM_PANELS,
+    fits_program,
     largest_size,
     largest_square,
     sheet_exists,
@@ -77,7 +77,7 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     condition = (
         f"no sheet of {rows} x {n} inner vertices exists for these sector angles: rows and columns "
         "converge, so that creases would have zero or negative length"
-        if (rows - 1) * (n - 1) <= PROGRAM_PANELS
+        if fits_program(rows, n)
         else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: with "
         "equal lengths creases would have zero or negative length, and others were not tried"
     )

@@ -33,8 +33,8 @@ from orishell.numerics.bisection import bisect_integers
 
 REASONABLE = 10.0
 """The length of a row is quoted for creases between a tenth of column 1's mean and ten times it."""
-PROGRAM_PANELS = 12_000
-"""Sheets of more inner panels are too large for the program; they get equal lengths or none."""
+PROGRAM_PANELS, PROGRAM_COLUMNS = 12_000, 500
+"""Sheets of more are too large for the programs; they get equal lengths or none."""
 
 
 @record
@@ -109,6 +109,11 @@ class LengthsProgram:
         return (result.x[self.middle], result.x[self.first_column]) if result.success else None
 
 
+def fits_program(rows: int, columns: int) -> bool:
+    """Whether the most even lengths are looked for in a sheet of so many inner vertices."""
+    return (rows - 1) * (columns - 1) <= PROGRAM_PANELS and columns <= PROGRAM_COLUMNS
+
+
 def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | None:
     """The most even lengths, or None if no sheet has positive ones.
 
@@ -116,7 +121,7 @@ def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | 
     mean row crease if there is none.
     """
     m, n = directions.row.shape[0], directions.column.shape[1]
-    if (m - 1) * (n - 1) > PROGRAM_PANELS:
+    if not fits_program(m, n):
         solved: tuple[Array, Array] | None = (
             np.ones(n - 1) if wanted.row is None else wanted.row,
             np.ones(m - 1) if wanted.column is None else wanted.column,
@@ -157,7 +162,7 @@ def advance_range(
     sheet, or it is too large for the program.
     """
     m, n = directions.row.shape[0], directions.column.shape[1]
-    if (m - 1) * (n - 1) > PROGRAM_PANELS or wanted.column is None:
+    if wanted.column is None or not fits_program(m, n):
         return None
     mean = float(wanted.column.mean())
     sheets = FollowingSheets.of(directions, wanted.column, wanted.row, wanted.ends, None)
