@@ -4,10 +4,10 @@ import { Labels } from "../src/studio/state/labels.ts";
 import type { Info } from "../src/studio/state/types.ts";
 
 function family(keys: Record<string, string>): Info["families"][string] {
-  const parameters = Object.entries(keys).map(([key, label]) => ({ key, label }));
+  const parameters = Object.entries(keys).map(([key, label]) => ({ key, label, unit: key === "flap" ? "length" : "" }));
   return { label: "", what: "", parameters } as unknown as Info["families"][string];
 }
-const key = (label: string): Info["tables"][string]["keys"][string] => ({ label, help: "", choices: {} });
+const key = (label: string): Info["tables"][string]["keys"][string] => ({ label, help: "", unit: "", choices: {} });
 const TABLES: Info["tables"] = {
   pattern: { label: "Pattern", keys: {} },
   deployment: { label: "Deployment", keys: { flap_attachment: key("Flaps"), largest_fold_deg: key("Hinges close to") } },
@@ -16,7 +16,7 @@ const TABLES: Info["tables"] = {
 const LABELS = new Labels(
   { one: family({ xi_deg: "Crease angle ξ", flap: "Flap", rows: "Rows" }), two: family({ flap: "Border", stage_deg: "Stage" }) },
   TABLES,
-  () => "one",
+  () => ({ family: "one", unit: "m" }),
 );
 
 test.each([
@@ -51,7 +51,7 @@ test.each([
 test("a remedy is said by the labels of what it changes", () => {
   const remedy = (changes: Record<string, number | string | number[] | null>): string => LABELS.remedy({ text: "", changes });
   expect(remedy({ "pattern.xi_deg": 53.08 })).toBe("crease angle ξ = 53.08°");
-  expect(remedy({ "pattern.flap": 0.2, "deployment.flap_attachment": null })).toBe("flap = 0.2 without flaps");
+  expect(remedy({ "pattern.flap": 0.2, "deployment.flap_attachment": null })).toBe("flap = 0.2 m without flaps");
   expect(remedy({ "target.g.range": [0, 6.1] })).toBe("range of g = 0, 6.1");
   expect(LABELS.of("xi_deg")).toBe("Crease angle ξ");
   expect(LABELS.of("couplings")).toBe("couplings");

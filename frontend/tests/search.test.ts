@@ -19,9 +19,9 @@ const PARAMETERS = [
 ] as unknown as Parameter[];
 const TABLES: Info["tables"] = {
   target: { label: "Curves", keys: {} },
-  panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", choices: {} } } },
+  panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", unit: "length", choices: {} } } },
 };
-const LABELS = new Labels({ one: { label: "", what: "", borders: "", aims: ["curves"], parameters: PARAMETERS } }, TABLES, () => "one");
+const LABELS = new Labels({ one: { label: "", what: "", borders: "", aims: ["curves"], parameters: PARAMETERS } }, TABLES, () => ({ family: "one", unit: "m" }));
 const design: Design = {
   shell: { family: "one", unit: "m" },
   target: { f: { formula: "-x**2", range: [-1, 1] }, g: { points: [[0, 0], [1, 0]] } },

@@ -82,8 +82,8 @@ def test_summary(tmp_path: Path) -> None:
     (warning,) = done.stderr.splitlines()
     assert "is larger than any board" in warning
     assert "no target: nothing to compare the shell with" in done.stdout
-    assert "nothing touches before panels [0, 0] and [5, 0] meet at 8.78018 deg" in done.stdout
-    assert "locks     at 8.78018 degrees: panels that meet stop it closing" in done.stdout
+    assert "nothing touches before panels [0, 0] and [5, 0] meet at 8.78 deg" in done.stdout
+    assert "locks     at 8.78 degrees: panels that meet stop it closing" in done.stdout
 
 
 def test_contact_not_looked_for() -> None:

@@ -17,6 +17,7 @@ from orishell.structure.analyse import analyse
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Structure, Support
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SMOOTH = Support(at="feet", kind="pinned").having(kind="friction")
@@ -78,7 +79,9 @@ def analysed(
     ],
 )
 @pytest.mark.parametrize("stiffness", [(0.0, np.inf), (20.0, 20.0)])
-@pytest.mark.parametrize("shell", [("figure1", 3, 4), ("figure2", 5, 6)])
+@pytest.mark.parametrize(
+    "shell", [("figure1", 3, 4), pytest.param(("figure2", 5, 6), marks=thorough)]
+)
 def test_reactions_balance_loads(
     shell: tuple[str, int, int], stiffness: tuple[float, float], support: Support, tied: bool
 ) -> None:

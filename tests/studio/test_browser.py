@@ -14,7 +14,7 @@ import pytest
 from command_line import orishell
 from node_tools import lacking
 from orishell.design_file import starter_file
-from samples import thorough
+from samples import led_by, thorough
 from studio_pages import TOUCHING, choose, drag, drawn, figures, fold, opened, settle, type_into
 from viewer_pages import (
     await_frames,
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 
-@pytest.mark.parametrize("family", ["parallel-repeating", "orthodiagonal"])
+@pytest.mark.parametrize("family", led_by(["parallel-repeating", "orthodiagonal"]))
 def test_from_an_example_to_the_locked_shell(page: Page, family: str) -> None:
     choose(page, family)
     assert page.evaluate("window.__orishell.report.family") == family
@@ -207,6 +207,7 @@ def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
     assert page.evaluate("window.__orishell.fold") == 1
 
 
+@thorough  # those that are too thick are the quicker member
 def test_panels_with_a_thickness(page: Page) -> None:
     """Their table is edited, and boards are shown where the view has them."""
     choose(page, "parallel-repeating")

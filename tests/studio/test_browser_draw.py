@@ -158,6 +158,7 @@ def half_circle(directory: Path) -> Path:
     return path
 
 
+@thorough
 def test_a_dropped_half_circle_stays_an_arc(page: Page, tmp_path: Path) -> None:
     choose(page, "orthodiagonal")
     with page.expect_file_chooser() as chooser:

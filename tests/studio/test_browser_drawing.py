@@ -40,6 +40,7 @@ def drop(page: Page, name: str, text: str, at: str = ".results") -> None:
     )
 
 
+@thorough
 def test_our_own_drawing_folds_and_is_kept(page: Page, client: httpx.Client) -> None:
     choose(page, "orthodiagonal")
     sheet = parse_toml(starter_file("pattern"))

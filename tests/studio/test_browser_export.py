@@ -98,6 +98,7 @@ def test_a_search_for_sizes_is_stopped_and_says_why_it_fails(page: Page) -> None
     assert "panel edges from 50" in page.get_by_test_id("tradeoff").inner_text()
 
 
+@thorough
 def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Path) -> None:
     choose(page, "orthodiagonal")
     page.get_by_test_id("export").click()

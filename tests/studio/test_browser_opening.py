@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from orishell.design_file import starter_file
+from samples import thorough
 from studio_pages import drawn, drop_file, figures, fold, opened, settle
 from viewer_pages import wait_until
 
@@ -78,6 +79,7 @@ def test_what_is_open_comes_back(browser: Browser, address: str) -> None:
         assert page.evaluate(f"{STORE}.unsaved") is False
 
 
+@thorough
 def test_nothing_is_left_of_the_design_before(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         # Not the text in the field that has the focus, nor the state of its motion.
@@ -113,6 +115,7 @@ def test_nothing_is_left_of_the_design_before(browser: Browser, address: str) ->
         assert "Panels" in figures(page)
 
 
+@thorough
 def test_numbers_are_those_that_were_typed_and_counted(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         # What is said to work is what is taken.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 STARTS = ["orishell-theme", "orishell.tour"]
 
 
-@pytest.mark.parametrize("size", led_by(SIZES, 2))
+@pytest.mark.parametrize("size", led_by(SIZES))
 def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> None:
     options: dict[str, Any] = {**SIZES[size], "bypass_csp": True, "color_scheme": "light"}
     with opened(browser, address, **options) as page:

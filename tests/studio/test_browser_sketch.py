@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from page_checks import MISPLACED, serious_findings
+from samples import thorough
 from studio_pages import SIZES, choose, drawn, in_bar, opened
 from viewer_pages import await_frames, keep_picture
 
@@ -161,6 +162,7 @@ def test_all_of_it_by_keys(page: Page) -> None:
     assert page.get_by_test_id("banner").is_hidden()
 
 
+@thorough
 def test_with_a_finger_on_a_phone(browser: Browser, address: str) -> None:
     with opened(browser, address, **SIZES["phone"], bypass_csp=True, color_scheme="dark") as page:
         in_bar(page, "new").tap()

@@ -112,6 +112,7 @@ def longest_task(trace: bytes) -> float:
     return max(tasks)
 
 
+@thorough
 def test_a_drag_never_holds_the_page(browser: Browser, address: str) -> None:
     """Of 29 x 30: the longest task took 15 to 50 ms of a busy, slow processor."""
     with opened(browser, address, width=1024, height=600) as page:

@@ -43,6 +43,7 @@ def begin(page: Page) -> None:
     page.locator("label:has([data-testid=family-flat-foldable])").click()
 
 
+@thorough  # a dropped mesh goes the same way
 def test_from_a_formula_to_the_fitted_shell(page: Page) -> None:
     at_a_surface(page)
     assert state(page, "report.value.family") == "flat-foldable"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from samples import thorough
 from studio_pages import settle
 from viewer_pages import await_frames
 
@@ -42,6 +43,7 @@ ENDS = """[...document.querySelectorAll('.parameter-head')]
 """Where the controls of the left panel end."""
 
 
+@thorough  # what it says: tests/shell/test_verdict
 def test_a_shell_that_nothing_holds_and_that_breaks_has_no_tick_for_it(page: Page) -> None:
     page.evaluate("design => window.__orishell.store.change(design, 'snow')", SNOW)
     settle(page)

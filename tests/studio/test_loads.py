@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from samples import thorough
 from studio_pages import settle
 from viewer_pages import await_frames, keep_picture, pixels, wait_until
 
@@ -53,6 +54,7 @@ snow = { ground = 500 }
 SHOWN = "window.__orishell.shell3d.loaded.shown"
 
 
+@thorough
 def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     change = "(design) => window.__orishell.store.change(design, 'loaded')"
     page.evaluate(change, tomllib.loads(DESIGN))

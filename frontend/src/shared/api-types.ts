@@ -731,6 +731,8 @@ export interface KeyWords {
   label: string;
   /** One line on what it does. */
   help: string;
+  /** Of its values: "length" is the design's unit. */
+  unit: "length" | "deg" | "kg/m\u00b2" | "";
   /** Its values and their labels, the default first; empty where they are not listed. */
   choices: Record<string, string>;
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isfinite
 from typing import Final, Literal
@@ -51,6 +52,45 @@ def figure(value: float, digits: int = DIGITS) -> str:
     grouped = f"{int(whole):,}".replace(",", NARROW) if len(whole) > 4 else whole
     raised = f"\u00b710{power.translate(RAISED)}" if power else ""
     return ("\u2212" if text.startswith("-") else "") + grouped + point + part + raised
+
+
+SMALLER: Final[dict[str, tuple[float, str]]] = {
+    "m": (0.1, "mm"),
+    "cm": (1.0, "mm"),
+    "ft": (0.1, "in"),
+}
+"""Below so many of the unit a length is written in a smaller one."""
+LEAST: Final[dict[str, float]] = {"mm": 1e-3, "in": 1e-4}
+"""Lengths below these are none: nobody makes or measures them."""
+
+
+def size(value: float, unit: str) -> str:
+    """A length in three significant digits with its unit, as sentences have it: 4.62 m, 0.12 mm."""
+    below, smaller = SMALLER.get(unit, (0.0, unit))
+    if value and abs(value) < below:
+        value, unit = value * conversion(unit, smaller), smaller
+    least = LEAST.get(unit, 0.0)
+    if value and abs(value) < least / 2:
+        return f"less than {least} {unit}"
+    return f"{plain(value, 3)} {unit}"
+
+
+def box(sides: Iterable[float], unit: str) -> str:
+    """Sides of a box in three significant digits, in the unit of the whole: 6 x 2.4 m."""
+    return f"{' x '.join(plain(side, 3) for side in sides)} {unit}"
+
+
+AREAS: Final = (("m", 1e4), ("cm", 100.0), ("mm", 0.0))
+"""Areas from so many square millimetres are written in these units, where the design is metric."""
+
+
+def area(value: float, unit: str) -> str:
+    """An area in three significant digits: 43.5 m2, of a design in millimetres 0.139 m2."""
+    if value and unit in dict(AREAS):
+        square = value * MILLIMETRES[unit] ** 2
+        unit = next(each for each, least in AREAS if square >= least)
+        value = square / MILLIMETRES[unit] ** 2
+    return f"{plain(value, 3)} {unit}2"
 
 
 def _trimmed(number: str) -> str:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+import numpy as np
+
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.quantities import Quantities, plain
+from orishell.conventions.quantities import Quantities, area, box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
 from orishell.deviation.report import DeviationReport
@@ -92,9 +94,10 @@ def _folds(report: Report) -> Iterator[Row]:
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and lock.cause in ("clash", "boards"):
-        meets = f"{_panels_of(contact)} meet at {_degrees(contact.drive)} ({contact.kind})"
+        angle = _degrees(contact.drive, lock.target_drive)
+        meets = f"{_panels_of(contact)} meet at {angle} ({contact.kind})"
         if contact.drive < lock.target_drive:
-            short = f"short of the {aim} at {_degrees(lock.target_drive)}"
+            short = f"short of the {aim} at {_degrees(lock.target_drive, contact.drive)}"
             yield Row("fails", "folds", f"no: {meets}, {short}{exact}")
         else:
             there = contact.drive <= lock.target_drive * (1 + SAME)
@@ -107,8 +110,11 @@ def _folds(report: Report) -> Iterator[Row]:
         yield Row("holds", "folds", f"in one motion{exact}")
 
 
-def _degrees(drive: float) -> str:
-    return f"{tidy_degrees(drive):.6g} degrees"
+def _degrees(drive: float, beside: float = np.nan) -> str:
+    """A fold angle, in so many digits that it is told from another."""
+    one, other = tidy_degrees(drive), tidy_degrees(beside)
+    apart = (k for k in range(4, 9) if f"{one:.{k}g}" != f"{other:.{k}g}")
+    return f"{plain(one, next(apart, 4))} degrees"
 
 
 def _panels_of(contact: Contact) -> str:
@@ -164,15 +170,15 @@ def _packs(report: Report) -> Iterator[Row]:
         return
     # Of panels without thickness a flat pack has no height: its layers count.
     flat = packed.height < SLIM * packed.length
-    sides = [plain(packed.length), plain(packed.width)]
-    box = f"{' x '.join(sides if flat else [*sides, plain(packed.height, 2)])} {unit}"
+    sides = (packed.length, packed.width, packed.height)
+    least = box(sides[: 2 if flat else 3], unit)
     if deployment.pieces:
         volume = sum(each.box.volume for each in deployment.pieces)
         total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
-        box = f"{total}, the largest {box}"
+        least = f"{total}, the largest {least}"
     deep = f", {packed.layers} panels deep" if flat else ""
     sign: Sign = "says" if report.feasible is None else "holds"
-    yield Row(sign, "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
+    yield Row(sign, "packs", f"{least} at {_degrees(packed.drive)}{deep}")
 
 
 def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:
@@ -180,13 +186,13 @@ def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:
     built, used = report.quantities.built, report.quantities.stock
     if stock is None:
         return
-    size = f"{plain(stock[0])} x {plain(stock[1])} {report.unit}"
+    sheet = box(stock, report.unit)
     if used is None:
-        yield Row("warns", "fits", f"not known: it was not laid out on stock of {size}")
+        yield Row("warns", "fits", f"not known: it was not laid out on stock of {sheet}")
         return
     sheets = used.sheets if built is None or built.stock_sheets is None else built.stock_sheets
     what = "sheet" if sheets == 1 else "sheets"
-    yield Row("holds", "fits", f"on {sheets} {what} of {size}")
+    yield Row("holds", "fits", f"on {sheets} {what} of {sheet}")
 
 
 def _unchecked(report: Report) -> Iterator[Row]:
@@ -202,14 +208,15 @@ def _boards(report: Report) -> Iterator[Row]:
         return
     corners = f", corners cut off at {panel.corners_cut} vertices" if panel.corners_cut else ""
     proved = "" if panel.path is None else "; none meet on the way (proved)"
-    thick, unit = plain(panel.thickness), report.unit
+    unit = report.unit
+    thick = size(panel.thickness, unit)
     if panel.hinged is not None:
-        arm = plain(panel.hinged.longest_arm, 3)
-        text = f"{panel.boards}, whole, {thick} {unit} thick, on hinges up to {arm} {unit} off them"
+        arm = size(panel.hinged.longest_arm, unit)
+        text = f"{panel.boards}, whole, {thick} thick, on hinges up to {arm} off them"
         text += _in_pieces(panel.hinged, unit)
     else:
-        back = plain(panel.largest_setback, 3)
-        text = f"{panel.boards}, of panels {thick} {unit} thick, set back by up to {back} {unit}"
+        back = size(panel.largest_setback, unit)
+        text = f"{panel.boards}, of panels {thick} thick, set back by up to {back}"
     yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
 
 
@@ -218,10 +225,10 @@ def _in_pieces(hinged: HingedReport, unit: str) -> str:
     joints = hinged.joints
     if joints is None:
         return ""
-    cut, apart = plain(joints.largest_cut, 3), plain(joints.open_max, 2)
+    cut, apart = size(joints.largest_cut, unit), size(joints.open_max, unit)
     return (
-        f"; in {len(hinged.pieces)} pieces, cut back by up to {cut} {unit} along joints and up to "
-        f"{apart} {unit} apart there at the target"
+        f"; in {len(hinged.pieces)} pieces, cut back by up to {cut} along joints and up to "
+        f"{apart} apart there at the target"
     )
 
 
@@ -235,7 +242,7 @@ def _hinges(report: Report) -> Iterator[Row]:
     if bill.arms:
         kinds = "one kind" if bill.arm_kinds == 1 else f"{bill.arm_kinds} kinds"
         arms = f"; {bill.on_arms} of them stand on {bill.arms} arms of {kinds}"
-    length = f"{plain(bill.length, 3)} {report.unit}"
+    length = size(bill.length, report.unit)
     yield Row("says", "hinges", f"{bill.count}, {length} in all, with {bill.screws} screws{arms}")
     end = "" if play.end.loop == play.target.loop else f", {plain(play.end.loop, 2)} mm in the pack"
     yield Row(
@@ -258,13 +265,13 @@ def _feet(report: Report) -> Iterator[Row]:
             text = "nowhere: no two rows carry it, so it stays where its surface is drawn"
     else:
         first, last = stands.rows
-        low = f"z = {plain(stands.z)}"
+        low = f"z = {plain(stands.z, 3)}"
         text = f"level on {low}, on rows {first} and {last}"
         if stands.points:
             at = "; ".join(f"{row}, {column}" for row, column in stands.points)
             text = f"level on {low}, on vertices {at}"
         if not stands.level:
-            high = f"{plain(stands.uneven)} {unit}"
+            high = size(stands.uneven, unit)
             text = f"on rows {first} and {last}, from {low} up to {high} above"
     yield Row("says", "feet", text)
 
@@ -275,7 +282,7 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
         yield Row("says", "surface", "no target: nothing to compare the shell with")
         return
     curves = ", ".join(
-        f"{name} within {plain(near.max)} {unit}"
+        f"{name} within {size(near.max, unit)}"
         for name in ("f", "g", "crests", "valleys")
         if (near := getattr(deviation, name)) is not None
     )
@@ -284,25 +291,24 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
     surface = deviation.surface
     if surface is not None:
         curves = (
-            f"within {plain(surface.max)} {unit} of the target (known to "
-            f"{plain(surface.sample_spacing, 1)}), rms {plain(surface.rms)} {unit}; {curves}"
+            f"within {size(surface.max, unit)} of the target (known to "
+            f"{size(surface.sample_spacing, unit)}), rms {size(surface.rms, unit)}; {curves}"
         )
     yield Row("says", "surface", curves)
     if deviation.tilted:
         yield Row("says", "tilted", f"in the surface asked for {deviation.tilted}")
     approached = deviation.approached
     if approached is not None:
-        size = approached.max
-        found = "" if size is None else f"; at most {plain(size)} {unit} from that"
+        most = approached.max
+        found = "" if most is None else f"; at most {size(most, unit)} from that"
         yield Row("says", "approach", f"{approached.what}{found}")
 
 
 def _sizes(report: Report) -> Iterator[Row]:
     unit, sheet, shell = report.unit, report.sheet, report.deployed
-    area = f"{plain(sheet.area)} {unit}2"
-    yield Row("says", "sheet", f"{plain(sheet.width)} x {plain(sheet.height)} {unit}, area {area}")
-    box = " x ".join(plain(side) for side in (shell.width, shell.depth, shell.height))
-    yield Row("says", "deployed", f"{box} {unit}")
+    sides = box((sheet.width, sheet.height), unit)
+    yield Row("says", "sheet", f"{sides}, area {area(sheet.area, unit)}")
+    yield Row("says", "deployed", box((shell.width, shell.depth, shell.height), unit))
 
 
 def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
@@ -312,10 +318,10 @@ def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
         return
     does = "pushes its feet apart" if weight.at_feet > 0 else "pulls its feet together"
     newtons, force = weight.force_unit == "N", abs(weight.at_feet)
-    size = f"{plain(force, 3)} N" if newtons else f"{plain(100 * force, 3)} % of itself"
+    thrust = f"{plain(force, 3)} N" if newtons else f"{plain(100 * force, 3)} % of itself"
     total = f"{plain(weight.total)} N, " if newtons else ""
     pack = deployment.start == "pack"
     raising = weight.raise_from_pack if pack else weight.raise_from_flat
     work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
     raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
-    yield Row("says", "weight", f"{total}{does} with {size}; {raises}")
+    yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")

@@ -42,6 +42,7 @@ class KeyWords(TypedDict):
 
     label: str
     help: str  # one line on what it does
+    unit: Measure  # of its values: "length" is the design's unit
     # its values and their labels, the default first; empty where they are not listed
     choices: dict[str, str]
 

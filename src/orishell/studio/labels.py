@@ -145,6 +145,7 @@ def describe_tables() -> dict[str, TableWords]:
         each["key"]: {
             "label": each["label"],
             "help": each["help"],
+            "unit": each["unit"],
             "choices": WORKSHOP_CHOICES.get(each["key"], {}),
         }
         for each in describe_workshop()
@@ -157,7 +158,12 @@ TABLES: dict[str, TableWords] = {
     name: {
         "label": table["label"],
         "keys": {
-            key: {"label": each["label"], "help": each["help"], "choices": each.get("choices", {})}
+            key: {
+                "label": each["label"],
+                "help": each["help"],
+                "unit": each.get("unit", ""),
+                "choices": each.get("choices", {}),
+            }
             for key, each in table.get("keys", {}).items()
         },
     }

@@ -36,7 +36,7 @@ from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.layout import lay_out
-from samples import thorough
+from samples import led_by, thorough
 
 Array = np.ndarray
 RANGES = 512
@@ -165,7 +165,7 @@ WIDTH = 0.15
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("name", led_by(SURFACES))
 def test_fitted_shells_lock(name: str) -> None:
     bare = fitted(name, 9)
     edges = np.linalg.norm(np.diff(bare.positions(0.0), axis=0), axis=-1)

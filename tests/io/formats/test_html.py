@@ -29,7 +29,7 @@ from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
 from orishell.io.view import dump_view
-from samples import thorough
+from samples import led_by, thorough
 from viewer_pages import (
     await_frames,
     pixels,
@@ -114,7 +114,7 @@ def opened(page: Page, path: Path) -> None:
     wait_until(page, "window.orishell !== undefined")
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", led_by(FAMILIES))
 def test_folds_from_flat_to_locked_without_bending_a_panel(
     browser: Browser, tmp_path: Path, family: str
 ) -> None:

@@ -7,15 +7,18 @@ export class Labels {
   private readonly families = new Map<string, Map<string, string>>();
   /** Of all tables but the pattern's. */
   private readonly others: Map<string, string>;
+  /** What numbers of the table [pattern] are measured in. */
+  private readonly units = new Map<string, string>();
 
   constructor(
     families: Info["families"],
     private readonly tables: Info["tables"],
-    /** The family of the present design. */
-    private readonly family: () => string,
+    /** Family and unit of the present design. */
+    private readonly shell: () => { family: string; unit: string },
   ) {
     for (const [name, { parameters }] of Object.entries(families)) {
       this.families.set(name, new Map(parameters.map(({ key, label }) => [key, label])));
+      for (const { key, unit } of parameters) this.units.set(key, unit);
     }
     this.others = new Map(Object.values(tables).flatMap(({ keys }) => Object.entries(keys).map(([key, { label }]) => [key, label])));
   }
@@ -69,9 +72,16 @@ export class Labels {
       const curve = table === "target" ? ofTarget(rest[0]!) : "";
       const label = `${small(this.at(table, key) ?? key.replaceAll("_", " "))}${curve}`;
       if (value === null) without.push(label);
-      else given.push(`${label} = ${written(value as Value)}${key.endsWith("_deg") && typeof value === "number" ? "°" : ""}`);
+      else given.push(`${label} = ${written(value as Value)}${typeof value === "number" ? this.unit(table, key) : ""}`);
     }
     return given.join(" with ") + (without.length ? ` without ${without.join(", ")}` : "");
+  }
+
+  /** What follows a number. */
+  private unit(table: string, key: string): string {
+    if (key.endsWith("_deg")) return "°";
+    const unit = table === "pattern" ? this.units.get(key) : this.tables[table]?.keys[key]?.unit;
+    return unit === "length" ? ` ${this.shell().unit}` : "";
   }
 
   /** The label of a key of a table. */
@@ -85,7 +95,7 @@ export class Labels {
   }
 
   private find(key: string): string | undefined {
-    const own = this.families.get(this.family())?.get(key);
+    const own = this.families.get(this.shell().family)?.get(key);
     if (own) return own;
     for (const family of this.families.values()) if (family.has(key)) return family.get(key);
     return this.others.get(key);

@@ -76,7 +76,7 @@ export class Store {
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
     this.left = new Left(this.design);
-    this.labels = new Labels(info.families, info.tables, () => this.design.value.shell.family);
+    this.labels = new Labels(info.families, info.tables, () => this.design.value.shell);
   }
 
   get named(): Work {
