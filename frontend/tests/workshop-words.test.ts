@@ -13,7 +13,7 @@ it("settings that others make idle are not shown", () => {
 
 it("what sheets come to has its units", () => {
   const stock = { sheets: 4, stock_area: 25, used_area: 17, waste: 0.32, cut_length: 34.17257, crease_length: 91.6353 };
-  const sheets: Sheets = { sheets: [], unit: "m", layers: [], palette: "", stock, boards: 2, paper: "Scale 1:10" };
+  const sheets: Sheets = { sheets: [], unit: "m", layers: [], palette: "", stock, boards: 2, paper: { says: "Scale 1:20, 4 pages of A4", svg: "" } };
   const facts = new Map(factsOf(sheets));
   expect(facts.get("Used of the sheets")).toBe("68 %");
   expect(facts.get("Cut")).toBe("34.2 m");

@@ -6,6 +6,7 @@ import io
 import re
 import zipfile
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -15,6 +16,7 @@ from orishell.design_file import starter_file
 from orishell.shell import tradeoff
 from orishell.studio.processes import MAX_VERTICES
 from orishell.studio.tasks import answer
+from orishell.workshop import tiling
 from orishell.workshop.palettes import load_palette
 
 STOCK = {"stock": [2.5, 2.5], "margin": 0.05, "palette": "shop"}
@@ -26,6 +28,15 @@ def asked(task: str, workshop: dict[str, Any] | None = None, **more: Any) -> Any
     return answer(task, payload, lambda _share, _what: None)
 
 
+def require_pages(sheets: dict[str, Any]) -> None:
+    """The paper model's picture has the number of every page that its words count."""
+    found = re.search(r", (\d+) pages? of A[34]$", sheets["paper"]["says"])
+    assert found
+    root = ElementTree.fromstring(sheets["paper"]["svg"])
+    numbers = [each.text for each in root.iter("{http://www.w3.org/2000/svg}text")]
+    assert sorted(map(str, range(1, int(found[1]) + 1))) == sorted(map(str, numbers))
+
+
 def test_sheets_are_those_that_are_exported() -> None:
     sheets = asked("sheets", STOCK)
     names = [sheet["file"] for sheet in sheets["sheets"]]
@@ -35,7 +46,8 @@ def test_sheets_are_those_that_are_exported() -> None:
         assert sorted(archive.namelist()) == sorted(f"{name}.svg" for name in names)
     assert sheets["stock"].sheets == 4
     assert sheets["boards"] is None
-    assert sheets["paper"].endswith("of A4")
+    require_pages(sheets)
+    assert sheets["paper"]["says"].endswith("of A4")
     # The colours of the palette, wide enough to be seen; layers that it leaves out are not there.
     pens = load_palette("shop").pens
     shown = {each["layer"]: each["colour"] for each in sheets["layers"]}
@@ -63,9 +75,13 @@ def test_stock_that_no_panel_fits_is_refused_with_what_would_do() -> None:
     assert "larger stock" in caught.value.remedy
 
 
-def test_a_paper_model_of_too_many_pages_is_said_and_the_rest_drawn() -> None:
+def test_a_paper_model_of_too_many_pages_is_said_and_the_rest_drawn(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(tiling, "MOST", 100)
     sheets = asked("sheets", {"paper_scale": 1.0})
-    assert "pages" in sheets["paper"]
+    assert "needs more than 100 pages" in sheets["paper"]["says"]
+    assert sheets["paper"]["svg"] == ""
     assert len(sheets["sheets"]) == 1
 
 

@@ -1041,6 +1041,14 @@ export interface PanelReport {
   hinged: HingedReport | null;
 }
 
+/** A paper model on its pages. */
+export interface PaperPages {
+  /** Its scale and pages in words; why there is none, if it takes too many. */
+  says: string;
+  /** A picture of the model with the frames and numbers of its pages; empty then. */
+  svg: string;
+}
+
 /** A parameter of a family, or a setting of the workshop, as a control shows it. */
 export interface Parameter {
   key: string;
@@ -1345,8 +1353,7 @@ export interface Sheets {
   stock: Waste;
   /** Sheets of stock for boards; null if there are none, or no stock. */
   boards: number | null;
-  /** The paper model in words; why there is none, if it takes too many pages. */
-  paper: string;
+  paper: PaperPages;
 }
 
 /** The last line of the answer: the drawings. */

@@ -7,6 +7,8 @@ import { capital, sentence } from "./words.ts";
 
 export const SIGNS = { fails: "\u2715", warns: "!", holds: "\u2713" } as const;
 const MEANS = { fails: "fails", warns: "attention", holds: "holds" } as const;
+/** The row of what nobody looked at. */
+const UNCHECKED = "unchecked";
 const HEADS = { fails: "Fails", warns: "Needs attention", holds: "Holds" } as const;
 
 export type Tone = keyof typeof SIGNS;
@@ -21,6 +23,8 @@ export function judged(report: Known | null): Judged[] {
 export function headline(rows: readonly Judged[]): [string, Tone] | null {
   const tone = rows[0]?.sign;
   if (!tone) return null;
+  const checked = rows.filter(({ subject }) => subject !== UNCHECKED);
+  if (tone === "warns" && checked.length && checked.every(({ sign }) => sign === "holds")) return ["Holds as far as it is checked", tone];
   const subjects = rows.filter(({ sign }) => sign === tone).map(({ subject }) => capital(subject));
   return [`${HEADS[tone]}: ${subjects.join(", ")}`, tone];
 }
@@ -43,7 +47,7 @@ export class Verdict {
   show(report: Known | null, pending = false): void {
     const rows = judged(report);
     if (pending) {
-      const subjects = rows.map(({ subject }) => subject).filter((each) => each !== "unchecked");
+      const subjects = rows.map(({ subject }) => subject).filter((each) => each !== UNCHECKED);
       this.element.replaceChildren(...subjects.map(unknown));
       return;
     }

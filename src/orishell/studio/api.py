@@ -161,6 +161,13 @@ class LayerPen(TypedDict):
     colour: str
 
 
+class PaperPages(TypedDict):
+    """A paper model on its pages."""
+
+    says: str  # its scale and pages in words; why there is none, if it takes too many
+    svg: str  # a picture of the model with the frames and numbers of its pages; empty then
+
+
 class Sheets(TypedDict):
     """The drawings that a workshop gets, and what they come to."""
 
@@ -170,7 +177,7 @@ class Sheets(TypedDict):
     palette: str  # what the palette is for
     stock: Waste  # sheets, waste, and length of cuts and creases, boards not counted
     boards: int | None  # sheets of stock for boards; null if there are none, or no stock
-    paper: str  # the paper model in words; why there is none, if it takes too many pages
+    paper: PaperPages
 
 
 class Advance(TypedDict):

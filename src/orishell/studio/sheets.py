@@ -6,6 +6,8 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.design_file import DesignFile
@@ -14,17 +16,21 @@ from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.studio.api import DrawnSheet, LayerPen, Sheets
+from orishell.studio.api import DrawnSheet, LayerPen, PaperPages, Sheets
 from orishell.studio.labels import LAYERS
 from orishell.workshop import Workshop
 from orishell.workshop.boards import has_sheet
-from orishell.workshop.palettes import ORDER, Palette, load_palette
+from orishell.workshop.palettes import ORDER, Drawing, Line, Palette, Text, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
 
 SEEN, PAGE_MM = "plain", 160.0
 """The palette whose lines can be seen at any size, and the page on which they are that wide: a
 picture of the drawings is small."""
+
+
+NUMBER = 0.12
+"""Height of the numbers of pages, as a share of a page's frame."""
 
 
 def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
@@ -50,6 +56,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
             drawn.update(line.layer for line in drawing.lines)
             drawn.update(circle.layer for circle in drawing.circles)
             drawn.update(text.layer for text in drawing.texts)
+        paper = _paper_pages(Path(directory) / "paper.svg", document, workshop, _visible(palette))
     layers: list[LayerPen] = [
         {"layer": layer, "label": LAYERS[layer], "colour": palette.pens[layer].colour}
         for layer in ORDER
@@ -63,7 +70,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
         "palette": palette.note,
         "stock": measure_waste(document, workshop),
         "boards": built.stock_sheets if built is not None and has_sheet(document) else None,
-        "paper": _paper_model(document, workshop),
+        "paper": paper,
     }
 
 
@@ -77,10 +84,28 @@ def _visible(palette: Palette) -> Palette:
     return replace(palette, pens=pens, page_mm=PAGE_MM)
 
 
-def _paper_model(document: Document, workshop: Workshop) -> str:
+def _paper_pages(
+    path: Path, document: Document, workshop: Workshop, palette: Palette
+) -> PaperPages:
+    """The paper model with its pages; ``path`` is where its picture may be written."""
     try:
         model = make_paper_model(document, workshop)
     except InputError as error:
-        return str(error)
-    pages = len(model.tiling.pages)
-    return f"{model.says}, {pages} {'page' if pages == 1 else 'pages'} of {workshop.paper}"
+        return {"says": str(error), "svg": ""}
+    tiling = model.tiling
+    frame = np.array([tiling.frame_width, tiling.frame_height])
+    corners = np.array([(page.left, page.bottom) for page in tiling.pages])
+    low = np.minimum(corners.min(axis=0), 0.0)
+    width, height = (np.maximum((corners + frame).max(axis=0), model.size) - low).tolist()
+    lines = [replace(line, points=line.points - low) for line in model.lines]
+    texts = []
+    for number, corner in enumerate(corners - low, 1):
+        around = corner + frame * ((0, 0), (1, 0), (1, 1), (0, 1))
+        lines.insert(0, Line("ENGRAVE", around, closed=True))
+        x, y = (corner + frame / 2).tolist()
+        texts.append(Text("ENGRAVE", x, y, NUMBER * float(frame.min()), str(number)))
+    pages = len(tiling.pages)
+    drawing = Drawing(model.title, "mm", width, height, tuple(lines), texts=tuple(texts))
+    dump_svg(path, drawing, palette)
+    says = f"{model.says}, {pages} {'page' if pages == 1 else 'pages'} of {workshop.paper}"
+    return {"says": says, "svg": path.read_text(encoding="utf-8")}

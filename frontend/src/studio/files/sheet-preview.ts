@@ -55,7 +55,7 @@ export class SheetPreview {
     this.state = "none";
   }
 
-  /** What is shown: the drawings to leaf through, or the sheet of which a paper model is made. */
+  /** What is shown: the drawings to leaf through, or a paper model on its pages. */
   of(subject: "sheets" | "paper"): void {
     this.subject = subject;
     if (this.sheets) this.take(this.sheets);
@@ -130,7 +130,7 @@ export class SheetPreview {
     this.note.textContent = sheets.palette && `${sheets.palette}. Lines are wider here than in the files.`;
     this.paper.hidden = false;
     this.leaves.hidden = paper || sheets.sheets.length < 2;
-    const facts = paper ? [["Model", sheets.paper] as const] : factsOf(sheets);
+    const facts = paper ? [["Model", sheets.paper.says] as const] : factsOf(sheets);
     this.facts.replaceChildren(...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
     this.legend.replaceChildren(
       ...[...sheets.layers].reverse().map(({ label, colour }) => h("li", {}, swatch(colour), label)),
@@ -147,7 +147,12 @@ export class SheetPreview {
   }
 
   private turn(): void {
-    const { sheets } = this.sheets!;
+    const { sheets, paper } = this.sheets!;
+    if (this.subject === "paper") {
+      this.picture.alt = `Pages of the paper model: ${paper.says}`;
+      this.paper.hidden = !paper.svg;
+      return this.show(paper.svg);
+    }
     const sheet = sheets[this.at]!;
     this.place.textContent = `${this.at + 1} of ${sheets.length}: ${sheet.file}`;
     this.back.setAttribute("aria-disabled", String(this.at === 0));

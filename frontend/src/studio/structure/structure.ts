@@ -171,15 +171,18 @@ export class StructureControls {
 
   /** How far the analysis is, and what it found. */
   private say(): void {
-    const { proof, report } = this.store;
+    const { proof, report, design } = this.store;
     const now = proof.value;
+    const asked = design.value["structure"] !== undefined;
     const found = now.state === "done" ? judged(report.value).find(({ subject }) => subject === "stands") : null;
     if (now.state === "running") this.work.show(now.share, now.what);
     else if (now.state === "waiting") this.work.begin("waiting");
     else this.work.hide();
-    this.verdict.hidden = !found;
-    this.verdict.replaceChildren(...(found ? [signOf(found.sign), " ", h("b", {}, capital(found.subject)), ` ${this.store.labels.said(found.finding)}`] : []));
-    this.verdict.dataset["tone"] = found?.sign ?? "";
+    const failed = asked && now.state === "failed" ? { sign: "fails" as const, subject: "not analysed", finding: now.fault.message } : null;
+    const shown = found ?? failed;
+    this.verdict.hidden = !shown;
+    this.verdict.replaceChildren(...(shown ? [signOf(shown.sign), " ", h("b", {}, capital(shown.subject)), ` ${this.store.labels.said(shown.finding)}`] : []));
+    this.verdict.dataset["tone"] = shown?.sign ?? "";
     this.again.hidden = now.state !== "stopped";
   }
 }
