@@ -18,7 +18,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 NODE := build/node
 PAGES := src/orishell/studio/static/index.html
-PARALLEL := --numprocesses logical --dist worksteal
+# One more than there are cores: tests of pages wait as often as they work.
+PARALLEL := --numprocesses $(shell echo $$(($$(nproc) + 1))) --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --no-compile --constraint constraints.txt
 # What is imported is compiled then, once; most of what is installed never is.

@@ -10,16 +10,14 @@ from orishell import Shell
 from orishell.design_file import read_design_file
 from orishell.plot.scene import Camera
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
 NEARLY_FLAT = 3.0
 """Drive at which the stack is drawn (radians)."""
 
 
 def fitted(name: str) -> Shell:
-    """The shell of an example that is fitted to a surface, without its boards."""
-    file = read_design_file(EXAMPLES / f"{name}.toml").changed({"panel": None})
-    return make_shell(file, skip=MEASURES)
+    """The shell of an example that is fitted to a surface."""
+    return make_shell(read_design_file(EXAMPLES / f"{name}.toml"))
 
 
 def draw_to_stack(shell: Shell, view: Camera) -> None:

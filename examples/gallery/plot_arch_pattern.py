@@ -25,9 +25,8 @@ from drawing import EXAMPLES, camera, draw_boards, draw_pattern, same_scale
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
-shell = make_shell(read_design_file(EXAMPLES / "arch_pattern.toml"), skip=MEASURES)
+shell = make_shell(read_design_file(EXAMPLES / "arch_pattern.toml"))
 sheet, boards = shell.design.mechanism, shell.document.boards
 assert boards is not None
 

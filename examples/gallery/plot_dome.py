@@ -15,7 +15,6 @@ from fitted import draw_to_stack, fitted
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
 shell = fitted("dome")
 crests, valleys = (shell.design.closeness[side].max for side in ("crests", "valleys"))
@@ -38,6 +37,6 @@ draw_pattern(axes, shell.motion.flat.positions, find_assignment(shell.design.mec
 #
 # .. live:: dome_locked
 
-locked = make_shell(read_design_file(EXAMPLES / "dome_locked.toml"), skip=MEASURES)
+locked = make_shell(read_design_file(EXAMPLES / "dome_locked.toml"))
 width = locked.design.parameters["flap"]
 print(f"flaps {width:.2f} m wide; what ends the motion: {locked.lock.cause}")

@@ -25,12 +25,11 @@ from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.plot.scene import Camera
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
 
 def draw(name: str, view: Camera) -> None:
     """The locked shell of a design file with its curves, and its crease pattern."""
-    shell = make_shell(read_design_file(EXAMPLES / name), skip=MEASURES)
+    shell = make_shell(read_design_file(EXAMPLES / name))
     sheet = shell.design.mechanism
     _, (left, right) = plt.subplots(1, 2, figsize=(13, 4.6), layout="constrained")
     draw_pattern(left, shell.motion.flat.positions, find_assignment(sheet))

@@ -22,6 +22,7 @@ from drawing import EXAMPLES
 
 from orishell import Shell
 from orishell.cli.structure import summarize_structure
+from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.structure.pages.files import draw_structure
@@ -50,7 +51,7 @@ def show(shell: Shell) -> None:
 # ones the shell buckles under a fiftieth of it. Displacements of metres only show that linear
 # analysis ended long before.
 
-boards = design()
+boards = make_shell(read_design_file(EXAMPLES / "shelter_structure.toml"))
 show(boards)
 
 # %%

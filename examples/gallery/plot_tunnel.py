@@ -16,10 +16,9 @@ from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_sca
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
 file = read_design_file(EXAMPLES / "tunnel.toml")
-shell = make_shell(file, skip=MEASURES)
+shell = make_shell(file)
 sheet = shell.design.mechanism
 lock = shell.lock
 print(f"lock: {lock.cause} at {math.degrees(lock.drive or math.nan)} degrees")

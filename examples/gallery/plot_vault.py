@@ -18,10 +18,9 @@ from orishell.conventions.colours import LIGHT
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES
 
 file = read_design_file(EXAMPLES / "vault.toml")
-shell = make_shell(file, skip=MEASURES)
+shell = make_shell(file)
 sheet = shell.design.mechanism
 lock = shell.report.lock
 print(f"meets f at {math.degrees(lock.target_drive):.3f} degrees")

@@ -17,7 +17,7 @@ from orishell.families.registry import FAMILIES
 from orishell.search.problem import parse_problem
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from samples import THOROUGH
+from samples import THOROUGH, thorough
 
 Tables = dict[str, Any]
 KEY = re.compile(r"# \w+ = ")
@@ -112,6 +112,7 @@ def test_an_example_works(tables: Tables, directory: Path) -> None:
         make_shell(file, clash="unexamined", skip=(*MEASURES, "structure"))
 
 
+@thorough
 def test_the_example_of_loads_works(directory: Path) -> None:
     family = "orthodiagonal"
     text = starter_file(family)

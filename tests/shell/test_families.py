@@ -19,6 +19,7 @@ from orishell.shell.candidate import Candidate, find_candidate
 from orishell.shell.export import write_shell
 from orishell.shell.families import FamilyTrial, choose_family, packs_flat
 from orishell.shell.make import Shell, make_shell
+from samples import thorough
 
 VAULT: dict[str, dict[str, Any]] = {
     "shell": {"family": "auto", "unit": "m"},
@@ -150,6 +151,7 @@ def test_f_and_g_of_a_surface_are_written(shell: Shell, tmp_path: Path) -> None:
     }
 
 
+@thorough
 def test_a_surface_is_tried_by_all_and_its_f_and_g_are_the_same_shell() -> None:
     surface = {"formula": "-0.4*x**2 - 0.1*y**2", "x": [-1, 1], "y": [-1, 1]}
     tables = {**VAULT, "target": {"surface": surface}}

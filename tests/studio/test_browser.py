@@ -149,6 +149,7 @@ def test_latency_of_a_drag(page: Page, record_property: Callable[[str, object], 
     assert median < 2000
 
 
+@thorough  # those that are too thick are shown likewise
 def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> None:
     choose(page, "parallel-repeating")
     page.evaluate(TOUCHING)

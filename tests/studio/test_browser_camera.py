@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from samples import thorough
 from studio_pages import choose, fold, settle
 from viewer_pages import await_frames
 
@@ -29,6 +30,7 @@ CAMERA = "window.__orishell.shell3d.camera.position.toArray()"
 FULL = pytest.approx(1 / 1.1, abs=0.03)
 
 
+@thorough
 def test_the_camera_follows_the_fold_until_it_is_moved(page: Page) -> None:
     choose(page, "parallel-repeating")
     page.get_by_test_id("person").uncheck()

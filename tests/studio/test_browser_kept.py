@@ -76,6 +76,7 @@ def test_undo_brings_a_design_back_with_its_name(page: Page) -> None:
     drawn(page)
 
 
+@thorough  # a link that is refused is the quicker member
 def test_a_link_brings_the_design(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         place = address.partition("?")[0]

@@ -50,6 +50,7 @@ def reload(page: Page) -> None:
     drawn(page)
 
 
+@thorough
 def test_what_is_open_comes_back(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         page.evaluate(f"{STORE}.setPattern('rows', 7)")

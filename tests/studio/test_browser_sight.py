@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from samples import thorough
 from studio_pages import drawn, drop_file, fold, opened, settle
 from viewer_pages import await_frames, pixels, wait_until
 
@@ -69,6 +70,7 @@ def test_a_person_is_seen_in_every_state(browser: Browser, address: str) -> None
             assert contrast > 0.15
 
 
+@thorough
 def test_the_pattern_keeps_its_place(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         sheet = page.get_by_test_id("pattern")

@@ -85,6 +85,7 @@ def test_picture_of_a_fitted_shell(page: Page) -> None:
     assert np.ptp(pixels(page, ".scene canvas")) > 0.3
 
 
+@thorough
 def test_a_fit_can_be_stopped_and_begun_again(page: Page) -> None:
     at_a_surface(page)
     before = state(page, "report.value.sheet.area")
