@@ -61,6 +61,7 @@ show(boards)
 # feet are anchored.
 
 report = boards.report.structure
+assert report is not None
 print("\n".join(summarize_structure(report, "m", [])))
 
 # %%
