@@ -4,16 +4,18 @@ import { inFamily, isAuto } from "./aims.ts";
 import { changed } from "./changed.ts";
 import type { Design, Info, Report } from "./types.ts";
 
-/** What the search settles beside rows and columns, where the design leaves it open. */
-const SETTLED = ["placement", "spacing", "depth"];
+/** What the search settles beside rows and columns, where the design leaves it open or to it. */
+const SETTLED = ["placement", "spacing", "depth", "xi_deg", "theta_deg", "sector_deg", "stage_deg"];
 
 /** The same design with the rows, columns and ways that were chosen, so that they are not sought
  * again; a design without a tolerance as it is. */
 export function sized(design: Design, report: Report | null): Design {
   if (!design.tolerance || !report) return design;
-  const settled = Object.fromEntries(SETTLED.flatMap((key) => (key in report.parameters ? [[key, report.parameters[key]]] : [])));
+  const { pattern } = design;
+  const open = SETTLED.filter((key) => key in report.parameters && (pattern[key] ?? "auto") === "auto");
+  const settled = Object.fromEntries(open.map((key) => [key, report.parameters[key]]));
   const { rows, columns } = report;
-  return changed(design, { tolerance: null, pattern: { ...settled, ...design.pattern, rows, columns } });
+  return changed(design, { tolerance: null, pattern: { ...pattern, ...settled, rows, columns } });
 }
 
 /** The same design with all that was chosen: its family, too. */
