@@ -15,7 +15,18 @@ from command_line import orishell
 from node_tools import lacking
 from orishell.design_file import starter_file
 from samples import led_by, thorough
-from studio_pages import TOUCHING, choose, drag, drawn, figures, fold, opened, settle, type_into
+from studio_pages import (
+    TOUCHING,
+    all_formats,
+    choose,
+    drag,
+    drawn,
+    figures,
+    fold,
+    opened,
+    settle,
+    type_into,
+)
 from viewer_pages import (
     await_frames,
     keep_picture,
@@ -35,10 +46,10 @@ def test_from_an_example_to_the_locked_shell(page: Page, family: str) -> None:
     assert page.evaluate("window.__orishell.report.family") == family
     assert "panels" in figures(page).lower()
     fold(page, 1.0)
-    locked = pixels(page, "canvas")
+    locked = pixels(page, ".scene canvas")
     assert np.ptp(locked) > 0.3  # not an empty canvas
     fold(page, 0.0)
-    flat = pixels(page, "canvas")
+    flat = pixels(page, ".scene canvas")
     assert (np.abs(flat - locked).max(axis=2) > 0.1).mean() > 0.01
     for share in (0.013, 0.5, 0.987):  # between the states that were sent
         fold(page, share)
@@ -136,6 +147,7 @@ def test_latency_of_a_drag(page: Page, record_property: Callable[[str, object], 
         box.press("Enter")
     settle(page)
     first = len(page.evaluate("window.__orishell.latencies"))
+    page.locator("summary[data-testid=more]").click()
     slider = page.get_by_test_id("slider-plane_deg")
     slider.focus()
     for _ in range(40):
@@ -198,6 +210,7 @@ def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
         assert page.get_by_test_id("target-mark").is_visible()
     page.set_viewport_size({"width": 1280, "height": 720})
     page.get_by_test_id("export").click()
+    all_formats(page)
     assert page.locator("label:has([data-testid=state-pack])").is_visible()
     page.keyboard.press("Escape")
     # Folded up from the flat sheet again, flaps end the motion at its last state.
@@ -223,10 +236,10 @@ def test_panels_with_a_thickness(page: Page) -> None:
     assert page.get_by_test_id("refusal").is_hidden()
     assert "flaps clipped on stop it" in page.get_by_test_id("verify-status").inner_text()
     assert switch.is_visible()
-    on = pixels(page, "canvas")
+    on = pixels(page, ".scene canvas")
     switch.click()
     await_frames(page)
-    assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 5e-3
+    assert (np.abs(on - pixels(page, ".scene canvas")).max(axis=2) > 0.1).mean() > 5e-3
     switch.click()
     type_into(page, "panel-membrane", "0.003")
     assert page.evaluate(table) == {"thickness": 0.1, "membrane": 0.003}
@@ -275,11 +288,11 @@ def test_clipped_flaps_are_drawn_at_the_target(page: Page) -> None:
     for share in (1, 0.999, 0, 1):
         fold(page, share)
         assert page.evaluate(drawn_there) == (share == 1)
-    shown = pixels(page, "canvas")
+    shown = pixels(page, ".scene canvas")
     page.evaluate("window.__orishell.shell3d.clipped.solids.clear()")
     page.get_by_test_id("fit").click()
     await_frames(page)
-    assert (np.abs(shown - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 1e-3
+    assert (np.abs(shown - pixels(page, ".scene canvas")).max(axis=2) > 0.1).mean() > 1e-3
 
 
 def test_panels_that_are_too_thick_are_refused_with_what_works(page: Page) -> None:
@@ -325,7 +338,7 @@ def test_picture_of_the_studio(browser: Browser, address: str) -> None:
         settle(page)
         fold(page, 0.5)
         keep_picture(page, "studio")
-        picture = pixels(page, "canvas")
+        picture = pixels(page, ".scene canvas")
         red = (picture[..., 0] > picture[..., 2] + 0.3).mean()
         blue = (picture[..., 2] > picture[..., 0] + 0.3).mean()
         assert min(red, blue) > 5e-4  # mountains and valleys
