@@ -12,6 +12,8 @@ from apart import run_apart
 from orishell.studio.protocol import ImpatientProtocol
 
 SECONDS = 0.5
+PAUSE = SECONDS / 1.5
+"""Between bytes: none is sent near the end of the time, when it may meet a closed connection."""
 WHOLE = b"GET / HTTP/1.1\r\nHost: h\r\n\r\n"
 
 
@@ -48,9 +50,7 @@ def answers(*begun: bytes, drip: bool) -> list[bytes]:
             writer.write(each)
             if each:  # let it be answered first
                 await reader.readuntil(b"ok")
-            dripping = asyncio.create_task(
-                _drip(writer, SECONDS / 10) if drip else asyncio.sleep(0)
-            )
+            dripping = asyncio.create_task(_drip(writer, PAUSE) if drip else asyncio.sleep(0))
             found.append(await asyncio.wait_for(reader.read(), 60))
             dripping.cancel()
             writer.close()
