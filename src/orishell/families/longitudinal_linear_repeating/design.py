@@ -39,9 +39,11 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     RowKind,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    UNTRIED,
     Wanted,
     advance_range,
     find_even_lengths,
+    fits_program,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
@@ -221,7 +223,9 @@ class _Target:
         if limits is None:
             given = "these row_lengths" if row is not None else "column 1 following f"
             raise DesignError(
-                f"a sheet with {given} would have creases of zero or negative length",
+                f"a sheet with {given} would have creases of zero or negative length"
+                if fits_program(request.rows, request.columns, following=True)
+                else f"no sheet with {given} was found: {UNTRIED}",
                 candidates=[Remedy({"pattern.row_lengths": "auto"})]
                 if row is not None
                 else chain(smaller(request.rows, request.columns), [AUTO_SECTORS]),

@@ -32,6 +32,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    UNTRIED,
     fits_program,
     largest_size,
     largest_square,
@@ -77,9 +78,8 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     condition = (
         f"no sheet of {rows} x {n} inner vertices exists for these sector angles: rows and columns "
         "converge, so that creases would have zero or negative length"
-        if fits_program(rows, n)
-        else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: with "
-        "equal lengths creases would have zero or negative length, and others were not tried"
+        if fits_program(rows, n, following=False)
+        else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: {UNTRIED}"
     )
     raise DesignError(
         condition,

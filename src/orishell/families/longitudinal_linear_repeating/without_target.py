@@ -29,9 +29,11 @@ from orishell.families.longitudinal_linear_repeating.sheet import SheetRequest
 from orishell.families.longitudinal_linear_repeating.target_state import require_before_end
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, Directions
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    UNTRIED,
     Wanted,
     advance_range,
     find_even_lengths,
+    fits_program,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
     END_SHARE,
@@ -118,11 +120,15 @@ def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None
     row, column = request.row_lengths, request.column_lengths
     both = row is not None and column is not None
     which = "column_lengths" if row is None else "row_lengths"
+    if inner is not None:
+        size = f"the shortest crease would be {plain(inner.shortest)} long"
+    elif fits_program(request.rows, request.columns, following=column is not None):
+        size = "no positive lengths of the other creases close all panels"
+    else:
+        size = UNTRIED
     return DesignError(
         f"these {'lengths' if both else which} make no sheet of these sector angles",
-        size="no positive lengths of the other creases close all panels"
-        if inner is None
-        else f"the shortest crease would be {plain(inner.shortest)} long",
+        size=size,
         candidates=_candidates(request, columns),
         excess=None if inner is None else -inner.shortest / np.abs(inner.row).mean(),
     )

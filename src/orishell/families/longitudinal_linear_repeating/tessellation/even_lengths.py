@@ -33,8 +33,12 @@ from orishell.numerics.bisection import bisect_integers
 
 REASONABLE = 10.0
 """The length of a row is quoted for creases between a tenth of column 1's mean and ten times it."""
-PROGRAM_PANELS, PROGRAM_COLUMNS = 12_000, 500
-"""Sheets of more are too large for the programs; they get equal lengths or none."""
+PROGRAM_PANELS = 12_000
+"""Sheets of more inner panels are too large for a program; they get equal lengths or none."""
+FOLLOWING_COLUMNS = 500
+"""So are those of more columns whose column 1 is given: its unknowns are in all conditions."""
+UNTRIED = "with equal lengths creases would have zero or negative length, and others were not tried"
+"""What is known of such a sheet that was not found."""
 
 
 @record
@@ -109,9 +113,14 @@ class LengthsProgram:
         return (result.x[self.middle], result.x[self.first_column]) if result.success else None
 
 
-def fits_program(rows: int, columns: int) -> bool:
-    """Whether the most even lengths are looked for in a sheet of so many inner vertices."""
-    return (rows - 1) * (columns - 1) <= PROGRAM_PANELS and columns <= PROGRAM_COLUMNS
+def fits_program(rows: int, columns: int, *, following: bool) -> bool:
+    """Whether the most even lengths are looked for in a sheet of so many inner vertices.
+
+    following: Whether its column 1 is given.
+    """
+    return (rows - 1) * (columns - 1) <= PROGRAM_PANELS and not (
+        following and columns > FOLLOWING_COLUMNS
+    )
 
 
 def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | None:
@@ -121,7 +130,7 @@ def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | 
     mean row crease if there is none.
     """
     m, n = directions.row.shape[0], directions.column.shape[1]
-    if not fits_program(m, n):
+    if not fits_program(m, n, following=wanted.column is not None):
         solved: tuple[Array, Array] | None = (
             np.ones(n - 1) if wanted.row is None else wanted.row,
             np.ones(m - 1) if wanted.column is None else wanted.column,
@@ -162,7 +171,7 @@ def advance_range(
     sheet, or it is too large for the program.
     """
     m, n = directions.row.shape[0], directions.column.shape[1]
-    if wanted.column is None or not fits_program(m, n):
+    if wanted.column is None or not fits_program(m, n, following=True):
         return None
     mean = float(wanted.column.mean())
     sheets = FollowingSheets.of(directions, wanted.column, wanted.row, wanted.ends, None)
