@@ -87,39 +87,31 @@ def test_quantities_mean_the_same_in_every_unit(unit: str, metres: float) -> Non
 
 
 @pytest.mark.parametrize(
-    ("value", "unit", "text"),
+    ("said", "text"),
     [
-        (4.6218, "m", "4.62 m"),
-        (0.1, "m", "0.1 m"),
-        (0.0999, "m", "99.9 mm"),
-        (-0.012345, "m", "-12.3 mm"),
-        (1.2e-8, "m", "less than 0.001 mm"),
-        (0.0, "m", "0 m"),
-        (0.5, "cm", "5 mm"),
-        (0.05, "ft", "0.6 in"),
-        (0.05, "in", "0.05 in"),
-        (0.00012, "mm", "less than 0.001 mm"),
-        (391.27, "mm", "391 mm"),
+        (size(4.6218, "m"), "4.62 m"),
+        (size(0.1, "m"), "0.1 m"),
+        (size(0.0999, "m"), "99.9 mm"),
+        (size(-0.012345, "m"), "-12.3 mm"),
+        (size(1.2e-8, "m"), "less than 0.001 mm"),
+        (size(0.0, "m"), "0 m"),
+        (size(0.5, "cm"), "5 mm"),
+        (size(0.05, "ft"), "0.6 in"),
+        (size(0.05, "in"), "0.05 in"),
+        (size(0.00012, "mm"), "less than 0.001 mm"),
+        (size(391.27, "mm"), "391 mm"),
+        (size(0.1331, "m", bound=True), "0.134 m"),
+        (size(0.134, "m", bound=True), "0.134 m"),
+        (size(9.991, "m", bound=True), "10 m"),
+        (size(0.0123, "m", bound=True), "12.3 mm"),
+        (area(43.541, "m"), "43.5 m2"),
+        (area(139_200, "mm"), "0.139 m2"),
+        (area(0.002, "m"), "20 cm2"),
+        (area(12.0, "mm"), "12 mm2"),
+        (area(3.25, "ft"), "3.25 ft2"),
+        (area(0.0, "m"), "0 m2"),
+        (box((6.0, 3.3137, 0.05), "m"), "6 x 3.31 x 0.05 m"),
     ],
 )
-def test_sizes_are_said_in_the_unit_that_suits_them(value: float, unit: str, text: str) -> None:
-    assert size(value, unit) == text
-
-
-@pytest.mark.parametrize(
-    ("value", "unit", "text"),
-    [
-        (43.541, "m", "43.5 m2"),
-        (139_200, "mm", "0.139 m2"),
-        (0.002, "m", "20 cm2"),
-        (12.0, "mm", "12 mm2"),
-        (3.25, "ft", "3.25 ft2"),
-        (0.0, "m", "0 m2"),
-    ],
-)
-def test_areas_likewise(value: float, unit: str, text: str) -> None:
-    assert area(value, unit) == text
-
-
-def test_sides_of_a_box_are_in_one_unit() -> None:
-    assert box((6.0, 3.3137, 0.05), "m") == "6 x 3.31 x 0.05 m"
+def test_sizes_are_said_in_the_unit_that_suits_them(said: str, text: str) -> None:
+    assert said == text

@@ -126,7 +126,7 @@ def test_a_shell_that_rolls_up_is_packed_where_it_meets_itself(tmp_path: Path) -
     assert contact["drive_deg"] > contact["clear_until_deg"] == packed["drive_deg"]
     panels = "panels {} and {}".format(*contact["panels"])
     assert f"is no flat bundle: {panels} meet at drive 156.8967 degrees" in done.stderr
-    assert f"nothing touches before {panels} meet at 156.9 degrees (" in done.stdout
+    assert f"nothing touches before {panels} meet at 156.89 degrees (" in done.stdout
     assert "), beyond the target (proved" in done.stdout
     frames = json.loads((tmp_path / "out" / "shell.fold").read_text())["file_frames"]
     assert frames[0]["orishell:drive_deg"] == contact["clear_until_deg"]

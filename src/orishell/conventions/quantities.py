@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import isfinite
+from math import ceil, floor, isfinite, log10
 from typing import Final, Literal
 
 Unit = Literal["mm", "cm", "m", "in", "ft"]
@@ -62,16 +62,24 @@ SMALLER: Final[dict[str, tuple[float, str]]] = {
 """Below so many of the unit a length is written in a smaller one."""
 LEAST: Final[dict[str, float]] = {"mm": 1e-3, "in": 1e-4}
 """Lengths below these are none: nobody makes or measures them."""
+ROUNDING: Final = 1e-12
+"""By such a share a bound may be above the number that is meant."""
 
 
-def size(value: float, unit: str) -> str:
-    """A length in three significant digits with its unit, as sentences have it: 4.62 m, 0.12 mm."""
+def size(value: float, unit: str, *, bound: bool = False) -> str:
+    """A length in three significant digits with its unit, as sentences have it: 4.62 m, 0.12 mm.
+
+    bound: Whether it is what nothing exceeds, which is rounded up.
+    """
     below, smaller = SMALLER.get(unit, (0.0, unit))
     if value and abs(value) < below:
         value, unit = value * conversion(unit, smaller), smaller
     least = LEAST.get(unit, 0.0)
     if value and abs(value) < least / 2:
         return f"less than {least} {unit}"
+    if bound and value > 0:
+        last = 10.0 ** (floor(log10(value)) - 2)
+        value = ceil(value / last * (1 - ROUNDING)) * last
     return f"{plain(value, 3)} {unit}"
 
 

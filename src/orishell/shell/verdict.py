@@ -24,6 +24,8 @@ CONTACT, STOCK, STRUCTURE = (
 SAID = {CONTACT, STOCK, STRUCTURE}
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
+ROUNDING = 1e-13
+"""By such a share an angle may be below the one that is meant."""
 SLIM = 0.03
 """A pack less high than this share of its length is a bundle, whose layers count."""
 CLOSING = {
@@ -111,10 +113,21 @@ def _folds(report: Report) -> Iterator[Row]:
 
 
 def _degrees(drive: float, beside: float = np.nan) -> str:
-    """A fold angle, in so many digits that it is told from another."""
+    """A fold angle to a hundredth of a degree, or more closely to be told from another.
+
+    It is rounded down: what is proved up to it is proved up to what is said.
+    """
     one, other = tidy_degrees(drive), tidy_degrees(beside)
-    apart = (k for k in range(4, 9) if f"{one:.{k}g}" != f"{other:.{k}g}")
-    return f"{plain(one, next(apart, 4))} degrees"
+    said = [(_rounded_down(one, k), _rounded_down(other, k)) for k in range(2, 9)]
+    clear = (first for first, second in said if first not in {"0", second})
+    return f"{next(clear, said[0][0])} degrees"
+
+
+def _rounded_down(degrees: float, decimals: int) -> str:
+    """An angle with so many decimals at most; one that is not there stays so."""
+    unit = 10.0**decimals
+    down = np.floor(degrees * unit * (1 + ROUNDING)) / unit
+    return f"{down:.{decimals}f}".rstrip("0").rstrip(".")
 
 
 def _panels_of(contact: Contact) -> str:
@@ -211,11 +224,11 @@ def _boards(report: Report) -> Iterator[Row]:
     unit = report.unit
     thick = size(panel.thickness, unit)
     if panel.hinged is not None:
-        arm = size(panel.hinged.longest_arm, unit)
+        arm = size(panel.hinged.longest_arm, unit, bound=True)
         text = f"{panel.boards}, whole, {thick} thick, on hinges up to {arm} off them"
         text += _in_pieces(panel.hinged, unit)
     else:
-        back = size(panel.largest_setback, unit)
+        back = size(panel.largest_setback, unit, bound=True)
         text = f"{panel.boards}, of panels {thick} thick, set back by up to {back}"
     yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
 
@@ -225,7 +238,7 @@ def _in_pieces(hinged: HingedReport, unit: str) -> str:
     joints = hinged.joints
     if joints is None:
         return ""
-    cut, apart = size(joints.largest_cut, unit), size(joints.open_max, unit)
+    cut, apart = size(joints.largest_cut, unit, bound=True), size(joints.open_max, unit, bound=True)
     return (
         f"; in {len(hinged.pieces)} pieces, cut back by up to {cut} along joints and up to "
         f"{apart} apart there at the target"
@@ -271,7 +284,7 @@ def _feet(report: Report) -> Iterator[Row]:
             at = "; ".join(f"{row}, {column}" for row, column in stands.points)
             text = f"level on {low}, on vertices {at}"
         if not stands.level:
-            high = size(stands.uneven, unit)
+            high = size(stands.uneven, unit, bound=True)
             text = f"on rows {first} and {last}, from {low} up to {high} above"
     yield Row("says", "feet", text)
 
@@ -282,7 +295,7 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
         yield Row("says", "surface", "no target: nothing to compare the shell with")
         return
     curves = ", ".join(
-        f"{name} within {size(near.max, unit)}"
+        f"{name} within {size(near.max, unit, bound=True)}"
         for name in ("f", "g", "crests", "valleys")
         if (near := getattr(deviation, name)) is not None
     )
@@ -290,9 +303,10 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
         curves += " of where they should lie beside it"
     surface = deviation.surface
     if surface is not None:
+        known = size(surface.sample_spacing, unit, bound=True)
         curves = (
-            f"within {size(surface.max, unit)} of the target (known to "
-            f"{size(surface.sample_spacing, unit)}), rms {size(surface.rms, unit)}; {curves}"
+            f"within {size(surface.max, unit, bound=True)} of the target (known to {known}), "
+            f"rms {size(surface.rms, unit)}; {curves}"
         )
     yield Row("says", "surface", curves)
     if deviation.tilted:
@@ -300,7 +314,7 @@ def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
     approached = deviation.approached
     if approached is not None:
         most = approached.max
-        found = "" if most is None else f"; at most {size(most, unit)} from that"
+        found = "" if most is None else f"; at most {size(most, unit, bound=True)} from that"
         yield Row("says", "approach", f"{approached.what}{found}")
 
 

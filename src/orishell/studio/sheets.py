@@ -27,8 +27,6 @@ from orishell.workshop.sheets import draw_sheet_files, measure_waste
 SEEN, PAGE_MM = "plain", 160.0
 """The palette whose lines can be seen at any size, and the page on which they are that wide: a
 picture of the drawings is small."""
-
-
 NUMBER = 0.12
 """Height of the numbers of pages, as a share of a page's frame."""
 
@@ -97,15 +95,15 @@ def _paper_pages(
     corners = np.array([(page.left, page.bottom) for page in tiling.pages])
     low = np.minimum(corners.min(axis=0), 0.0)
     width, height = (np.maximum((corners + frame).max(axis=0), model.size) - low).tolist()
-    lines = [replace(line, points=line.points - low) for line in model.lines]
-    texts = []
-    for number, corner in enumerate(corners - low, 1):
-        around = corner + frame * ((0, 0), (1, 0), (1, 1), (0, 1))
-        lines.insert(0, Line("ENGRAVE", around, closed=True))
-        x, y = (corner + frame / 2).tolist()
-        texts.append(Text("ENGRAVE", x, y, NUMBER * float(frame.min()), str(number)))
+    around = (corners - low)[:, None] + frame * ((0, 0), (1, 0), (1, 1), (0, 1))
+    frames = (Line("ENGRAVE", each, closed=True) for each in around)
+    numbers = (
+        Text("ENGRAVE", x, y, NUMBER * float(frame.min()), str(number))
+        for number, (x, y) in enumerate(around.mean(axis=1).tolist(), 1)
+    )
+    sheet = (replace(line, points=line.points - low) for line in model.lines)
     pages = len(tiling.pages)
-    drawing = Drawing(model.title, "mm", width, height, tuple(lines), texts=tuple(texts))
+    drawing = Drawing(model.title, "mm", width, height, (*frames, *sheet), texts=tuple(numbers))
     dump_svg(path, drawing, palette)
     says = f"{model.says}, {pages} {'page' if pages == 1 else 'pages'} of {workshop.paper}"
     return {"says": says, "svg": path.read_text(encoding="utf-8")}

@@ -60,7 +60,7 @@ export class Toolbar {
 
   /** In the bar where that has room, else behind a button. */
   private menu(...content: HTMLElement[]): HTMLElement {
-    const menu = h("div", { id: MENU, class: "toolbar-menu", popover: "auto", role: "group", "aria-label": "Design, unit and help" }, ...content);
+    const menu = h("div", { id: MENU, class: "menu toolbar-menu", popover: "auto", role: "group", "aria-label": "Design, unit and help" }, ...content);
     setAttribute(this.more, "popovertarget", MENU);
     menu.addEventListener("click", (event) => {
       if (event.composedPath().some((each) => each instanceof HTMLButtonElement) && menu.matches(":popover-open")) menu.hidePopover();
