@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from typing import TYPE_CHECKING, Any
 
-from viewer_pages import await_frames, wait_until
+from viewer_pages import await_frames, listen, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
@@ -44,22 +44,15 @@ def opened(
     the studio prints, with its key.
     """
     place = address.partition("?")[0]
-    said: list[str] = []
     asked: list[str] = []
-
-    def hear(message: Any) -> None:
-        # A design that cannot be made is answered with status 422, which the browser prints.
-        if message.type in {"error", "warning"} and "status of 422" not in message.text:
-            said.append(message.text)
-
     with closing(browser.new_page(viewport={"width": width, "height": height}, **options)) as page:
-        page.on("pageerror", lambda error: said.append(str(error)))
+        said = listen(page, "error", "warning")
         page.on("request", lambda request: asked.append(request.url))
-        page.on("console", hear)
         page.goto(address)
         wait_until(page, f"window.__orishell !== undefined && {READ} && {DRAWN}")
         yield page
-    assert said == []
+    # A design that cannot be made is answered with status 422, which the browser prints.
+    assert [each for each in said if "status of 422" not in each] == []
     assert [url for url in asked if not url.startswith((place, "blob:", "data:"))] == []
 
 

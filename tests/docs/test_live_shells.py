@@ -20,7 +20,7 @@ from PIL import Image
 
 from orishell.io.formats.html import read_viewer
 from posters import NOTED, POSTERS, SIZE, designs, digest
-from viewer_pages import await_frames, pixels, wait_until
+from viewer_pages import await_frames, listen, pixels, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Page
@@ -134,11 +134,9 @@ def served(folder: Path) -> Iterator[str]:
 @contextmanager
 def opened(browser: Browser, base: str, path: str, **options: Any) -> Iterator[Page]:
     """A page of the site; at the end it must have printed nothing and asked for nothing else."""
-    said: list[str] = []
     asked: list[str] = []
     with closing(browser.new_page(**options)) as page:
-        page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
-        page.on("pageerror", lambda error: said.append(str(error)))
+        said = listen(page)
         page.on("request", lambda request: asked.append(request.url))
         page.goto(base + path)
         yield page

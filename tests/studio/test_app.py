@@ -26,6 +26,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard, Key
+from orishell.studio.kept import Kept
 from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]
@@ -87,7 +88,9 @@ def test_design_is_a_view_of_the_states(client: httpx.Client, family: str) -> No
 
 
 def test_verify_reports_progress_and_the_whole_report(client: httpx.Client) -> None:
-    with client.stream("POST", "/api/verify", json={"design": starter()}) as answer:
+    design = starter()
+    design["pattern"]["xi_deg"] = 39.5  # an answer that another test got is kept: no progress
+    with client.stream("POST", "/api/verify", json={"design": design}) as answer:
         lines = [json.loads(line) for line in answer.iter_lines()]
     assert all(set(line) == {"progress", "what"} for line in lines[:-1])
     assert len(lines) > 2
@@ -97,6 +100,36 @@ def test_verify_reports_progress_and_the_whole_report(client: httpx.Client) -> N
     distance = np.frombuffer(base64.b64decode(result["distance"]), "<f4")
     inner = np.abs(distance[~np.isnan(distance)])
     assert 0 < inner.max() <= result["report"]["deviation"]["surface"]["max"] * (1 + 1e-6)
+
+
+def test_what_was_answered_is_kept(client: httpx.Client) -> None:
+    designs = [starter(), starter()]
+    designs[1]["pattern"]["xi_deg"] = 39.25
+    first, other, again = (
+        client.post("/api/verify", json={"design": each}).text.splitlines()
+        for each in (*designs, designs[0])
+    )
+    assert again == first[-1:]
+    assert other[-1] != again[0]
+    views = [
+        client.post("/api/design", json={"design": each}).content for each in (*designs, designs[0])
+    ]
+    assert views[0] == views[2] != views[1]
+
+
+def test_the_oldest_answers_make_room() -> None:
+    kept = Kept(most=100)
+    for body in (b"1", b"2", b"3"):
+        kept.keep("verify", body, 40 * body)
+    kept.keep("verify", b"3", b"once more")
+    assert [kept.find("verify", body) for body in (b"1", b"2", b"3")] == [
+        None,
+        40 * b"2",
+        b"once more",
+    ]
+    assert kept.find("design", b"3") is None
+    kept.keep("design", b"3", bytes(101))  # larger than all there is room for
+    assert kept.find("design", b"3") is None
 
 
 def test_a_clash_is_named_and_shown(client: httpx.Client) -> None:

@@ -22,6 +22,7 @@ from orishell.conventions.version import __version__
 from orishell.studio.api import Refusal
 from orishell.studio.guard import Guard, Key
 from orishell.studio.info import Info, NamedDesign
+from orishell.studio.kept import Kept
 from orishell.studio.labels import (
     describe_examples,
     describe_families,
@@ -84,6 +85,7 @@ def make_app(
             slow.close()
             search.close()
 
+    kept = Kept()
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
     app.add_middleware(Compressed)
     _handle_errors(app)
@@ -108,7 +110,11 @@ def make_app(
     @app.post("/api/design")
     async def design(request: Request) -> Response:
         begin = time.perf_counter()
-        view = await _run(quick, "design", request)
+        body = await request.body()
+        view = kept.find("design", body)
+        if view is None:
+            view = await _run(quick, "design", request)
+            kept.keep("design", body, view)
         # The page asks for several at a time where it is not the server that takes the time.
         headers = {"server-timing": f"design;dur={1e3 * (time.perf_counter() - begin):.1f}"}
         return Response(view, media_type="application/octet-stream", headers=headers)
@@ -121,8 +127,8 @@ def make_app(
         return Response(content, media_type="application/octet-stream", headers=headers)
 
     for task in ("families", "fit", "verify", "tradeoff", "sheets"):
-        _add_stream(app, task, slow)
-    _add_stream(app, "search", search)
+        _add_stream(app, task, slow, kept)
+    _add_stream(app, "search", search, Kept(most=0))
     _add_task(app, "ranges", slow)
     for task in ("parse", "format", "curve", "surface", "mesh", "pattern", "drawing"):
         _add_task(app, task, quick)
@@ -132,13 +138,23 @@ def make_app(
     return Guard(app, key, hosts, limits.bytes, limits.receiving)
 
 
-def _add_stream(app: FastAPI, task: str, pool: Pool) -> None:
+def _add_stream(app: FastAPI, task: str, pool: Pool, kept: Kept) -> None:
     """A task whose progress is told while it is under way."""
 
     @app.post(f"/api/{task}")
     async def streamed(request: Request) -> Response:
+        body = await request.body()
+        if answer := kept.find(task, body):
+            return Response(answer, media_type="application/x-ndjson")
         payload = await _payload(request)
-        return StreamingResponse(_lines(pool, task, payload), media_type="application/x-ndjson")
+
+        async def lines() -> AsyncIterator[bytes]:
+            async for kind, line in _lines(pool, task, payload):
+                if kind == "result":
+                    kept.keep(task, body, line)
+                yield line
+
+        return StreamingResponse(lines(), media_type="application/x-ndjson")
 
 
 def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
@@ -197,19 +213,21 @@ def _parsed(body: bytes) -> dict[str, Any]:
     raise RequestValidationError([f"more than {DEEPEST} levels of nested tables or lists"])
 
 
-async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[bytes]:
-    """Lines of JSON: progress and what is found on the way, then the result or the error."""
+async def _lines(
+    pool: Pool, task: str, payload: dict[str, Any]
+) -> AsyncIterator[tuple[str, bytes]]:
+    """Lines of JSON and their kinds: progress and what is found, then the result or the error."""
     try:
         # Closed with the response, so that its process stops when the page is gone.
         async with aclosing(pool.stream(task, payload)) as stream:
             async for kind, value in stream:
                 if kind == "progress":
                     share, what = value
-                    yield _line({"progress": share, "what": what})
+                    yield kind, _line({"progress": share, "what": what})
                 else:
-                    yield _line({kind: value})
+                    yield kind, _line({kind: value})
     except FAILURES as error:
-        yield _line(_describe(error)[1])
+        yield "error", _line(_describe(error)[1])
 
 
 def _line(message: Mapping[str, Any]) -> bytes:

@@ -1,0 +1,39 @@
+"""Answers that were given are kept: what is undone or opened again is there at once, proof and all.
+
+An answer depends on its request alone, which holds the whole design.
+"""
+
+from __future__ import annotations
+
+from orishell.conventions.memory import key_of
+
+MOST = 64_000_000
+"""Bytes of answers that are kept, the latest."""
+
+
+class Kept:
+    """The latest answers by what was asked.
+
+    Parameters
+    ----------
+    most
+        So many bytes are kept.
+    """
+
+    def __init__(self, most: int = MOST) -> None:
+        self._most = most
+        self._size = 0
+        self._answers: dict[str, bytes] = {}
+
+    def find(self, task: str, body: bytes) -> bytes | None:
+        """The answer that a request was given before, if it is still kept."""
+        return self._answers.get(key_of(task, body))
+
+    def keep(self, task: str, body: bytes, answer: bytes) -> None:
+        """Keep the answer that a request was given; the oldest make room for it."""
+        key = key_of(task, body)
+        self._size += len(answer) - len(self._answers.pop(key, b""))
+        self._answers[key] = answer
+        while self._size > self._most:
+            oldest = next(iter(self._answers))
+            self._size -= len(self._answers.pop(oldest))
