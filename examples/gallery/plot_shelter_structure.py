@@ -71,7 +71,7 @@ print("\n".join(summarize_structure(report, "m", [])))
 
 print(example["HEAD"])
 print(row("twin-wall, 10 mm, the kit", judge(boards, with_creases(boards))))
-shells = {panel: design(panel) for panel in example["PANELS"]}
+shells = {panel: design(panel) for panel in example["PANELS"][1:]}
 rigid = {panel: judge(shell, with_creases(shell)) for panel, shell in shells.items()}
 for panel, found in rigid.items():
     print(row(panel.name, found))
@@ -93,7 +93,7 @@ strapped = make_shell(
     skip=(*MEASURES, "stock"),
 )
 print(example["HEAD"].replace("rigid creases", "plywood, 15 mm"))
-for stiffness in (0.0, 1e3, 1e4):
+for stiffness in (0.0, 1e4):
     found = judge(plywood, with_creases(plywood, stiffness))
     print(row(f"creases of {stiffness:g}", found))
 print(row("creases of 20000", judge(strapped, strapped.analysis)))

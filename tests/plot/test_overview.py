@@ -11,6 +11,7 @@ from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.plot import plot_overview
+from samples import led_by
 from strategies import graph
 
 
@@ -54,7 +55,7 @@ def share_of(pixels: np.ndarray, colour: tuple[int, int, int]) -> float:
     return float((np.abs(pixels - colour).max(axis=-1) < 25).mean())
 
 
-@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (9, 11), (201, 301)])
+@pytest.mark.parametrize(("rows", "columns"), led_by([(1, 2), (201, 301), (9, 11)], 2))
 def test_colours_are_there(tmp_path: Path, rows: int, columns: int) -> None:
     pixels = picture(tmp_path / "overview.png", rows, columns, "x**2/60")
     assert pixels.shape[1] == 2600

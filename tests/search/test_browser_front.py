@@ -210,7 +210,7 @@ def test_two_are_compared_at_one_scale_with_one_slider(
         assert page.evaluate("orishell.pinned") == 0
 
 
-@pytest.mark.parametrize("size", led_by(["narrow", *SIZES], 2))
+@pytest.mark.parametrize("size", led_by(["narrow", *SIZES]))
 def test_the_page_at_every_size(
     browser: Browser, three: tuple[Path, SearchResult], size: str
 ) -> None:

@@ -49,6 +49,7 @@ def two_workers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluste
         yield running
 
 
+@thorough  # processes of one machine: test_running
 def test_a_cluster_gives_the_same_bytes(
     file: Path, whole: dict[str, bytes], two_workers: DaskCluster, tmp_path: Path
 ) -> None:

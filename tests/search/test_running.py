@@ -14,7 +14,7 @@ import pytest
 
 from command_line import orishell
 from orishell.search.journal import NAME
-from samples import THOROUGH, thorough
+from samples import THOROUGH, led_by, thorough
 from search.searching import design, lines, searched, searching, wait_for_lines, written
 from studio_server import descendants
 
@@ -57,7 +57,7 @@ def test_a_member_s_file_makes_what_the_front_says(
     assert report["quantities"]["area"] == float(first[6])
 
 
-@pytest.mark.parametrize("processes", [2, 4])
+@pytest.mark.parametrize("processes", led_by([2, 4]))
 def test_any_number_of_processes_gives_the_same_bytes(
     file: Path, whole: dict[str, bytes], tmp_path: Path, processes: int
 ) -> None:

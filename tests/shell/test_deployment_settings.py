@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from command_line import Ran, orishell
-from samples import thorough
+from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHELTER = re.sub(
@@ -102,7 +102,7 @@ def test_a_shell_without_feet_has_none_to_tie(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("given", ["from the flat sheet", "without flaps"])
+@pytest.mark.parametrize("given", led_by(["from the flat sheet", "without flaps"]))
 def test_the_sheet_is_the_same_wherever_it_starts(tmp_path: Path, given: str) -> None:
     """Clipped flaps are no part of it: the motion is that of a sheet without flaps.
 

@@ -27,13 +27,13 @@ VAULT: dict[str, dict[str, Any]] = {
         "f": {"formula": "-0.5*x**2", "range": [-1, 1]},
         "g": {"formula": "0*x", "range": [0, 3]},
     },
-    "pattern": {"rows": 7, "columns": 7},
+    "pattern": {"rows": 5, "columns": 5},
     "motion": {"frames": 3},
 }
 
 
 def vault(**pattern: object) -> DesignFile:
-    tables = {**VAULT, "pattern": {"rows": 7, "columns": 7, **pattern}}
+    tables = {**VAULT, "pattern": {"rows": 5, "columns": 5, **pattern}}
     return check_design(tables, Path("vault.toml"), files=False)
 
 
@@ -48,7 +48,7 @@ def test_all_families_are_compared_with_the_same_rows_and_columns(shell: Shell) 
     assert [each.family for each in families.tried] == list(TRIED)
     for each in families.tried:
         assert (each.distance is None) == bool(each.why_not)
-    assert (shell.report.rows, shell.report.columns) == (7, 7)
+    assert (shell.report.rows, shell.report.columns) == (5, 5)
 
 
 def test_the_nearest_that_locks_is_taken(shell: Shell) -> None:
@@ -87,7 +87,7 @@ def test_a_family_that_cannot_says_why() -> None:
 
 
 def test_even_rows_leave_the_families_that_take_them() -> None:
-    families = make_shell(vault(rows=8)).report.families
+    families = make_shell(vault(rows=4)).report.families
     assert families is not None
     assert all("odd number" in each.why_not for each in families.tried[:2])
     assert families.family in {each.family for each in families.tried[2:]}

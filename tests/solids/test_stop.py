@@ -17,7 +17,7 @@ from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import find_stop, find_thickness_limit
-from samples import examples, thorough
+from samples import examples, led_by, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -195,7 +195,7 @@ def test_a_stop_that_no_flap_can_have_is_refused() -> None:
     assert shell(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=works)).lock.cause == "flaps"
 
 
-@pytest.mark.parametrize("figure", [1, 2])
+@pytest.mark.parametrize("figure", led_by([1, 2]))
 def test_boards_too_thick_for_any_stop_are_refused(figure: int) -> None:
     """What is offered is the largest, but for a share of 0.99, that works in the whole design."""
     error = refusal(figure, PanelSpec(thickness=2.0, membrane=0.002))

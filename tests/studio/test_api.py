@@ -20,6 +20,7 @@ from orishell.search.variants import VariantsPage
 from orishell.structure.equilibrium import GOVERNING
 from orishell.studio import api, info
 from orishell.studio.refusals import make_refusal
+from samples import led_by
 from typescript import declarations, fits
 
 SHARED = Path(__file__).parents[2] / "frontend" / "src" / "shared"
@@ -88,8 +89,12 @@ CLIPPED = '[deployment]\nflap_attachment = "clipped"\n'
 
 @pytest.mark.parametrize(
     ("family", "more"),
-    [(each, "") for each in FAMILIES]
-    + [("parallel-repeating", each + THICK) for each in ("", CLIPPED)],
+    led_by(
+        [("parallel-repeating", CLIPPED + THICK), ("orthodiagonal", "")]
+        + [(each, "") for each in FAMILIES if each != "orthodiagonal"]
+        + [("parallel-repeating", THICK)],
+        2,
+    ),
 )
 def test_answers_about_a_design(client: httpx.Client, family: str, more: str) -> None:
     text = f"{starter_file(family)}\n{more}"

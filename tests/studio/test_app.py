@@ -27,6 +27,7 @@ from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard, Key
 from orishell.studio.kept import Kept
+from samples import led_by, thorough
 from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]
@@ -304,7 +305,7 @@ def test_export_is_what_the_command_line_writes(
     assert len(found) == (2 if name == "csv" else 1)
 
 
-@pytest.mark.parametrize("name", ["all", "dwg", "", None])
+@pytest.mark.parametrize("name", led_by(["dwg", "all", "", None], 2))
 def test_an_export_is_of_one_format(client: httpx.Client, name: str | None) -> None:
     answer = client.post("/api/export", json={"design": starter(), "format": name})
     assert answer.status_code == 422
@@ -459,6 +460,7 @@ def test_a_files_name_is_the_designs_and_leads_nowhere(
     assert "set-cookie" not in answer.headers
 
 
+@thorough
 def test_hundreds_of_thousands_of_points(client: httpx.Client) -> None:
     design = starter()
     design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(600_000)], "smooth": True}
@@ -520,7 +522,7 @@ def test_a_slow_body_is_in_nobodys_way_and_ends() -> None:
     assert run_apart(scene()) == [200, 408]
 
 
-@pytest.mark.parametrize("task", ["verify", "ranges"])
+@pytest.mark.parametrize("task", led_by(["verify", "ranges"]))
 def test_what_is_given_up_leaves_no_process(client_of_its_own: Studio, task: str) -> None:
     design = starter()
     design["pattern"] |= {"rows": 99, "columns": 99}

@@ -115,6 +115,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@thorough  # the bytes that are sent: test_app
 def test_export_is_the_command_lines_file(page: Page, written: Path, tmp_path: Path) -> None:
     choose(page, "orthodiagonal")
     page.get_by_test_id("export").click()

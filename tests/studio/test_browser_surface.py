@@ -112,6 +112,7 @@ def test_a_family_that_sweeps_gives_its_curves(page: Page) -> None:
     assert state(page, "report.value.sheet.area") == before
 
 
+@thorough  # the mesh is read: test_surfaces
 def test_a_dropped_mesh_becomes_the_surface(page: Page) -> None:
     at_a_surface(page)
     drop(page, "roof.obj", obj())

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from orishell.conventions.errors import InputError
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
-from samples import examples
+from samples import examples, led_by
 
 Outline = np.ndarray
 
@@ -97,7 +97,7 @@ def test_hundred_parts_waste_less_than_a_third() -> None:
     assert min(full) / 40 > 2 / 3
 
 
-@pytest.mark.parametrize("spacing", [0.0, 0.05])
+@pytest.mark.parametrize("spacing", led_by([0.05, 0.0]))
 def test_many_small_parts_lie_in_rows(spacing: float) -> None:
     """400 stars: the first ones where there is room, the others in rows, all of them apart."""
     outlines = [star(seed, 0.1 + seed % 5 / 10) for seed in range(400)]

@@ -14,6 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from orishell.conventions.errors import ClashError, InputError, OrishellError
+from orishell.conventions.memory import key_of
 from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import as_table
@@ -26,7 +27,7 @@ from orishell.io.view import Curves, dump_view
 from orishell.shell.designed import design_of
 from orishell.shell.export import write_format
 from orishell.shell.families import FamilyTrial, choose_family
-from orishell.shell.make import make_shell
+from orishell.shell.make import Shell, make_shell
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
@@ -58,6 +59,25 @@ COARSE = 0.1
 """Of the work of a fit, what a coarser one first is, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
 NO_CURVES: Curves = {"f": [], "g": []}
+
+
+@dataclass(slots=True)
+class Latest:
+    """The shell that this process proved last: its files take no second proof."""
+
+    key: str = ""
+    shell: Shell | None = None
+
+    def keep(self, key: str, shell: Shell) -> None:
+        """Take the place of the shell before."""
+        self.key, self.shell = key, shell
+
+    def find(self, key: str) -> Shell | None:
+        """The shell, if it is the one with this key."""
+        return self.shell if key == self.key else None
+
+
+LATEST = Latest()
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +133,7 @@ class Task:
         except ClashError as error:
             refusal = describe_error(error)["error"]
             shell = make_shell(file, self.progress, clash="allowed")
+        LATEST.keep(self._key(), shell)
         document = lay_surface(shell.document, shell.design)
         distances = np.zeros(0) if document.distances is None else document.distances
         # Flaps of a width that the program chooses may be narrower now than the view had them, a
@@ -244,7 +265,8 @@ class Task:
             raise InputError("exactly one format must be named", where="format", got=repr(name))
         (format_,) = formats
         file = self._design()
-        shell = make_shell(file, self.progress, clash="allowed")
+        shell = LATEST.find(self._key()) or make_shell(file, self.progress, clash="allowed")
+        LATEST.keep(self._key(), shell)
         settings = Settings.showing(_state(self.payload.get("state")), file.workshop)
         with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
             write_format(shell, format_, Path(directory), settings)
@@ -258,6 +280,10 @@ class Task:
             ]
             archive = zipped(dict(zip(names, paths, strict=True)))
             return f"{self._name()}-{format_.name}.zip", archive
+
+    def _key(self) -> str:
+        """What the shell of the design depends on: its tables, and the name that files show."""
+        return key_of("shell", self._name(), repr(self.payload.get("design")))
 
     def _name(self) -> str:
         return design_name(str(self.payload.get("name", NAME)))

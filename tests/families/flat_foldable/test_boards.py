@@ -15,7 +15,7 @@ from orishell.solids import largest_folds
 from orishell.solids.setbacks import allowed_heights
 from orishell.solids.sides import SideFolds
 from overlaps import NOTHING, overlap
-from samples import thorough
+from samples import led_by, thorough
 
 STATES = 40
 THICKNESS = 0.02
@@ -44,7 +44,7 @@ def thickest(design: Design, end: float) -> float:
 
 @pytest.mark.parametrize("count", [8, pytest.param(16, marks=thorough)])
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
-@pytest.mark.parametrize("surface", ["cap", "saddle .5"])
+@pytest.mark.parametrize("surface", led_by(["cap", "saddle .5"]))
 def test_boards_are_apart_to_the_pack(surface: str, construction: str, count: int) -> None:
     """Seen of manifold3d: overlaps of 1e-16 at most, and of 1e-7 and more just beyond the pack."""
     bare = fitted(surface, count)

@@ -58,7 +58,7 @@ def designed(seed: int, build: PanelSpec, stop: float | None = None) -> Design:
 SHEETS = [(2, "sandwich", None), (1, "bevel", None), (1, "sandwich", 0.0), (3, "sandwich", None)]
 
 
-@pytest.mark.parametrize(("seed", "build", "stop"), led_by(SHEETS, 2))
+@pytest.mark.parametrize(("seed", "build", "stop"), led_by(SHEETS))
 def test_boards_are_apart_to_the_lock(seed: int, build: str, stop: float | None) -> None:
     """Seen of manifold3d: no overlaps but of 1e-17, and of 1e-8 and more just beyond the lock."""
     design = designed(seed, BUILDS[build], stop)
@@ -187,7 +187,7 @@ def test_the_widest_flaps_are_those_whose_boards_meet_nothing() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("attachment", ["folded", pytest.param("clipped", marks=thorough)])
+@pytest.mark.parametrize("attachment", led_by(["clipped", "folded"]))
 def test_every_board_of_a_dome_is_cut_weighed_and_drawn(attachment: str, tmp_path: Path) -> None:
     shell = dome(attachment)
     lock, document = shell.report.lock, shell.document

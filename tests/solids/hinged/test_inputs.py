@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from command_line import orishell
 from orishell.conventions.errors import InputError
 from orishell.design_file.file import check_design
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SHELTER = (EXAMPLES / "shelter_hinged.toml").read_text()
@@ -121,6 +124,14 @@ WHOLE = {
 }
 
 
+def seldom(cases: Iterable[str], *slow: str) -> list[Any]:
+    """Cases, of which some (parts of their names) try much: only ``make thorough`` runs those."""
+    return [
+        pytest.param(each, marks=thorough) if any(part in each for part in slow) else each
+        for each in cases
+    ]
+
+
 def refused(text: str, status: int, words: str, place: Path) -> str:
     (place / "shell.toml").write_text(text)
     ran = orishell("design", "shell.toml", "--out", "out", cwd=place)
@@ -133,7 +144,7 @@ def refused(text: str, status: int, words: str, place: Path) -> str:
     return lines[0]
 
 
-@pytest.mark.parametrize("case", IN_PANEL)
+@pytest.mark.parametrize("case", seldom(IN_PANEL, "arms of pieces", "arms of all", "short arms"))
 def test_a_key_of_the_panel(case: str, tmp_path: Path) -> None:
     key, status, words = IN_PANEL[case]
     text = SHELTER.replace(PANEL, f"[panel]\n{HINGED}{key}\n")
@@ -155,7 +166,7 @@ def test_a_key_of_the_hinge(case: str) -> None:
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize("case", UNFIT)
+@pytest.mark.parametrize("case", seldom(UNFIT, "knuckles"))
 def test_hinges_that_do_not_fit(case: str, tmp_path: Path) -> None:
     key, words = UNFIT[case]
     assert "Nearest found that works" in refused(of_hinge(key), 1, words, tmp_path)
