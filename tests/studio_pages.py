@@ -52,7 +52,8 @@ def opened(
         wait_until(page, f"window.__orishell !== undefined && {READ} && {DRAWN}")
         yield page
     # A design that cannot be made is answered with status 422, which the browser prints.
-    assert [each for each in said if "status of 422" not in each] == []
+    unexpected = [each for each in said if "status of 422" not in each]
+    assert not unexpected, unexpected
     assert [url for url in asked if not url.startswith((place, "blob:", "data:"))] == []
 
 

@@ -152,6 +152,12 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     for side in ("width", "height"):
         say(page, f"stock-{side}", "")
     assert "workshop" not in design(page)
+    # Half a size is not another design's.
+    say(page, "stock-width", "2.5")
+    page.keyboard.press("Escape")
+    choose(page, "parallel-repeating")
+    page.get_by_test_id("export").click()
+    assert page.get_by_test_id("workshop-stock-width").input_value() == ""
     page.keyboard.press("Escape")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from orishell.families.registry import FAMILIES
+from orishell.families.registry import TRIED
 from samples import thorough
 from studio_pages import choose, drawn, settle
 from viewer_pages import wait_until
@@ -47,7 +47,7 @@ def test_of_curves_the_best_is_shown_and_another_can_be_taken(page: Page) -> Non
     any_family(page)
     trials = state(page, "trials.value")
     tried = {each["family"]: each for each in trials["tried"]}
-    assert list(tried) == list(FAMILIES)
+    assert list(tried) == list(TRIED)
     assert state(page, "report.value.family") == trials["family"]
     assert state(page, "design.value.shell.family") == "auto"
     # The proof is of the shell in the table, to the last digit.

@@ -105,6 +105,10 @@ export class WorkshopSettings {
       if (!sides.length && boxes.some((box) => box.contains(document.activeElement) || box.matches(".waiting"))) return;
       boxes.forEach((box, i) => setNumber(box, sides.length ? short(Number(sides[i]), 8) : ""));
     };
+    this.store.home.watch(() => {
+      boxes.forEach((box) => box.classList.remove("waiting"));
+      show(this.value(key));
+    });
     return { element: h("span", { class: "workshop-size" }, boxes[0]!, "×", boxes[1]!), show };
   }
 
