@@ -1,0 +1,10 @@
+"""Shells cut with errors: what hinges need, where feet land, when flaps shut."""
+
+from orishell.deployment.cutting.report import (
+    CuttingReport,
+    FlapStop,
+    Scatter,
+    measure_cutting,
+)
+
+__all__ = ["CuttingReport", "FlapStop", "Scatter", "measure_cutting"]
