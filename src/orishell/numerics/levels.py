@@ -71,15 +71,14 @@ class Blocks:
         sorted_ = matrix[unknowns][:, unknowns].tocsr()
         inverses: list[Array] = []
         spreads: list[Array] = []
+        taken = np.zeros(())  # what levels before take from a level's block
         for k, (start, stop) in enumerate(pairwise(cuts)):
             rows = sorted_[start:stop]
-            block = rows[:, start:stop].toarray()
-            if k:
-                block -= coupling.T @ spreads[-1]
-            inverses.append(np.linalg.inv(block))
+            inverses.append(np.asarray(np.linalg.inv(rows[:, start:stop].toarray() - taken)))
             if k + 2 < len(cuts):
                 coupling = rows[:, stop : cuts[k + 2]].toarray()
                 spreads.append(inverses[-1] @ coupling)
+                taken = coupling.T @ spreads[-1]
         return cls(unknowns, cuts, inverses, spreads)
 
     def solve(self, loads: Array) -> Array:
@@ -109,4 +108,3 @@ class Blocks:
             twice = np.where(part.col < stop - start, 1.0, 2.0)
             total += float((twice * part.data) @ np.hstack(row)[part.row, part.col])
         return total
-

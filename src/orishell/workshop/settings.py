@@ -116,7 +116,9 @@ class Workshop(Table):
     ] = 0.0
     cutting_bias: Annotated[
         Annotated[Number, Field(ge=-MOST, le=MOST)],
-        _length("Cutting bias", "By how much every board is cut too small all around, as by a kerf"),
+        _length(
+            "Cutting bias", "By how much every board is cut too small all around, as by a kerf"
+        ),
     ] = 0.0
     cutting: Annotated[
         Cutting | Auto,
@@ -124,7 +126,7 @@ class Workshop(Table):
             "Cut as",
             "Boards err corner by corner, a sheet vertex by vertex; auto: boards have a thickness",
             "choice",
-            choices=("auto", *get_args(Cutting)),
+            choices=get_args(Cutting),
         ),
     ] = "auto"
 

@@ -4,7 +4,8 @@ from orishell.deployment.cutting.report import (
     CuttingReport,
     FlapStop,
     Scatter,
+    can_measure,
     measure_cutting,
 )
 
-__all__ = ["CuttingReport", "FlapStop", "Scatter", "measure_cutting"]
+__all__ = ["CuttingReport", "FlapStop", "Scatter", "can_measure", "measure_cutting"]

@@ -24,7 +24,7 @@ from orishell.motion.quads import dots, lengths, units
 from orishell.numerics.arrays import Array, Integers
 
 STILL = 1e-6
-"""Hinges of flaps that turn to each other by less than this share of what others do stop nothing."""
+"""Flaps whose hinges turn to each other by less than this share of what others do stop nothing."""
 
 
 @record
@@ -178,7 +178,7 @@ def _sector(flat: Array, pairs: FlapPairs, side: int) -> Array:
     """Sectors (P,) of flaps, above 0 if they are counter-clockwise from hinge to crease."""
     hinge, crease = _sides(flat, pairs, side)
     cross = hinge[:, 0] * crease[:, 1] - hinge[:, 1] * crease[:, 0]
-    return np.arctan2(cross, (hinge * crease).sum(axis=1))
+    return np.asarray(np.arctan2(cross, (hinge * crease).sum(axis=1)))
 
 
 def _of_sector(fit: Fit, pairs: FlapPairs, errors: Array, side: int) -> Array:

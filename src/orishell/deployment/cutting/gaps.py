@@ -98,6 +98,16 @@ class Fit:
         return max(kept, 0.0) / (count // 3)
 
     @property
+    def motions(self) -> int:
+        """In how many ways panels move and open no hinge to first order, but for the whole: 1.
+
+        More where creases are unfolded, or a column of panels stands alone.
+        """
+        jacobian = self.weighted[: self.jacobian.shape[0]]
+        rank = self.factors.trace(jacobian.T @ jacobian, 1)
+        return int(jacobian.shape[1]) - 6 - round(rank)
+
+    @property
     def folding(self) -> Array:
         """The motion (n,) that opens no hinge, by which the drive's hinge folds by 1 more."""
         drive = self.weighted[[-1]].toarray()[0]

@@ -31,6 +31,11 @@ SEED = 1
 """The same samples each time, so that the same input gives the same bytes."""
 SHARE = 0.95
 """Of sheets, in which nothing is larger than what is called the largest."""
+LARGEST = 2_600_000
+"""Panels times those across a sheet, 137 x 137 panels: 1 GB."""
+FAR = 0.1
+"""Vertices that are off by more than this share of the size of panels are not told to first order:
+up to there it is right within a tenth in the sheets that were compared."""
 MOST = 0.1
 """Errors above this share of the shortest side of a panel are no errors of cutting."""
 
@@ -73,8 +78,10 @@ class CuttingReport:
     # how far corners of boards stand off their plane if hinges have no play across, and boards
     # twist
     lift: Scatter
-    shape: Scatter  # how far vertices are from their places
-    ends: Scatter  # feet alone, or the first and the last row of a shell without
+    # how far vertices are from their places; None if that is not small, or if it moves in more ways
+    # than one at the target
+    shape: Scatter | None
+    ends: Scatter | None  # feet alone, or the first and the last row of a shell without
     on_feet: bool  # whether these are feet
     flaps: FlapStop | None  # where its flaps stop it; None if it has none
 
@@ -85,13 +92,15 @@ class CuttingReport:
         if self.bias:
             way = "small" if self.bias > 0 else "large"
             errors += f", sides {size(abs(self.bias), unit)} too {way}"
-        ends = "feet" if self.on_feet else "ends"
+        miss = "where it then stands is not known: too far off, or it moves in more ways than one"
+        if self.ends is not None:
+            which = "feet" if self.on_feet else "ends"
+            miss = f"{which} miss their places by {size(self.ends.rms, unit)} (rms)"
         yield Row(
             "says",
             "cut",
             f"{errors}: hinges need {size(self.play.rms, unit)} of play (rms), at most "
-            f"{size(self.play.largest, unit, bound=True)} in 95 % of sheets; {ends} miss their "
-            f"places by {size(self.ends.rms, unit)} (rms)",
+            f"{size(self.play.largest, unit, bound=True)} in 95 % of sheets; {miss}",
         )
         if self.flaps is not None:
             off, last = (plain(np.rad2deg(each), 2) for each in (self.flaps.off, self.flaps.last))
@@ -148,13 +157,15 @@ def measure_cutting(
         for _ in range(SAMPLES // TOGETHER)
     ]
     tight = Fit.of(sheet)
-    shape = Shape.of(tight)
-    shutting = Shutting.of(tight, shape)
+    shape = Shape.of(tight) if tight.motions == 1 else None
+    shutting = None if shape is None else Shutting.of(tight, shape)
     play, moves, stops, lacks = [], [], [], []
     for errors in drawn:
         motions, gaps = tight.moved(sheet.opened @ errors)
-        moved, more = shape.moved(motions, errors)
         play.append(lengths(_by_ends(gaps)))
+        if shape is None:
+            continue
+        moved, more = shape.moved(motions, errors)
         moves.append(moved)
         if shutting is not None:
             stop, last = shutting.stop(motions, errors)
@@ -163,8 +174,10 @@ def measure_cutting(
     slid = [_slid(fit_gaps, sheet) for fit_gaps in _gaps(Fit.of(sheet, sliding=True), drawn)]
     twisted = Fit.of(sheet, twisting=True)
     lift = [twisted.twists(twisted.moved(sheet.opened @ errors)[0]) for errors in drawn]
-    ends = _ends(mechanism, feet)
-    at_ends = np.isin(shape.vertices, ends)
+    off = None if shape is None else Scatter.of(moves)
+    if off is not None and off.largest > FAR * sheet.size:
+        shape = off = None
+    at_ends = None if shape is None else np.isin(shape.vertices, _ends(mechanism, feet))
     return CuttingReport(
         cutting=cutting,
         error=error,
@@ -173,11 +186,17 @@ def measure_cutting(
         across=Scatter.of([across for across, _ in slid]),
         along=Scatter.of([along for _, along in slid]),
         lift=Scatter.of(lift),
-        shape=Scatter.of(moves),
-        ends=Scatter.of([moved[at_ends] for moved in moves]),
+        shape=off,
+        ends=None if at_ends is None else Scatter.of([moved[at_ends] for moved in moves]),
         on_feet=bool(feet),
-        flaps=_flap_stop(shape, stops, lacks) if stops else None,
+        flaps=None if shutting is None or shape is None else _flap_stop(shape, stops, lacks),
     )
+
+
+def can_measure(mechanism: Mechanism) -> bool:
+    """Whether there is the memory for it: it grows as the panels times those across the sheet."""
+    grid = mechanism.grid
+    return grid.panel_count * min(grid.rows, grid.columns) <= LARGEST
 
 
 def _exact(fit: Fit, spread: csr_array, error: float, bias: float) -> float:
@@ -220,8 +239,8 @@ def _ends(mechanism: Mechanism, feet: tuple[Vertex, ...]) -> Integers:
     numbers = mechanism.grid.vertices()
     if feet:
         rows, columns = np.array(feet).T
-        return numbers[rows, columns]
-    return numbers[[0, -1], mechanism.inner_columns].ravel()
+        return np.asarray(numbers[rows, columns])
+    return np.asarray(numbers[[0, -1], mechanism.inner_columns].ravel())
 
 
 def _require(mechanism: Mechanism, error: float, bias: float, cutting: Cutting) -> None:

@@ -60,8 +60,10 @@ class CutSheet:
 
     @cached_property
     def beside(self) -> Integers:
-        """Panels (2 H, 2) to the left and to the right at all first ends of hinges, then at all
-        second ones: places in ``panels``."""
+        """Places in ``panels`` (2 H, 2) of those to the left and to the right of ends of hinges.
+
+        All first ends come first, then all second ones.
+        """
         return np.tile(self._places[self.mesh.edge_faces[self.hinges]], (2, 1))
 
     @cached_property
@@ -87,7 +89,7 @@ class CutSheet:
             each[self.mesh.faces[:, 2:]] - each[self.mesh.faces[:, :2]]
             for each in (self.placed, self.flat)
         )
-        return np.linalg.solve(flat, across).mT
+        return np.asarray(np.linalg.solve(flat, across).mT)
 
     @cached_property
     def centres(self) -> Array:
@@ -146,8 +148,10 @@ class CutSheet:
     @cached_property
     def opened(self) -> csr_array:
         """How errors of corners (2 F K) open ends of hinges (6 H): g_0 by e."""
+        from scipy.sparse import csr_array
+
         left, right = self.panels[self.beside].T
-        return self.by_errors(left, self.ends) - self.by_errors(right, self.ends)
+        return csr_array(self.by_errors(left, self.ends) - self.by_errors(right, self.ends))
 
     @cached_property
     def offset(self) -> Array:
@@ -159,7 +163,7 @@ class CutSheet:
         after = np.where(place < last[:, None], place + 1, 0)
         before = np.where(place > 0, place - 1, last[:, None])
         along, came = (
-            vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+            units(np.pad(vectors, ((0, 0), (0, 0), (0, 1))))[..., :2]
             for vectors in (
                 np.take_along_axis(around, after[..., None], axis=1) - around,
                 around - np.take_along_axis(around, before[..., None], axis=1),
