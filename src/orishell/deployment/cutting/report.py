@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -71,7 +72,7 @@ class CuttingReport:
     cutting: Cutting  # whether boards are cut apart, or creases in one sheet
     error: float  # standard deviation of a corner along each axis (length)
     bias: float  # by how much boards are too small all around (length)
-    play: Scatter  # how far the two sides of a hinge are apart at its ends; its rms is exact
+    play: Scatter  # how far the two sides of a hinge are apart at its ends
     # the same if hinges slide along their axes: across and along these
     across: Scatter
     along: Scatter
@@ -126,7 +127,8 @@ def measure_cutting(
     Panels are rigid, and go where gaps at hinges are least in the mean square; errors are small
     (first order) and normally distributed. All of it is at the target, flaps left out; the shell is
     opened and placed so that its vertices are nearest to their places. The rms of ``play`` is
-    exact, all other figures are of 200 sheets, the same ones each time. Derived in
+    exact if the sheet moves in one way only; all other figures are of 200 sheets, the same ones
+    each time. Derived in
     docs/theory/cutting.md.
 
     Parameters
@@ -157,7 +159,8 @@ def measure_cutting(
         for _ in range(SAMPLES // TOGETHER)
     ]
     tight = Fit.of(sheet)
-    shape = Shape.of(tight) if tight.motions == 1 else None
+    one_way = tight.moves_one_way
+    shape = Shape.of(tight) if one_way else None
     shutting = None if shape is None else Shutting.of(tight, shape)
     play, moves, stops, lacks = [], [], [], []
     for errors in drawn:
@@ -174,6 +177,7 @@ def measure_cutting(
     slid = [_slid(fit_gaps, sheet) for fit_gaps in _gaps(Fit.of(sheet, sliding=True), drawn)]
     twisted = Fit.of(sheet, twisting=True)
     lift = [twisted.twists(twisted.moved(sheet.opened @ errors)[0]) for errors in drawn]
+    apart = Scatter.of(play)
     off = None if shape is None else Scatter.of(moves)
     if off is not None and off.largest > FAR * sheet.size:
         shape = off = None
@@ -182,7 +186,7 @@ def measure_cutting(
         cutting=cutting,
         error=error,
         bias=bias,
-        play=Scatter(_exact(tight, spread, error, bias), Scatter.of(play).largest),
+        play=replace(apart, rms=_exact(tight, spread, error, bias)) if one_way else apart,
         across=Scatter.of([across for across, _ in slid]),
         along=Scatter.of([along for _, along in slid]),
         lift=Scatter.of(lift),
