@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from command_line import orishell
@@ -54,16 +55,16 @@ def test_a_sheet_has_creases_that_must_give() -> None:
 
 def test_boards_need_a_gap_as_wide_as_the_play() -> None:
     """The gap that is offered is enough, and draws no warning."""
-    changes = {"cutting_error": 0.0002}
-    report = report_of("shelter_boards", **changes)
+    file = read_design_file(EXAMPLES / "shelter_boards.toml")
+    narrow = file.changed({"workshop.cutting_error": 0.0002, "panel.gap": 0.0005})
+    skip = (*REST, "remedies", "verification", "stock", "structure")
+    report = make_shell(narrow, clash="unexamined", skip=skip).report
     assert report.cutting is not None
     assert report.cutting.cutting == "boards"
     (warned,) = (each for each in report.warnings if "boards need up to" in each)
     offered = float(warned.partition("gap = ")[2].partition(" ")[0])
     assert offered >= report.cutting.play.largest
-    file = read_design_file(EXAMPLES / "shelter_boards.toml")
-    wide = file.changed({"workshop.cutting_error": 0.0002, "panel.gap": offered})
-    skip = (*REST, "remedies", "verification", "stock", "structure")
+    wide = narrow.changed({"panel.gap": offered})
     again = make_shell(wide, clash="unexamined", skip=skip).report
     assert not any("boards need up to" in each for each in again.warnings)
 
@@ -95,3 +96,33 @@ def test_bad_input_is_one_message(tmp_path: Path, lines: str, says: str) -> None
     assert says in ran.stderr
     assert "Traceback" not in ran.stderr
     assert not (tmp_path / "out").exists()
+
+
+GUIDE = Path(__file__).parents[2] / "docs" / "guide" / "cutting.md"
+NAMES = {"Figure 1": "figure1", "`shelter.toml`": "shelter"}
+
+
+def test_the_table_of_the_guide() -> None:
+    """All rows of Figure 1 and the shelter, to the last digit but two (the processor's rounding)."""
+    rows = [line.strip("| \n").split(" | ") for line in GUIDE.read_text().splitlines()]
+    shell, seen = "", 0
+    for row in rows:
+        if len(row) < 6 or not row[-6].strip("| ").replace(".", "").isdigit():
+            continue
+        shell = row[0] if len(row) == 7 else shell
+        name, _, cutting = shell.partition(", ")
+        if name not in NAMES:
+            continue
+        error, play, lift, feet, angle, left = row[-6:]
+        kind = "sheet" if cutting == "one sheet" else "boards"
+        error = error.strip("| ")
+        found = report_of(NAMES[name], cutting=kind, cutting_error=1e-3 * float(error)).cutting
+        assert found is not None and found.ends is not None and found.flaps is not None
+        for said, each in ((play, found.play), (lift, found.lift), (feet, found.ends)):
+            assert [float(part) for part in said.split(", ")] == pytest.approx(
+                [1e3 * each.rms, 1e3 * each.largest], rel=5e-3
+            )
+        assert float(angle.rstrip("°")) == pytest.approx(np.rad2deg(found.flaps.off), rel=0.07)
+        assert float(left) == pytest.approx(1e3 * found.flaps.shape, rel=5e-3)
+        seen += 1
+    assert seen == 12
