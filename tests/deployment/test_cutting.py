@@ -162,8 +162,11 @@ def test_flaps_shut_as_fast_as_the_shell_closes() -> None:
     number = np.full(sheet.mesh.vertex_count, -1)
     grid = whole.grid.vertices()[:, whole.inner_columns]
     number[grid.ravel()] = np.arange(grid.size)
-    assert column == 1 and len(places) == 18
-    change = np.diff([_angles(each, number[pairs.ends], number[pairs.vertices]) for each in at], axis=0)
+    assert column == 1
+    assert len(places) == 18
+    change = np.diff(
+        [_angles(each, number[pairs.ends], number[pairs.vertices]) for each in at], axis=0
+    )
     rates = change[0] / (2 * step)
     assert shutting.rates / shutting.rates[0] == pytest.approx(rates / rates[0], rel=1e-3)
 
@@ -221,7 +224,8 @@ def test_flaps_beside_the_sheet_and_with_a_stop_are_measured(stop: float) -> Non
     assert found.flaps is not None
     assert 0 < found.flaps.off < 1e-2
     twice = measure_cutting(sheet, error=2e-5).flaps
-    assert twice is not None and twice.off == pytest.approx(2 * found.flaps.off, rel=1e-9)
+    assert twice is not None
+    assert twice.off == pytest.approx(2 * found.flaps.off, rel=1e-9)
 
 
 @settings(max_examples=examples(40), deadline=None)
@@ -251,8 +255,10 @@ def test_all_lengths_grow_with_the_error(kind: Cutting) -> None:
     one, two = (
         measure_cutting(mechanism("shelter"), error=each, cutting=kind) for each in (1e-4, 2e-4)
     )
-    assert one.shape is not None and two.shape is not None
-    assert one.flaps is not None and two.flaps is not None
+    assert one.shape is not None
+    assert two.shape is not None
+    assert one.flaps is not None
+    assert two.flaps is not None
     for name in ("play", "across", "along", "lift", "shape", "ends"):
         first, second = getattr(one, name), getattr(two, name)
         assert second.rms == pytest.approx(2 * first.rms, rel=1e-9)
@@ -296,7 +302,8 @@ def test_its_feet_are_measured_where_they_are_given() -> None:
     sheet = mechanism("shelter").without_flaps()
     rows, columns = np.indices((sheet.grid.rows, sheet.grid.columns)).reshape(2, -1).tolist()
     found = measure_cutting(sheet, error=ERROR, feet=tuple(zip(rows, columns, strict=True)))
-    assert found.shape is not None and found.ends is not None
+    assert found.shape is not None
+    assert found.ends is not None
     assert found.on_feet
     assert found.ends.rms == pytest.approx(found.shape.rms, rel=1e-12)
     assert SHEETS == 200
@@ -306,9 +313,9 @@ def test_what_is_refused() -> None:
     sheet = mechanism("shelter")
     with pytest.raises(InputError, match="creases in one sheet are not cut too small"):
         measure_cutting(sheet, error=ERROR, bias=1e-4, cutting="sheet")
-    for name, value in (("error", 0.5), ("bias", -0.5)):
+    for error, bias in ((0.5, 0.0), (ERROR, -0.5)):
         with pytest.raises(InputError, match="panels cannot be cut as wrong as that"):
-            measure_cutting(sheet, **{"error": ERROR, name: value})
+            measure_cutting(sheet, error=error, bias=bias)
 
 
 def test_sheets_too_large_for_memory_are_known_before() -> None:

@@ -48,13 +48,6 @@ class Scatter:
     rms: float  # root mean square over sheets and places (length)
     largest: float  # the largest in a sheet, which 95 % of sheets do not exceed (length)
 
-    @classmethod
-    def of(cls, found: list[Array]) -> Scatter:
-        """That of values (N, S) in batches of samples."""
-        values = np.concatenate(found, axis=-1)
-        rms = float(np.sqrt((values**2).mean()))
-        return cls(rms, _exceeded(np.abs(values).max(axis=0)))
-
 
 @record
 class FlapStop:
@@ -177,8 +170,8 @@ def measure_cutting(
     slid = [_slid(fit_gaps, sheet) for fit_gaps in _gaps(Fit.of(sheet, sliding=True), drawn)]
     twisted = Fit.of(sheet, twisting=True)
     lift = [twisted.twists(twisted.moved(sheet.opened @ errors)[0]) for errors in drawn]
-    apart = Scatter.of(play)
-    off = None if shape is None else Scatter.of(moves)
+    apart = _scatter(play)
+    off = None if shape is None else _scatter(moves)
     if off is not None and off.largest > FAR * sheet.size:
         shape = off = None
     at_ends = None if shape is None else np.isin(shape.vertices, _ends(mechanism, feet))
@@ -187,11 +180,11 @@ def measure_cutting(
         error=error,
         bias=bias,
         play=replace(apart, rms=_exact(tight, spread, error, bias)) if one_way else apart,
-        across=Scatter.of([across for across, _ in slid]),
-        along=Scatter.of([along for _, along in slid]),
-        lift=Scatter.of(lift),
+        across=_scatter([across for across, _ in slid]),
+        along=_scatter([along for _, along in slid]),
+        lift=_scatter(lift),
         shape=off,
-        ends=None if at_ends is None else Scatter.of([moved[at_ends] for moved in moves]),
+        ends=None if at_ends is None else _scatter([moved[at_ends] for moved in moves]),
         on_feet=bool(feet),
         flaps=None if shutting is None or shape is None else _flap_stop(shape, stops, lacks),
     )
@@ -231,6 +224,13 @@ def _slid(gaps: Array, sheet: CutSheet) -> tuple[Array, Array]:
 def _flap_stop(shape: Shape, stops: list[Array], lacks: list[Array]) -> FlapStop:
     off = _exceeded(np.concatenate(stops))
     return FlapStop(off, _exceeded(np.concatenate(lacks)), off * shape.reach)
+
+
+def _scatter(found: list[Array]) -> Scatter:
+    """That of values (N, S) in batches of samples."""
+    values = np.concatenate(found, axis=-1)
+    rms = float(np.sqrt((values**2).mean()))
+    return Scatter(rms, _exceeded(np.abs(values).max(axis=0)))
 
 
 def _exceeded(values: Array) -> float:
