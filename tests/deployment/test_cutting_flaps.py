@@ -1,4 +1,4 @@
-"""When flaps shut that are cut with errors: two states of a sheet, and a sector wrong by an angle."""
+"""When flaps shut that are cut with errors: two states of a sheet, a sector wrong by an angle."""
 
 from __future__ import annotations
 
