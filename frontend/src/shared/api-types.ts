@@ -233,6 +233,32 @@ export interface Curves {
   g: [number, number][];
 }
 
+/** What follows if a shell is cut with errors: to first order, at its target. */
+export interface CuttingReport {
+  /** Whether boards are cut apart, or creases in one sheet. */
+  cutting: "boards" | "sheet";
+  /** Standard deviation of a corner along each axis (length). */
+  error: number;
+  /** By how much boards are too small all around (length). */
+  bias: number;
+  /** How far the two sides of a hinge are apart at its ends. */
+  play: Scatter;
+  /** The same if hinges slide along their axes: across and along these. */
+  across: Scatter;
+  /** The same if hinges slide along their axes: across and along these. */
+  along: Scatter;
+  /** How far corners of boards stand off their plane if hinges have no play across, and boards twist. */
+  lift: Scatter;
+  /** How far vertices are from their places; None if that is not small, or if it moves in more ways than one at the target. */
+  shape: Scatter | null;
+  /** Feet alone, or the first and the last row of a shell without. */
+  ends: Scatter | null;
+  /** Whether these are feet. */
+  on_feet: boolean;
+  /** Where its flaps stop it; None if it has none. */
+  flaps: FlapStop | null;
+}
+
 /** How a shell is deployed, and what holds it at its target. */
 export interface DeploymentReport {
   /** What it is folded up or opened from. */
@@ -572,6 +598,16 @@ export interface FitFound {
 /** The last line of the answer: the view of the sheet that was fitted, in base64. */
 export interface FitResult {
   result: string;
+}
+
+/** Where flaps stop a shell that is cut with errors; 95 % of sheets do not exceed these. */
+export interface FlapStop {
+  /** By how much the fold angle of the hinge that moves most is off where they shut. */
+  off_deg: number;
+  /** What the last pair of flaps then still lacks. */
+  last_deg: number;
+  /** How far that leaves vertices from their places, rms over the shell (length). */
+  shape: number;
 }
 
 /** A foot on the ground, which pushes and rubs, and does not pull. */
@@ -1231,6 +1267,8 @@ export interface Report {
   deployed: BoxReport;
   /** How it is deployed and held, and how small it packs. */
   deployment: DeploymentReport;
+  /** What follows if it is cut with errors; None if the file gives none. */
+  cutting: CuttingReport | null;
   /** Panels as they are built; None if they have no thickness. */
   panel: PanelReport | null;
   /** The shell as a structure; None if it was not analysed. */
@@ -1270,6 +1308,14 @@ export interface Row {
   remedy: string;
   /** The same as values of keys of the design file; empty where it is none of these. */
   changes: Record<string, unknown>;
+}
+
+/** How large something is in sheets that are cut with errors. */
+export interface Scatter {
+  /** Root mean square over sheets and places (length). */
+  rms: number;
+  /** The largest in a sheet, which 95 % of sheets do not exceed (length). */
+  largest: number;
 }
 
 /** The last line of the answer: the search has come to its end. */

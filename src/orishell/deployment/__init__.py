@@ -1,6 +1,12 @@
 """Travel and own weight: the pack, ties and what carries the shell."""
 
 from orishell.deployment.box import Box, smallest_box
+from orishell.deployment.cutting import (
+    CuttingReport,
+    FlapStop,
+    Scatter,
+    measure_cutting,
+)
 from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
 from orishell.deployment.site import Site, find_site
@@ -12,9 +18,12 @@ __all__ = [
     "Attachment",
     "Box",
     "ColumnDistances",
+    "CuttingReport",
     "Deployment",
+    "FlapStop",
     "OwnWeight",
     "Pack",
+    "Scatter",
     "Site",
     "Start",
     "Tie",
@@ -23,6 +32,7 @@ __all__ = [
     "find_pack",
     "find_site",
     "find_ties",
+    "measure_cutting",
     "measure_weight",
     "smallest_box",
 ]

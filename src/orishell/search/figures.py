@@ -166,6 +166,7 @@ _PARTS: Mapping[str, Step] = {
     "deployment.packed": "pack",
     "deployment.largest_thickness": "pack",
     "deployment.weight": "weight",
+    "cutting": "cutting",
     "quantities.stock": "stock",
     "quantities.built.stock_sheets": "stock",
     "structure": "structure",

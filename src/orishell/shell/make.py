@@ -25,6 +25,7 @@ from orishell.motion import FoldingMotion, area_of, extents
 from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.candidate import ClashPolicy, find_candidate
+from orishell.shell.cutting import asks_for_cutting, find_cutting, warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.families import choose_family
 from orishell.shell.piece_warnings import warn_of_joints
@@ -38,7 +39,7 @@ from orishell.shell.report import (
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
-from orishell.shell.verdict import CONTACT, STOCK, STRUCTURE, find_verdict
+from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import (
@@ -173,6 +174,7 @@ def _step_by_step(
     )
     document = _document(file, design, lock, motion)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
+    cutting = None if "cutting" in skip else find_cutting(design, file.workshop, feet)
     analysis = None
     if "structure" not in skip and file.structure is not None:
         analysis = analyse(design, file.structure, site, progress, built=lock.built)
@@ -183,6 +185,7 @@ def _step_by_step(
         CONTACT: clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
         "distance from the surface": deviation is not None and deviation.surface is None,
+        CUTTING: cutting is None and asks_for_cutting(file.workshop),
         STOCK: quantities.stock is None,
         STRUCTURE: analysis is None and file.structure is not None,
     }
@@ -204,6 +207,7 @@ def _step_by_step(
             *warn_of_building(design, lock, feet, file.unit, file.workshop),
             *warn_of_joints(design, lock, file.unit),
             *warn_of_deployment(file, design, lock, deployment, mended="remedies" not in skip),
+            *warn_of_cutting(design, cutting, file.unit),
             *(() if analysis is None else analysis.warnings),
         ),
         residuals=residuals,
@@ -215,6 +219,7 @@ def _step_by_step(
         sheet=SheetReport(width, height, area_of(design.mechanism)),
         deployed=BoxReport(*_deployed(design, document)),
         deployment=deployment,
+        cutting=cutting,
         panel=describe_panels(design, lock),
         structure=analysis,
         quantities=quantities,

@@ -13,6 +13,7 @@ import numpy as np
 
 from orishell.conventions.record import as_table, record
 from orishell.conventions.row import Row
+from orishell.deployment.cutting import CuttingReport
 from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
@@ -95,6 +96,8 @@ class Report:
     sheet: SheetReport
     deployed: BoxReport
     deployment: DeploymentReport  # how it is deployed and held, and how small it packs
+    # what follows if it is cut with errors; None if the file gives none
+    cutting: CuttingReport | None
     panel: PanelReport | None  # panels as they are built; None if they have no thickness
     structure: Analysis | None  # the shell as a structure; None if it was not analysed
     quantities: Quantities  # bill of quantities
@@ -108,7 +111,7 @@ class Report:
     def as_dict(self) -> dict[str, object]:
         """The report as nested tables for JSON, without what was not asked for."""
         tables: dict[str, object] = as_table(self)
-        for key in ("families", "by_curves", "turned", "chosen"):
+        for key in ("families", "by_curves", "turned", "chosen", "cutting"):
             if not getattr(self, key):
                 del tables[key]
         return tables

@@ -23,15 +23,18 @@ class Clock:
         self._last = now
 
 
-Step = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
+Step = Literal[
+    "remedies", "verification", "deviation", "pack", "weight", "cutting", "stock", "structure"
+]
 """What would mend a design that is refused, or that packs badly; whether panels stay rigid; the
-distance from the surface; the smallest box and the largest thickness; own weight; the layout on
-the stock; the structure, where the file asks for it."""
+distance from the surface; the smallest box and the largest thickness; own weight; what errors
+of cutting do, where the file gives them; the layout on the stock; the structure, where the file
+asks for it."""
 
 STEPS: tuple[Step, ...] = get_args(Step)
 """All of them: what is left is the design, how its motion ends, and its sizes."""
 
-MEASURES: tuple[Step, ...] = ("deviation", "pack", "weight")
+MEASURES: tuple[Step, ...] = ("deviation", "pack", "weight", "cutting")
 """What is measured of a shell, and changes nothing of it."""
 
 

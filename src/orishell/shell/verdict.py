@@ -15,10 +15,11 @@ from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
 
-CONTACT, STOCK, STRUCTURE = (
+CONTACT, STOCK, STRUCTURE, CUTTING = (
     "contact between panels on the way",
     "the layout on the stock",
     "the structure",
+    "the play that errors of cutting ask for",
 )
 """What may be left out on request, of which a row says that it is not known."""
 SAID = {CONTACT, STOCK, STRUCTURE}
@@ -64,6 +65,7 @@ def find_verdict(
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *_sizes(report),
         *_weighs(report.deployment),
+        *(() if report.cutting is None else report.cutting.rows(report.unit)),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 

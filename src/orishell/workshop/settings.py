@@ -16,6 +16,9 @@ CreaseStyle = Literal["score", "dashes", "perforation"]
 Labels = Literal["none", "panels", "creases", "both"]
 Joint = Literal["tabs", "strips"]
 Paper = Literal["A4", "A3"]
+Cutting = Literal["boards", "sheet"]
+"""Boards cut apart, every corner with an error of its own; or creases drawn in one sheet, where a
+vertex errs for all its panels alike."""
 Auto = Literal["auto"]
 LEAST, MOST = 1e-12, 1e12
 """Numbers beyond these are refused: what is computed from them would overflow in the end."""
@@ -106,6 +109,26 @@ class Workshop(Table):
     areal_density: Annotated[
         NoLength, Knob("Mass per area", "Of the sheet; 0 if not known", "number", unit="kg/m²")
     ] = 0.0
+
+    cutting_error: Annotated[
+        NoLength,
+        _length("Cutting error", "Standard deviation of corners, along each axis; 0: not asked"),
+    ] = 0.0
+    cutting_bias: Annotated[
+        Annotated[Number, Field(ge=-MOST, le=MOST)],
+        _length(
+            "Cutting bias", "By how much every board is cut too small all around, as by a kerf"
+        ),
+    ] = 0.0
+    cutting: Annotated[
+        Cutting | Auto,
+        Knob(
+            "Cut as",
+            "Boards err corner by corner, a sheet vertex by vertex; auto: boards have a thickness",
+            "choice",
+            choices=get_args(Cutting),
+        ),
+    ] = "auto"
 
     def beside(self, directory: Path | None) -> Self:
         """The settings with a palette of one's own found in a ``directory``, if files may be read.

@@ -1,0 +1,11 @@
+"""Shells cut with errors: what hinges need, where feet land, when flaps shut."""
+
+from orishell.deployment.cutting.report import (
+    CuttingReport,
+    FlapStop,
+    Scatter,
+    can_measure,
+    measure_cutting,
+)
+
+__all__ = ["CuttingReport", "FlapStop", "Scatter", "can_measure", "measure_cutting"]
