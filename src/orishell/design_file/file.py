@@ -17,6 +17,7 @@ from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec, PiecedSurface
 from orishell.design_file.faults import explain
+from orishell.design_file.fit import FitTable
 from orishell.design_file.memory import require_memory
 from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.tables import (
@@ -75,6 +76,7 @@ class DesignFile:
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
+    fit: FitTable | None = None  # sizes that the built shell is to have; None if the target says
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
 
@@ -216,6 +218,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         target=target,
         surface=surface,
         drawing=drawing,
+        fit=None if file.target is None else file.target.fit,
         pattern=pattern,
         tolerance=file.tolerance,
         frames=file.motion.frames,

@@ -12,6 +12,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design_file.drawing import DrawingTable
+from orishell.design_file.fit import FitTable
 from orishell.design_file.surface import SurfaceTable
 from orishell.design_file.target import Target
 
@@ -28,6 +29,7 @@ class Targets(Table):
     g: Target | None = None
     surface: SurfaceTable | None = None
     pattern: Annotated[DrawingTable | None, BeforeValidator(_named)] = None
+    fit: FitTable | None = None  # sizes that the built shell is to have
 
     @model_validator(mode="after")
     def _check(self) -> Self:
