@@ -204,6 +204,8 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
+        if file.target is not None and file.target.fit is not None:
+            file.target.fit.require_headroom(unit)
         if known == NOTHING and drawing is None and file.target is not None:
             if file.target.surface is not None:
                 surface = file.target.surface.surface(directory, unit)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Annotated, Final, Literal, Self
 
 from pydantic import Field, model_validator
-from pydantic_core import PydanticCustomError
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Table, misfit
 
@@ -37,17 +37,11 @@ class FitTable(Table):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
+        given = self.model_dump(exclude_unset=True)
         if not self.asked:
-            what = "a fit needs a size: width, depth or height"
-            raise PydanticCustomError("source", what, {"found": "none of them"})
-        clear = self.width is not None or self.depth is not None
-        if self.head_height is not None:
-            if self.of == "outside" or not clear:
-                what = 'this key goes with width or depth of = "inside"'
-                raise PydanticCustomError("source", what, {"key": "head_height"})
-            if self.height is not None and self.height <= self.head_height:
-                expected = f"a headroom above head_height, {self.head_height:g}"
-                raise misfit(expected, self.height, "height")
+            raise misfit("width, depth or height, or several of them", given)
+        if self.head_height is not None and not self.clear:
+            raise misfit('width or depth of = "inside" beside it', self.head_height, "head_height")
         return self
 
     @property
@@ -55,6 +49,23 @@ class FitTable(Table):
         """The sizes asked for, by their keys (lengths)."""
         values = {key: getattr(self, key) for key in AXES}
         return {key: value for key, value in values.items() if value is not None}
+
+    @property
+    def clear(self) -> bool:
+        """Whether a size is asked for that must be clear up to the head height."""
+        return self.of == "inside" and (self.width is not None or self.depth is not None)
+
+    def require_headroom(self, unit: str) -> None:
+        """Refuse a headroom in which nobody stands where a room is to be clear."""
+        head = self.head(unit)
+        if self.clear and self.height is not None and self.height <= head:
+            raise InputError(
+                "a room that is clear up to the head height needs more headroom than that",
+                keys=("target.fit.height",),
+                got=f"{self.height:g}",
+                expected=f"more than {head:g}",
+                remedy="ask for more, or give a lower head_height",
+            )
 
     def head(self, unit: str) -> float:
         """Height up to which a room is clear, in ``unit``."""

@@ -170,10 +170,9 @@ class SizeFit:
     def described(self, found: Array, factors: Array) -> FittedSize:
         """What is said of a shell of the sizes ``found`` (n,)."""
         keys = [AXES[axis] for axis in self.axes]
-        clear = self.fit.of == "inside" and keys != ["height"]
         return FittedSize(
             of=self.fit.of,
-            head_height=self.fit.head(self.file.unit) if clear else None,
+            head_height=self.fit.head(self.file.unit) if self.fit.clear else None,
             asked=self.fit.asked,
             found=dict(zip(keys, found.tolist(), strict=True)),
             scales=self._changes(factors),
