@@ -1,4 +1,4 @@
-"""Designs of every family whose shells are asked for sizes, and OBJ files as a reader measures them."""
+"""Designs of every family whose shells are asked for sizes, and OBJ files as a reader measures."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ OWN = {
     "boards": _own("width=3.1 depth=3.1 height=2.4", ROOM),
     "hinged": _own("width=3 depth=3 height=2.4", ROOM),
     "parallel": _own("width=4.8 depth=3.4 height=2.3", "depth=1.7 height=1.8"),
-    "bend": _own("width=6.4 depth=5.2 height=2.3", "height=1.8"),
+    "bend": _own("width=6.1 depth=5.2 height=2", "height=1.5"),
     "longitudinal": _own("width=5.5 depth=4.1 height=2.2", "depth=1.7 height=1.9"),
     "fitted": _own("width=4.3 depth=4.8 height=1.6", "height=0.7"),
     "swept": _own("width=4.3 depth=3 height=1.2", "width=1.7 height=0.66"),

@@ -35,6 +35,9 @@ class Targets(Table):
     def _check(self) -> Self:
         curves = [name for name in ("f", "g") if getattr(self, name) is not None]
         others = [name for name in ("surface", "pattern") if getattr(self, name) is not None]
+        if not others and not curves and self.fit is not None:
+            what = "sizes need a target that is scaled: f and g, a surface, or a drawn sheet"
+            raise PydanticCustomError("source", what, {"key": "fit"})
         if not others:
             for name in ("f", "g"):
                 if name not in curves:

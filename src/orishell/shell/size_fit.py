@@ -249,7 +249,13 @@ class SizeFit:
         design = designed(self.scaled(factors))
         standing = Standing.of(design, lock_without_clash(design))
         width, depth, headroom = standing.inside(head).tolist()
+        keys = tuple(f"target.fit.{key}" for key in self.fit.asked)
+        if not headroom:
+            what = "the shell has no headroom over its middle, neither along x nor along y"
+            return DesignError(what, keys=keys)
         candidates = []
+        free = {"width": width, "depth": depth}
+        wide = max(free, key=lambda key: free[key])
         if headroom <= head:
             said = f"its headroom is {size(headroom, unit)}"
             candidates += [
@@ -257,17 +263,16 @@ class SizeFit:
                 Remedy({"target.fit.head_height": rounded(headroom / HEADROOM)}),
             ]
         else:
-            other, free = ("depth", depth) if depth > width else ("width", width)
-            said = f"{other} {size(free, unit)} is free" if free else "nothing is free"
-            if free and getattr(self.fit, other) is None:
-                mine = "width" if other == "depth" else "depth"
-                wanted = getattr(self.fit, mine)
-                moved = {f"target.fit.{other}": wanted, f"target.fit.{mine}": None}
-                candidates.append(Remedy(moved))
+            said = f"its {wide} of {size(free[wide], unit)} is" if free[wide] else "nothing is"
+            said += " free through the whole shell"
+            if free[wide] and getattr(self.fit, wide) is None:
+                other = "depth" if wide == "width" else "width"
+                moved = {f"target.fit.{wide}": getattr(self.fit, other)}
+                candidates.append(Remedy({**moved, f"target.fit.{other}": None}))
         asked = " and ".join(key for key in self.fit.asked if key != "height")
         return DesignError(
             f"the shell leaves no clear {asked} up to the head height",
-            keys=tuple(f"target.fit.{key}" for key in self.fit.asked),
+            keys=keys,
             size=f"{size(head, unit)} above the ground {said}",
             candidates=candidates,
         )

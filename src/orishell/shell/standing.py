@@ -32,7 +32,7 @@ from orishell.numerics.arrays import Array
 STATES = 2
 """The flat sheet and the target: no others are looked at."""
 SLIT = 0.02
-"""What is narrower than this share of the box is a slit between boards, and no room."""
+"""What is less wide or high than this share of the box is a slit between boards, and no room."""
 
 
 @record
@@ -83,7 +83,8 @@ class Standing:
         away = ends[..., across] - self._middle(across)
         share, there = _crossing(away)
         heights = ends[0, ..., 2] + share * (ends[1, ..., 2] - ends[0, ..., 2])
-        return float(heights[there].min()) if there.any() else 0.0
+        lowest = float(heights[there].min()) if there.any() else 0.0
+        return lowest if lowest > SLIT * self.outside()[2] else 0.0
 
     def _middle(self, axis: int) -> float:
         """The middle of its box along an axis."""
