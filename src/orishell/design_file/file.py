@@ -76,7 +76,8 @@ class DesignFile:
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
-    fit: FitTable | None = None  # sizes that the built shell is to have; None if the target says
+    # sizes that the built shell is to have; None if they are the target's
+    fit: FitTable | None = field(default=None, repr=False)
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
 
