@@ -38,11 +38,12 @@ def test_lengths_along_x_y_and_z_may_have_factors_of_their_own(kind: str, tmp_pa
     """Also over a rectangle that is turned, which becomes a parallelogram; normals stay square."""
     (tmp_path / "mesh.obj").write_text(obj())
     part = {"centre": [0, 0], "size": [0.6, 0.4], "turn_deg": 30}
-    table: dict[str, Any] = {
+    tables: dict[str, dict[str, Any]] = {
         "formula": {"formula": CAP["formula"], **part},
         "mesh": {"mesh": "mesh.obj"},
         "rectangle": {"mesh": "mesh.obj", **part},
-    }[kind]
+    }
+    table = tables[kind]
     factors = [2.0, 0.5, 3.0]
     one, other = (
         checked({**table, "scale": scale}, tmp_path / "x.toml").surface for scale in (1.0, factors)
