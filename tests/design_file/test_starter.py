@@ -58,7 +58,9 @@ def examples(family: str) -> Iterator[tuple[str, Tables]]:
             continue  # needs another table: below
         if lines[0].startswith("# ["):
             tables = parse_toml("\n".join(line.removeprefix("# ") for line in lines))
-            yield next(iter(tables)), {**copy.deepcopy(base), **tables}
+            ((name, table),) = tables.items()
+            inner = base.get(name, {}) if name == "target" else {}
+            yield name, copy.deepcopy({**base, name: {**inner, **table}})
             continue
         header = next((line for line in lines if line.startswith("[")), "")
         for line in filter(KEY.match, lines):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import InputError
+from orishell.design import FormulaSurface
 from orishell.design_file.file import DesignFile, check_design
 from surface_files import obj
 
@@ -30,6 +31,37 @@ def test_a_formula_is_a_surface_and_stays_the_same_while_the_pattern_changes() -
     other = file.changed({"target.surface.scale": 2.0}).surface
     assert other is not None
     assert other.size() == pytest.approx(2 * file.surface.size())
+
+
+@pytest.mark.parametrize("kind", ["formula", "mesh", "rectangle"])
+def test_lengths_along_x_y_and_z_may_have_factors_of_their_own(kind: str, tmp_path: Path) -> None:
+    """Also over a rectangle that is turned, which becomes a parallelogram; normals stay square."""
+    (tmp_path / "mesh.obj").write_text(obj())
+    part = {"centre": [0, 0], "size": [0.6, 0.4], "turn_deg": 30}
+    tables: dict[str, dict[str, Any]] = {
+        "formula": {"formula": CAP["formula"], **part},
+        "mesh": {"mesh": "mesh.obj"},
+        "rectangle": {"mesh": "mesh.obj", **part},
+    }
+    table = tables[kind]
+    factors = [2.0, 0.5, 3.0]
+    one, other = (
+        checked({**table, "scale": scale}, tmp_path / "x.toml").surface for scale in (1.0, factors)
+    )
+    assert one is not None
+    assert other is not None
+    assert np.ptp(other.piece.vertices, axis=0) == pytest.approx(
+        np.ptp(one.piece.vertices, axis=0) * factors, rel=1e-12
+    )
+    if isinstance(one, FormulaSurface):
+        u, v = np.linspace(*one.second, 5)[:, None], np.linspace(*one.first, 5)[None, :]
+        assert other.points(u, v) == pytest.approx(one.points(u, v) * factors, rel=1e-12)
+    p = other.piece
+    a, b, c = np.moveaxis(p.vertices[p.triangles], 1, 0)
+    facing = np.cross(b - a, c - a)
+    facing /= np.linalg.norm(facing, axis=1)[:, None]
+    along = np.einsum("tki,ti->tk", p.normals[p.triangles], facing)
+    assert along.min() > 0.7
 
 
 def test_three_formulas_make_what_is_no_graph() -> None:

@@ -65,6 +65,7 @@ def test_each_part_is_left_out_by_itself() -> None:
             supports=(Support(at="feet", kind="pinned"),),
             cases=(LoadCase(name="snow", pressure=-500.0),),
             thickness=0.02,
+            cells=1,
         ),
         frames=2,
     )

@@ -152,7 +152,13 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     for side in ("width", "height"):
         say(page, f"stock-{side}", "")
     assert "workshop" not in design(page)
-    # Half a size is not another design's.
+    page.keyboard.press("Escape")
+
+
+@thorough
+def test_half_a_size_is_not_another_designs(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    page.get_by_test_id("export").click()
     say(page, "stock-width", "2.5")
     page.keyboard.press("Escape")
     choose(page, "parallel-repeating")

@@ -96,7 +96,7 @@ def test_a_dropped_mesh_becomes_part_of_the_design(client: httpx.Client) -> None
     design = of_surface(**found["table"])
     drawn = asked(client, "surface", design=design)
     assert drawn["patch"] is None
-    assert drawn["factor"] == 1
+    assert drawn["factor"] == [1, 1, 1]
     points = numbers(drawn["points"]).reshape(-1, 3)
     x, y, z = points.T
     # With normals at its vertices a mesh is smooth, and as near the saddle as its rim allows.
@@ -111,7 +111,7 @@ def test_corners_of_a_mesh_are_in_the_unit_of_its_file(client: httpx.Client) -> 
     found = dropped(client, obj())["table"]
     corners = [[0, 1, -0.25], [1, 0, 0.25], [0, -1, -0.25], [-1, 0, 0.25]]
     drawn = asked(client, "surface", design=of_surface(**found, unit="cm", corners=corners))
-    assert drawn["factor"] == pytest.approx(0.01)
+    assert drawn["factor"] == pytest.approx((0.01, 0.01, 0.01))
     rim = numbers(drawn["rim"]).reshape(-1, 3)
     places = rim[drawn["corners"]] / drawn["factor"]
     # Each of them, in another order: the top comes first.

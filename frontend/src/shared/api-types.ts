@@ -377,8 +377,8 @@ export interface DrawnSurface {
   corners: [number, number, number, number];
   /** What of it is covered; null: it is given in another way. */
   patch: Patch | null;
-  /** By which coordinates of its table are multiplied. */
-  factor: number;
+  /** By which x, y and z of its table are multiplied. */
+  factor: [number, number, number];
 }
 
 /** A curve whose file was dropped onto the page, and a note on how it was read. */
@@ -598,6 +598,19 @@ export interface FitFound {
 /** The last line of the answer: the view of the sheet that was fitted, in base64. */
 export interface FitResult {
   result: string;
+}
+
+/** The sizes that were asked for and that the built shell has, by their keys (lengths). */
+export interface FittedSize {
+  of: "outside" | "inside";
+  /** Up to which it is clear; None where no clear size is asked for. */
+  head_height: number | null;
+  asked: Record<string, number>;
+  found: Record<string, number>;
+  /** What the keys ``scale`` of the design file would say for the target to be as large as it is. */
+  scales: Record<string, number | number[]>;
+  /** Shells that were tried without a proof. */
+  trials: number;
 }
 
 /** Where flaps stop a shell that is cut with errors; 95 % of sheets do not exceed these. */
@@ -1245,6 +1258,8 @@ export interface Report {
   turned: TurnChoice | null;
   /** How rows and columns were chosen, if there was a tolerance. */
   chosen: Choice | null;
+  /** How its target was scaled, if sizes were asked for. */
+  fitted: FittedSize | null;
   /** Whether it reaches its target without contact; None if that was not examined. */
   feasible: boolean | null;
   /** Sentences a user should read. */

@@ -168,7 +168,8 @@ class Remedy:
     def __str__(self) -> str:
         written = [_written(key, value) for key, value in self.changes.items() if value is not None]
         removed = [key.rpartition(".")[2] for key, value in self.changes.items() if value is None]
-        return " with ".join(written) + (f" without {', '.join(removed)}" if removed else "")
+        without = [f"without {', '.join(removed)}"] if removed else []
+        return " ".join([" with ".join(written), *without]).strip()
 
 
 def _written(key: str, value: Value) -> str:

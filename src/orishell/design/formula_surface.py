@@ -37,7 +37,8 @@ class FormulaSurface:
     # Of z(x, y): where the parameters are 0 in plan (2,), and how the rectangle is turned (radians)
     centre: tuple[float, float] = (0.0, 0.0)
     turn: float = 0.0
-    scale: float = 1.0  # all lengths are multiplied by it
+    # by which all lengths are multiplied, or those along x, y and z
+    scale: float | tuple[float, float, float] = 1.0
 
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at the second parameter u (...) and the first parameter v (...)."""
@@ -170,7 +171,8 @@ class FormulaSurface:
         else:
             found = [formula.slopes(first, second) for formula in self.formulas]
             points, along, across = (np.stack(each, axis=-1) for each in zip(*found, strict=True))
-        return self.scale * points, self.scale * along, self.scale * across
+        scale = np.array(self.scale)
+        return scale * points, scale * along, scale * across
 
     def __repr__(self) -> str:
         texts = ", ".join(formula.text for formula in self.formulas)

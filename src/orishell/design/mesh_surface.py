@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.conventions.record import record
@@ -37,15 +39,29 @@ class MeshSurface:
         return cls._between(mesh, normals, find_corners(mesh, corners))
 
     @classmethod
-    def over(cls, rectangle: PlanRectangle, vertices: Array, triangles: Integers) -> MeshSurface:
+    def over(
+        cls,
+        rectangle: PlanRectangle,
+        vertices: Array,
+        triangles: Integers,
+        scale: Array | float = 1.0,
+    ) -> MeshSurface:
         """The part of triangles (T, 3) of vertices (V, 3) over a rectangle in plan.
+
+        Parameters
+        ----------
+        scale
+            What that part is enlarged by, along x, y and z (3,), or as a whole.
 
         Raises
         ------
         InputError
             If that is no open piece of surface that covers the rectangle once.
         """
-        return cls._between(*mesh_over(rectangle, vertices, triangles))
+        mesh, normals, ends = mesh_over(rectangle, vertices, triangles)
+        normals = normals / scale
+        normals = normals / lengths(normals)[:, None]
+        return cls._between(replace(mesh, vertices=mesh.vertices * scale), normals, ends)
 
     @classmethod
     def _between(cls, mesh: OpenMesh, normals: Array, ends: Integers) -> MeshSurface:

@@ -23,17 +23,6 @@ class PlanRectangle:
     size: tuple[float, float]  # along its own axes (lengths)
     turn: float = 0.0  # from x to its own first axis (radians)
 
-    def times(self, factor: float) -> PlanRectangle:
-        """The rectangle in another unit.
-
-        Parameters
-        ----------
-        factor
-            How many of that unit are one of this.
-        """
-        (x, y), (wide, high) = self.centre, self.size
-        return PlanRectangle((factor * x, factor * y), (factor * wide, factor * high), self.turn)
-
     def seen(self, points: Array) -> Array:
         """Coordinates (N, 2) of points (N, 3) from its centre along its own axes.
 

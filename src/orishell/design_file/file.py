@@ -17,6 +17,7 @@ from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec, PiecedSurface
 from orishell.design_file.faults import explain
+from orishell.design_file.fit import FitTable
 from orishell.design_file.memory import require_memory
 from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.tables import (
@@ -75,6 +76,8 @@ class DesignFile:
     surface: PiecedSurface | None = None
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
+    # sizes that the built shell is to have; None if they are the target's
+    fit: FitTable | None = field(default=None, repr=False)
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
 
@@ -202,6 +205,8 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
+        if file.target is not None and file.target.fit is not None:
+            file.target.fit.require_headroom(unit)
         if known == NOTHING and drawing is None and file.target is not None:
             if file.target.surface is not None:
                 surface = file.target.surface.surface(directory, unit)
@@ -216,6 +221,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         target=target,
         surface=surface,
         drawing=drawing,
+        fit=None if file.target is None else file.target.fit,
         pattern=pattern,
         tolerance=file.tolerance,
         frames=file.motion.frames,

@@ -15,7 +15,7 @@ from orishell.conventions.table import Number, Table
 from orishell.curves import FormulaOfTwo, parse_formula_of_two
 from orishell.design import FormulaSurface, MeshSurface, PlanRectangle
 from orishell.design.mesh_files import read_mesh
-from orishell.design_file.target import Ends, beside, numbers, one_source
+from orishell.design_file.target import Ends, Factor, beside, numbers, one_source
 
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
@@ -40,6 +40,8 @@ Places = Annotated[
 ]
 
 
+Factors = Annotated[list[Factor], Field(min_length=3, max_length=3)]
+"""Of lengths along x, y and z."""
 Listed = Annotated[
     list[Annotated[list[Number], Field(min_length=3, max_length=3)]],
     Field(min_length=3, max_length=MOST_VERTICES),
@@ -69,7 +71,7 @@ class SurfaceTable(Table):
     triangles: Triples | None = None
     unit: Unit | None = None
     corners: Places | None = None
-    scale: Annotated[Number, Field(gt=0)] = 1.0
+    scale: Factor | Factors = 1.0
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -169,9 +171,9 @@ class SurfaceTable(Table):
         if self.size is not None:
             part = self._rectangle()
             first, second = ((-0.5 * size, 0.5 * size) for size in part.size)
-            return FormulaSurface(formulas, first, second, part.centre, part.turn, self.scale)
+            return FormulaSurface(formulas, first, second, part.centre, part.turn, self._scale)
         first, second = self._ranges(names)
-        return FormulaSurface(formulas, first, second, scale=self.scale)
+        return FormulaSurface(formulas, first, second, scale=self._scale)
 
     def _ranges(self, names: tuple[str, str]) -> list[tuple[float, float]]:
         ranges = [numbers(name, getattr(self, name)) for name in names]
@@ -184,6 +186,14 @@ class SurfaceTable(Table):
                     got=f"{low:g} to {high:g}",
                 )
         return ranges
+
+    @property
+    def _scale(self) -> float | tuple[float, float, float]:
+        """The factor of all lengths, or those along x, y and z."""
+        if not isinstance(self.scale, list):
+            return self.scale
+        x, y, z = self.scale
+        return x, y, z
 
     def _rectangle(self) -> PlanRectangle:
         if self.size is None:
@@ -198,11 +208,12 @@ class SurfaceTable(Table):
         vertices, faces = (
             (np.array(self.vertices), np.array(self.triangles)) if path is None else read_mesh(path)
         )
-        factor = self.scale * conversion(self.unit or unit, unit)
+        own = conversion(self.unit or unit, unit)
+        factor = own * np.array(self._scale)
         corners = None if self.corners is None else np.array(self.corners)
         try:
             if self.size is not None or self.x is not None:
-                return MeshSurface.over(self._rectangle().times(factor), factor * vertices, faces)
+                return MeshSurface.over(self._rectangle(), vertices, faces, factor)
             return MeshSurface.of(
                 factor * vertices, faces, None if corners is None else factor * corners
             )

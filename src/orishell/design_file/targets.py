@@ -12,6 +12,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design_file.drawing import DrawingTable
+from orishell.design_file.fit import FitTable
 from orishell.design_file.surface import SurfaceTable
 from orishell.design_file.target import Target
 
@@ -28,11 +29,15 @@ class Targets(Table):
     g: Target | None = None
     surface: SurfaceTable | None = None
     pattern: Annotated[DrawingTable | None, BeforeValidator(_named)] = None
+    fit: FitTable | None = None  # sizes that the built shell is to have
 
     @model_validator(mode="after")
     def _check(self) -> Self:
         curves = [name for name in ("f", "g") if getattr(self, name) is not None]
         others = [name for name in ("surface", "pattern") if getattr(self, name) is not None]
+        if not others and not curves and self.fit is not None:
+            what = "sizes need a target that is scaled: f and g, a surface, or a drawn sheet"
+            raise PydanticCustomError("source", what, {"key": "fit"})
         if not others:
             for name in ("f", "g"):
                 if name not in curves:

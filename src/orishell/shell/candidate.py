@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import Literal
 
 from orishell.conventions.progress import Progress
@@ -16,6 +17,8 @@ from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.motion import FoldingMotion
 from orishell.shell.designed import designed, ended
+from orishell.shell.fitted_size import fit_size
+from orishell.shell.size_report import FittedSize
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Step
 from orishell.shell.tolerance import meet_tolerance
@@ -33,6 +36,7 @@ class Candidate:
     file: DesignFile  # with a family, rows and columns
     turned: TurnChoice | None  # how its rectangle was turned, if that was left open
     choice: Choice | None  # how rows and columns were chosen, if there was a tolerance
+    fitted: FittedSize | None  # how its target was scaled, if sizes were asked for
     design: Design  # what the family made of it
     lock: Lock  # how its motion ends
     motion: FoldingMotion  # its states
@@ -58,10 +62,27 @@ def find_candidate(
     file, turned = choose_turn(file, progress)
     if turned is not None:
         clock.lap("turn")
-    choice = None
-    if file.tolerance is not None:
-        file, choice = meet_tolerance(file, file.tolerance, progress)
-        clock.lap("choose")
+    choice = fitted = None
+    if file.fit is not None:
+        found, choice, fitted = fit_size(
+            file, lambda scaled: _proved(scaled, progress, clash, skip, clock), progress
+        )
+    else:
+        if file.tolerance is not None:
+            file, choice = meet_tolerance(file, file.tolerance, progress)
+            clock.lap("choose")
+        found = _proved(file, progress, clash, skip, clock)
+    return replace(found, turned=turned, choice=choice, fitted=fitted)
+
+
+def _proved(
+    file: DesignFile,
+    progress: Progress,
+    clash: ClashPolicy,
+    skip: Collection[Step],
+    clock: Clock,
+) -> Candidate:
+    """The shell of a file whose target, rows and columns are known."""
     design = designed(file, progress)
     clock.lap("design")
     design, lock = _ended(file, design, clash, progress)
@@ -85,8 +106,9 @@ def find_candidate(
     end = None if file.deployment.start == "flat" else lock.closes_to
     return Candidate(
         file=file,
-        turned=turned,
-        choice=choice,
+        turned=None,
+        choice=None,
+        fitted=None,
         design=design,
         lock=lock,
         motion=FoldingMotion(design.mechanism, file.frames, end),

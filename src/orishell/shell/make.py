@@ -200,6 +200,7 @@ def _step_by_step(
         by_curves=design.by_curves,
         turned=found.turned,
         chosen=found.choice,
+        fitted=found.fitted,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,

@@ -176,13 +176,17 @@ class _RemedySearch:
         """The widest flaps, the largest f and the longest part of g that keep panels apart."""
         file = self.file
         if clash.thick:
+            if file.fit is not None:
+                yield from _shrunk(file, clash.flap)
+                yield from _thinned(file)
+                return
             if clash.flap:
                 yield from self._narrower()
             yield from self._thinner()
             return
         if file.target is None:
             return
-        if file.tolerance is not None or file.panel_count > PANELS / TRIALS:
+        if file.fit is not None or file.tolerance is not None or file.panel_count > PANELS / TRIALS:
             yield from _shrunk(file, clash.flap)
             return
         # Where the sheet meets itself without flaps, no width of flaps helps.
@@ -251,8 +255,17 @@ def _shrunk(file: DesignFile, flap: float) -> Iterator[Remedy]:
         return
     if flap:
         yield from (Remedy({"pattern.flap": rounded(share * flap)}) for share in SHARES)
+    if file.fit is not None:  # which scales f and g again
+        return
     yield from (_scaled_f(file, share) for share in SHARES)
     yield from (_shortened_g(file, share) for share in SHARES)
+
+
+def _thinned(file: DesignFile) -> Iterator[Remedy]:
+    """Much thinner panels."""
+    assert file.panel is not None
+    thickness = file.panel.thickness
+    yield from (Remedy({"panel.thickness": rounded(share * thickness)}) for share in SHARES)
 
 
 Resized = Callable[[DesignFile, float], Remedy]

@@ -22,6 +22,7 @@ from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.families import FamilyChoice
+from orishell.shell.size_report import FittedSize
 from orishell.shell.size_trials import Choice
 from orishell.shell.turn_search import TurnChoice
 from orishell.structure.results import Analysis
@@ -82,6 +83,7 @@ class Report:
     # how the rectangle of its surface is turned, if the file leaves that open
     turned: TurnChoice | None
     chosen: Choice | None  # how rows and columns were chosen, if there was a tolerance
+    fitted: FittedSize | None  # how its target was scaled, if sizes were asked for
     # whether it reaches its target without contact; None if that was not examined
     feasible: bool | None
     warnings: tuple[str, ...]  # sentences a user should read
@@ -111,7 +113,7 @@ class Report:
     def as_dict(self) -> dict[str, object]:
         """The report as nested tables for JSON, without what was not asked for."""
         tables: dict[str, object] = as_table(self)
-        for key in ("families", "by_curves", "turned", "chosen", "cutting"):
+        for key in ("families", "by_curves", "turned", "chosen", "fitted", "cutting"):
             if not getattr(self, key):
                 del tables[key]
         return tables

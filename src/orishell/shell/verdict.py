@@ -63,6 +63,7 @@ def find_verdict(
         *_surface(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
+        *(() if report.fitted is None else report.fitted.rows(report.unit)),
         *_sizes(report),
         *_weighs(report.deployment),
         *(() if report.cutting is None else report.cutting.rows(report.unit)),

@@ -117,7 +117,7 @@ class DrawnSurface(TypedDict):
     rim: str  # (K, 3) once around, in single precision
     corners: tuple[int, int, int, int]  # which points of the rim are its corners
     patch: Patch | None  # what of it is covered; null: it is given in another way
-    factor: float  # by which coordinates of its table are multiplied
+    factor: tuple[float, float, float]  # by which x, y and z of its table are multiplied
 
 
 class DroppedTarget(TypedDict):

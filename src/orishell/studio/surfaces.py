@@ -47,6 +47,8 @@ def draw_surface(surface: PiecedSurface, table: dict[str, Any], unit: str) -> Dr
     points = surface.lattice(surface.size() / (2 * CELLS), most=CELLS**2).points
     vertices, sides = surface.piece.vertices, surface.piece.sides
     rows, columns = points.shape[:2]
+    own = conversion(table.get("unit", unit), unit)
+    factor = (own * np.array(table.get("scale", 1.0)) * np.ones(3)).tolist()
     ends = np.cumsum([0, *(len(side) - 1 for side in sides[:-1])]).tolist()
     return {
         "points": _text(points),
@@ -54,7 +56,7 @@ def draw_surface(surface: PiecedSurface, table: dict[str, Any], unit: str) -> Dr
         "rim": _text(vertices[np.concatenate([side[:-1] for side in sides])]),
         "corners": (ends[0], ends[1], ends[2], ends[3]),
         "patch": _patch(surface),
-        "factor": table.get("scale", 1.0) * conversion(table.get("unit", unit), unit),
+        "factor": (factor[0], factor[1], factor[2]),
     }
 
 

@@ -66,6 +66,8 @@ export interface Target {
   g?: CurveTable;
   surface?: SurfaceTable;
   pattern?: DrawingTable;
+  /** Sizes that the built shell is to have. */
+  fit?: { [key: string]: number | string };
 }
 
 export interface Tolerance {

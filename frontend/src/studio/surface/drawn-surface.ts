@@ -15,7 +15,7 @@ export interface DrawnSurface {
   /** The rectangle that is covered; null: the surface is given in another way. */
   patch: Patch | null;
   /** By which coordinates of its table are multiplied. */
-  factor: number;
+  factor: [number, number, number];
 }
 
 export function decodeSurface(answer: Api.DrawnSurface): DrawnSurface {

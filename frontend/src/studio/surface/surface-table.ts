@@ -34,13 +34,13 @@ export function withPatch(table: SurfaceTable, { centre, size, turn_deg }: Patch
 /** The corners of a mesh in space; null: it has none that could be moved, as those of a rectangle. */
 export function cornersOf(table: SurfaceTable, drawn: DrawnSurface | null): Place[] | null {
   if (kindOf(table) !== "mesh" || !drawn || table.size || table.x) return null;
-  return table.corners?.map((at) => at.map((value) => value * drawn.factor) as Place) ?? drawn.corners;
+  return table.corners?.map((at) => at.map((value, axis) => value * drawn.factor[axis]!) as Place) ?? drawn.corners;
 }
 
 /** The table of a mesh with one of its corners at another place in space. */
 export function withCorner(table: SurfaceTable, drawn: DrawnSurface, corner: number, to: Place): SurfaceTable {
   const corners = cornersOf(table, drawn)!.with(corner, to);
-  return { ...table, corners: corners.map((at) => at.map((value) => Number((value / drawn.factor).toPrecision(7)) + 0) as Place) };
+  return { ...table, corners: corners.map((at) => at.map((value, axis) => Number((value / drawn.factor[axis]!).toPrecision(7)) + 0) as Place) };
 }
 
 function tidy(value: number): number {

@@ -1,0 +1,41 @@
+"""What is said of a shell whose target was scaled to sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from orishell.conventions.quantities import plain, size
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.design_file.fit import Side
+
+
+@record
+class FittedSize:
+    """The sizes that were asked for and that the built shell has, by their keys (lengths)."""
+
+    of: Side
+    head_height: float | None  # up to which it is clear; None where no clear size is asked for
+    asked: Mapping[str, float]
+    found: Mapping[str, float]
+    # what the keys ``scale`` of the design file would say for the target to be as large as it is
+    scales: Mapping[str, float | list[float]]
+    trials: int  # shells that were tried without a proof
+
+    def rows(self, unit: str) -> Iterator[Row]:
+        """A row of the verdict."""
+        head = "" if self.head_height is None else f" up to {size(self.head_height, unit)}"
+        scaled = ", ".join(
+            f"{key.split('.')[1]} by {_factors(scale)}" for key, scale in self.scales.items()
+        )
+        how = f"; scaled: {scaled}" if scaled else ""
+        yield Row("holds", "sizes", f"{in_words(self.found, unit)} {self.of}{head}{how}")
+
+
+def _factors(scale: float | list[float]) -> str:
+    return " x ".join(plain(each) for each in (scale if isinstance(scale, list) else [scale]))
+
+
+def in_words(sizes: Mapping[str, float], unit: str) -> str:
+    """Sizes to a millimetre or better: width 4, depth 2.5 m."""
+    return ", ".join(f"{key} {plain(each)}" for key, each in sizes.items()) + f" {unit}"
