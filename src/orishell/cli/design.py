@@ -13,6 +13,7 @@ from orishell.cli.files import (
     STATE_HELP,
     WRITE_HELP,
     bar,
+    designed,
     directory,
     require_carried,
     say,
@@ -55,20 +56,16 @@ def design(
     from orishell.io import OutputDirectory, Settings
     from orishell.io.formats import formats_for
     from orishell.shell.export import write_shell
-    from orishell.shell.make import design_shell
 
     OutputDirectory(out).require_usable()
     _require_formats(write)
     shown = state_named(state)
     clash: ClashPolicy = "unexamined" if no_clash_test else "allowed" if allow_clash else "refused"
-    with bar() as progress:
-        try:
-            shell = design_shell(file, progress, clash=clash)
-        except ClashError as error:
-            error.add_note("--allow-clash writes the files all the same.")
-            raise
-    for warning in shell.report.warnings:
-        say(f"orishell: warning: {warning}", err=True)
+    try:
+        shell = designed(file, clash)
+    except ClashError as error:
+        error.add_note("--allow-clash writes the files all the same.")
+        raise
     chosen, missing = formats_for(write.split(","), shell.document)
     for each in missing:
         say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)

@@ -20,6 +20,8 @@ from orishell.io.formats import ALL, format_modules
 
 if TYPE_CHECKING:
     from orishell.conventions.row import Row
+    from orishell.shell.candidate import ClashPolicy
+    from orishell.shell.make import Shell
     from orishell.structure.results import Analysis
 
 
@@ -88,6 +90,17 @@ def bar() -> Iterator[Progress]:
         yield progress
     finally:
         bars.stop()
+
+
+def designed(file: Path, clash: ClashPolicy = "refused") -> Shell:
+    """The shell of a design file; its warnings are printed."""
+    from orishell.shell.make import design_shell
+
+    with bar() as progress:
+        shell = design_shell(file, progress, clash=clash)
+    for warning in shell.report.warnings:
+        say(f"orishell: warning: {warning}", err=True)
+    return shell
 
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(format_modules())}; or {ALL}."

@@ -14,6 +14,7 @@ from orishell.cli.check import check, convert
 from orishell.cli.design import design
 from orishell.cli.files import say
 from orishell.cli.fold import fold
+from orishell.cli.kit import kit
 from orishell.cli.new import new
 from orishell.cli.search import search
 from orishell.cli.solve import solve
@@ -28,7 +29,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # it takes [workshop] for markup, and leaves it out
 )
-for command in (new, design, structure, search, solve, check, convert, fold, studio):
+for command in (new, design, kit, structure, search, solve, check, convert, fold, studio):
     app.command()(command)
 
 

@@ -66,8 +66,8 @@ ROUNDING: Final = 1e-12
 """By such a share a bound may be above the number that is meant."""
 
 
-def size(value: float, unit: str, *, bound: bool = False) -> str:
-    """A length in three significant digits with its unit, as sentences have it: 4.62 m, 0.12 mm.
+def size(value: float, unit: str, *, bound: bool = False, digits: int = 3) -> str:
+    """A length in so many significant digits with its unit, as sentences have it: 4.62 m, 0.12 mm.
 
     bound: Whether it is what nothing exceeds, which is rounded up.
     """
@@ -78,9 +78,9 @@ def size(value: float, unit: str, *, bound: bool = False) -> str:
     if value and abs(value) < least / 2:
         return f"less than {least} {unit}"
     if bound and value > 0:
-        last = 10.0 ** (floor(log10(value)) - 2)
+        last = 10.0 ** (floor(log10(value)) - digits + 1)
         value = ceil(value / last * (1 - ROUNDING)) * last
-    return f"{plain(value, 3)} {unit}"
+    return f"{plain(value, digits)} {unit}"
 
 
 def box(sides: Iterable[float], unit: str) -> str:

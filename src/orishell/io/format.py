@@ -70,6 +70,8 @@ class Format:
     solid: bool = False  # whether it shows nothing but boards, so that panels must have a thickness
     # whether it shows the shell as a structure, so that it must have been analysed
     analysed: bool = False
+    # whether it says what is known of a designed shell only: ties, pack, feet
+    designed: bool = False
     # what one writes it for: "cut", "paper", "cad" or "analysis"; empty where for none of these
     task: str = ""
 
@@ -77,7 +79,8 @@ class Format:
         """Whether a document has what it shows."""
         lacking_boards = self.solid and document.boards is None
         lacking_analysis = self.analysed and document.loaded is None
-        return not (lacking_boards or lacking_analysis)
+        lacking_design = self.designed and not document.report
+        return not (lacking_boards or lacking_analysis or lacking_design)
 
     def require_ready(self) -> None:
         """Refuse to go on where what it needs is missing.

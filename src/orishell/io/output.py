@@ -189,6 +189,12 @@ class OutputDirectory:
                 (draft / self.manifest).write_text(new.text())
                 self._move(draft)
 
+    def remove_list(self) -> None:
+        """Remove the list of files, and the directory if nothing else is in it."""
+        with contextlib.suppress(OSError):
+            (self.path / self.manifest).unlink(missing_ok=True)
+            self.path.rmdir()
+
     @contextlib.contextmanager
     def _drafting(self) -> Iterator[Path]:
         """A temporary directory beside the files; those of runs that are dead are removed."""

@@ -158,7 +158,7 @@ def write_format(
     document = replace(shell.document, states=states)
     if format_.lays_surface:
         document = lay_surface(document, shell.design)
-    _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+    write_document(format_, draft / format_.file, document, settings, str(shell.file.path))
 
 
 def _require_shell(shell: object) -> None:
@@ -203,29 +203,34 @@ def convert_fold(
     if not format_.fits(document):
         raise _lacking(format_, source)
     with output.adding() as draft:
-        _write(format_, draft / target.name, document, settings, str(source))
+        write_document(format_, draft / target.name, document, settings, str(source))
         names = sorted(file.name for file in draft.iterdir())
     return [target.parent / name for name in names]
 
 
 def _lacking(format_: Format, source: Path) -> InputError:
     """The error for a format that shows what a FOLD file never has."""
-    what, table = (
-        ("how thick its panels are", "[panel]")
-        if format_.solid
-        else ("what the shell bears", "[structure]")
-    )
+    what, table = "how it is built, tied and carried", ""
+    if format_.solid:
+        what, table = "how thick its panels are", "[panel]"
+    elif format_.analysed:
+        what, table = "what the shell bears", "[structure]"
+    having = f", where the design file has the table {table}" if table else ""
     return InputError(
         f"a FOLD file does not say {what}, which {format_.name} shows",
         where=str(source),
         remedy=f"write it with the design: orishell design FILE --out DIRECTORY --write "
-        f"{format_.name}, where the design file has the table {table}",
+        f"{format_.name}{having}",
     )
 
 
-def _write(
+def write_document(
     format_: Format, path: Path, document: Document, settings: Settings, source: str
 ) -> None:
+    """Write a document in a format; errors name its ``source``.
+
+    Raises InputError if a setting does not fit the sheet.
+    """
     try:
         format_.write(path, document, settings)
     except InputError as error:

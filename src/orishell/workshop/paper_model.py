@@ -42,11 +42,12 @@ class PaperModel:
     tiling: Tiling
     bar_mm: float  # length of the scale bar
     bar_says: str  # the same in the document's unit, and in mm on paper
+    of_shell: float = 1.0  # size of the document relative to the shell, where it is a model of it
 
     @property
     def says(self) -> str:
         """The scale in words, as in "Scale 1:20"."""
-        scale = self.tiling.scale
+        scale = self.tiling.scale * self.of_shell
         return f"Scale {scale:.6g}:1" if scale > 1 else f"Scale 1:{1 / scale:.6g}"
 
 
@@ -58,7 +59,8 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     part = with_glue_areas(document, whole_sheet(document))
     content = part_lines(document, part, workshop)
     title = sheet_title(document)
-    return _to_scale(content, title, document.unit, part.outlines, workshop)
+    model = _to_scale(content, title, document.unit, part.outlines, workshop)
+    return replace(model, of_shell=document.model_scale)
 
 
 def make_board_models(

@@ -16,6 +16,7 @@ CreaseStyle = Literal["score", "dashes", "perforation"]
 Labels = Literal["none", "panels", "creases", "both"]
 Joint = Literal["tabs", "strips"]
 Paper = Literal["A4", "A3"]
+Language = Literal["en", "de"]
 Cutting = Literal["boards", "sheet"]
 """Boards cut apart, every corner with an error of its own; or creases drawn in one sheet, where a
 vertex errs for all its panels alike."""
@@ -103,6 +104,9 @@ class Workshop(Table):
         Annotated[Number, Field(gt=0, le=1)] | Auto,
         Knob("Paper scale", "Size of the paper model relative to the sheet", "number", True),
     ] = "auto"
+    language: Annotated[
+        Language, _choice("Language", "Of the booklet: English or German", Language)
+    ] = "en"
     model_scale: Annotated[
         Length, Knob("Print scale", "Size of a printed model relative to the shell", "number")
     ] = 1.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -87,16 +88,12 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     measure.
     """
     size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
-    if max(size) > LARGEST_MM:
-        raise InputError(
-            "the sheet is too large for a paper model", got=f"{plain(max(size), 3)} mm"
-        )
+    _require_measure(size)
     upright = PAPERS_MM[paper]
     ways = upright, upright[::-1]
     if scale == "auto":
-        tried = (1 / (10.0**power * step) for power in range(12) for step in (1, 2, 2.5, 5))
         size_of = next(
-            s for s in tried if any(max(_count(size * s, page)) <= LONGEST for page in ways)
+            s for s in _scales() if any(max(_count(size * s, page)) <= LONGEST for page in ways)
         )
     else:
         size_of = float(scale)
@@ -111,6 +108,38 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     shape = _shape(tuple(outline * size_of for outline in outlines))
     tilings = [_tile(size * size_of, shape, size_of, page) for page in ways]
     return min(tilings, key=lambda tiling: len(tiling.pages))
+
+
+STEPS = (1, 2, 2.5, 5)
+"""Scales that are tried are 1:1, 1:2, ..., and their tenths."""
+
+
+def page_scale(outlines: tuple[Array, ...], paper: Paper) -> float:
+    """The largest of 1:1, 1:2, 1:2.5, 1:5, 1:10, ... at which a sheet fits one page, either way.
+
+    outlines: As for :func:`tile_sheet`.
+
+    Raises InputError if the sheet is larger than all measure.
+    """
+    size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
+    _require_measure(size)
+    upright = PAPERS_MM[paper]
+    return next(
+        scale
+        for scale in _scales()
+        if any(_count(size * scale, page) == (1, 1) for page in (upright, upright[::-1]))
+    )
+
+
+def _scales() -> Iterator[float]:
+    return (1 / (10.0**power * step) for power in range(16) for step in STEPS)
+
+
+def _require_measure(size: Array) -> None:
+    if max(size) > LARGEST_MM:
+        raise InputError(
+            "the sheet is too large for a paper model", got=f"{plain(max(size), 3)} mm"
+        )
 
 
 def _frame(page: tuple[float, float]) -> Array:

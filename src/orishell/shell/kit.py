@@ -1,0 +1,209 @@
+"""A kit: what a builder needs of a shell, in folders by trade, or of a card model of it."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Final
+
+from orishell.conventions.arguments import path_of
+from orishell.conventions.errors import InputError
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.quantities import box, plain
+from orishell.conventions.record import record
+from orishell.document import Document
+from orishell.document.from_design import states_of
+from orishell.io import OutputDirectory
+from orishell.io.format import Format, Settings
+from orishell.io.formats import find_formats
+from orishell.shell.export import write_document
+from orishell.shell.make import Shell
+from orishell.workshop.card_model import make_card_model
+from orishell.workshop.kit_facts import find_facts
+from orishell.workshop.kit_parts import kit_parts
+from orishell.workshop.words import load_words
+
+FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
+"""What a kit is written in."""
+CARD: Final = ("dxf", "pdf", "booklet")
+"""What the kit of a card model is written in."""
+LEFT_OUT: Final = None
+SHEET: Final = ("", "sandwich")
+"""Constructions whose pattern is a sheet that is cut; of others it is a plan of assembly."""
+
+FOLDERS: Final[tuple[tuple[str, str | None], ...]] = (
+    ("pattern-boards-*", "cut"),
+    ("pattern-panels*", "cut"),
+    ("pattern-top.*", "cut"),
+    ("pattern-bottom.*", "cut"),
+    ("pattern-arms.*", "cut"),
+    ("boards.csv", "cut"),
+    ("arms.csv", "cut"),
+    ("pattern*", "fabric"),
+    ("creases.csv", "hinges"),
+    ("schedule.csv", "hinges"),
+    ("hinges.csv", "hinges"),
+    ("joints.csv", "hinges"),
+    ("ties.csv", "ground"),
+    ("ground*", "ground"),
+    ("booklet*.pdf", "booklet"),
+    ("order.csv", ""),
+    ("panels.csv", LEFT_OUT),
+)
+"""Which files go to which folder, the first row that fits; the kit's own is ""."""
+PLAN: Final = ("pattern.*", "hinges")
+"""Where the plan of assembly goes, if panels are solid."""
+TRADES: Final = {
+    "": "what to order",
+    "cut": "boards and arms, to be cut",
+    "fabric": "the sheet or membrane, to be cut and creased",
+    "hinges": "creases, hinges and joints, and where they are",
+    "ground": "ties and feet",
+    "booklet": "parts, tools and steps",
+}
+"""What is in each folder."""
+
+
+@record
+class Kit:
+    """A kit that was written."""
+
+    files: tuple[Path, ...]
+    scale: float  # size of the model relative to the shell; 1 for the shell itself
+
+
+def folder_of(name: str, construction: str) -> str | None:
+    """The folder that a file goes to, "" for the kit's own; None if it is no part of a kit.
+
+    Parameters
+    ----------
+    name
+        The name of the file.
+    construction
+        As in ``[panel]``; empty where panels have no thickness.
+
+    Raises
+    ------
+    KeyError
+        If no row of :data:`FOLDERS` names it.
+    """
+    rows = FOLDERS if construction in SHEET else (PLAN, *FOLDERS)
+    for pattern, folder in rows:
+        if fnmatchcase(name, pattern):
+            return folder
+    raise KeyError(name)
+
+
+def write_kit(
+    shell: Shell, directory: str | Path, *, paper: bool = False, progress: Progress = no_progress
+) -> Kit:
+    """Write the kit of a shell: drawings, tables, booklet, and ``README.md``.
+
+    Parameters
+    ----------
+    directory
+        Where to; made if needed. Files of an earlier kit that this one does not write are removed
+        from its folders, unless somebody changed them; all others stay.
+    paper
+        Whether it is the kit of a card model: at ``paper_scale``, or the largest scale at which the
+        sheet fits a page of ``paper``.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to, or a setting does not fit the sheet.
+    """
+    directory = path_of(directory, "write_kit: directory")
+    document, workshop, scale = shell.document, shell.file.workshop, 1.0
+    document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
+    if paper:
+        try:
+            model = make_card_model(document, workshop)
+        except InputError as error:
+            raise error.located(f"{shell.file.path}:") from None
+        document, workshop, scale = model.document, model.workshop, model.scale
+    construction = document.panel.construction if document.panel else ""
+    with TemporaryDirectory() as made:
+        for format_ in _formats(paper):
+            path = Path(made) / format_.file
+            write_document(
+                format_, path, document, Settings(workshop=workshop), str(shell.file.path)
+            )
+        folders: dict[str, list[Path]] = {}
+        for file in sorted(Path(made).iterdir()):
+            folder = folder_of(file.name, construction)
+            if folder is not LEFT_OUT:
+                folders.setdefault(folder, []).append(file)
+        readme = Path(made) / "README.md"
+        readme.write_text("\n".join(_readme(document, folders)) + "\n", encoding="utf-8")
+        folders.setdefault("", []).append(readme)
+        written = tuple(_put(folders, directory))
+    return Kit(written, scale)
+
+
+def _formats(paper: bool) -> Iterable[Format]:
+    return find_formats(CARD if paper else FORMATS)
+
+
+def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
+    """Put files into their folders; those of an earlier kit go, and folders that are then empty."""
+    for folder in sorted(TRADES):
+        place = OutputDirectory(directory / folder)
+        files = folders.get(folder, [])
+        if not files and not place.of_earlier_run():
+            continue
+        with place.replacing() as draft:
+            for file in files:
+                shutil.copyfile(file, draft / file.name)
+        if not files:
+            place.remove_list()
+        yield from (directory / folder / file.name for file in files)
+
+
+def _readme(document: Document, folders: dict[str, list[Path]]) -> Iterator[str]:
+    """What is where, with counts and sizes."""
+    facts, unit = find_facts(document), document.unit
+    words = load_words("en")
+    yield f"# {document.title}"
+    yield ""
+    if facts.model:
+        yield f"A card model, 1:{plain(1 / document.model_scale)}. All sizes are the model's."
+    else:
+        yield "DXF files are 1:1 in the unit that they declare, PDF files as each says."
+    yield ""
+    yield f"- Opened: {box(facts.opened, unit)}"
+    if facts.packs and facts.starts_packed:
+        yield f"- Packed: {'; '.join(box(pack, unit) for pack in facts.packs)}"
+    yield f"- Flat sheet: {box(facts.sheet, unit)}"
+    if facts.mass is not None:
+        yield f"- Mass: {plain(facts.mass, 3)} kg"
+    yield ""
+    yield "| part | count |"
+    yield "|---|---|"
+    for part in kit_parts(document, facts):
+        yield f"| {words.say(f'parts.{part.name}').lower()} | {part.count} |"
+    yield ""
+    yield "| folder | what is in it | files |"
+    yield "|---|---|---|"
+    for folder, what in TRADES.items():
+        files = folders.get(folder, [])
+        if files:
+            names = _named(file.name for file in files)
+            yield f"| {folder + '/' if folder else 'here'} | {what} | {names} |"
+
+
+def _named(names: Iterable[str]) -> str:
+    """Names of files, those that are numbered once with their number."""
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        stem, dot, ending = name.rpartition(".")
+        head, _, number = stem.rpartition("-")
+        groups.setdefault(f"{head}-N{dot}{ending}" if number.isdecimal() else name, []).append(name)
+    return ", ".join(
+        f"{group} (N = 1 to {len(each)})" if len(each) > 1 else each[0]
+        for group, each in groups.items()
+    )

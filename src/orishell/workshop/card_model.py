@@ -1,0 +1,108 @@
+"""A card model: the shell as one sheet without a thickness, at a scale that fits a page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import overload
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import conversion, plain
+from orishell.conventions.record import record
+from orishell.document import Document, DocumentState
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.cut_parts import whole_sheet
+from orishell.workshop.settings import Workshop
+from orishell.workshop.tiling import page_scale
+
+
+@record
+class CardModel:
+    """What the files of a card model are written from."""
+
+    document: Document  # in millimetres of the model
+    workshop: Workshop  # for one sheet at true size
+    scale: float  # size of the model relative to the shell
+
+
+def make_card_model(document: Document, workshop: Workshop) -> CardModel:
+    """The card model of a shell, at ``paper_scale``, or the largest scale that fits ``paper``.
+
+    Raises InputError if ``paper_scale`` is given and the sheet does not fit one page.
+    """
+    millimetres = conversion(document.require_unit(), "mm")
+    bare = _without_boards(document)
+    rims = whole_sheet(with_clipped(bare)).outlines
+    low = rims[0].min(axis=0)
+    placed = tuple((rim - low) * millimetres for rim in rims)
+    most = page_scale(placed, workshop.paper)
+    scale = most
+    if workshop.paper_scale != "auto":
+        scale = float(workshop.paper_scale)
+        least = page_scale(tuple(rim * scale for rim in placed), workshop.paper)
+        if least < 1:
+            raise InputError(
+                f"the sheet does not fit one page of {workshop.paper} at this scale",
+                keys=("workshop.paper_scale",),
+                got=f"{scale:g}",
+                expected=f'at most {plain(most)}, or "auto"',
+            )
+    drawn = workshop.having(
+        creases="score",
+        dash="auto",
+        corner_gap="auto",
+        relief_hole=0.0,
+        stock=None,
+        margin=0.0,
+        spacing=0.0,
+        joint_width="auto",
+        areal_density=0.0,
+        paper_scale=1.0,
+    )
+    return CardModel(_scaled(bare, millimetres * scale, scale), drawn, scale)
+
+
+def _without_boards(document: Document) -> Document:
+    return replace(
+        document,
+        panel=None,
+        boards=None,
+        clipped=tuple(map(_without_boards, document.clipped)),
+        surface=None,
+        distances=None,
+        loaded=None,
+    )
+
+
+def _scaled(document: Document, factor: float, scale: float) -> Document:
+    """The document in millimetres of the model; ``factor`` makes these of its lengths."""
+    return replace(
+        document,
+        unit="mm",
+        flat=document.require_flat() * factor,
+        states=_ScaledStates(document.states, factor),
+        curves={name: points * factor for name, points in document.curves.items()},
+        origin=document.origin * factor,
+        clipped=tuple(_scaled(each, factor, scale) for each in document.clipped),
+        model_scale=scale,
+    )
+
+
+class _ScaledStates(Sequence[DocumentState]):
+    """States whose vertices are moved when they are asked for."""
+
+    def __init__(self, states: Sequence[DocumentState], factor: float) -> None:
+        self._states, self._factor = states, factor
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    @overload
+    def __getitem__(self, which: int) -> DocumentState: ...
+    @overload
+    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
+    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
+        if isinstance(which, slice):
+            return _ScaledStates(self._states[which], self._factor)
+        state = self._states[which]
+        return replace(state, positions=state.positions * self._factor)

@@ -1,0 +1,186 @@
+"""What a builder needs to know of a shell: sizes to check, packs, mass, ties and feet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.quantities import conversion
+from orishell.conventions.record import record
+from orishell.document import SHELL, Document
+from orishell.numerics.arrays import Array, Booleans, Integers
+
+
+@record
+class KitFacts:
+    """Sizes of a shell or of a model of it, in the document's unit."""
+
+    starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
+    construction: str  # as in [panel]; empty where panels have no thickness
+    # sides of the boxes around the flat sheet, and around the shell at its target
+    sheet: tuple[float, float]
+    opened: tuple[float, float, float]
+    # sides of the packs of all pieces; none where they were not measured
+    packs: tuple[tuple[float, float, float], ...]
+    mass: float | None  # kg; None where it is not known
+    ties: tuple[float, ...]  # their lengths
+    tied: Integers  # vertices (K, 2) that they join
+    ties_join: bool  # whether they are fixed only when pieces are joined
+    feet: int  # how many vertices it stands on; 0 where it has no feet
+    apart: tuple[float, float] | None  # the least and largest distance of feet opposite each other
+    pieces: tuple[Booleans, ...]  # panels (F,) of each piece
+    diagonals: tuple[tuple[float, float], ...]  # of the flat sheet of each piece, corner to corner
+    shuts: bool  # whether flaps of the sheet are folded flat at the target
+    flaps: int  # parts that are clipped on
+    clipped_panels: int  # their panels
+    model: bool  # whether it is a model
+
+
+def find_facts(document: Document) -> KitFacts:
+    """What is known of a document, and of what its report says."""
+    factor = _factor(document)
+    held, stands = _table(document.report, "deployment"), _table(document.report, "stands")
+    flat, points = document.require_flat(), document.in_world(document.shell.positions)
+    pieces = tuple(_pieces(document))
+    packs = held.get("pieces") or [held["packed"]] * bool(held.get("packed"))
+    model, tied = document.model_scale != 1, _tied(document, held.get("ties") or ())
+    if model:
+        packs = []  # they are measured with the thickness of panels
+    lengths = tuple(factor * each["length"] for each in held.get("ties") or ())
+    apart, feet = _feet(document, stands, points)
+    (width, height), (x, y, z) = np.ptp(flat, axis=0).tolist(), np.ptp(points, axis=0).tolist()
+    sides = _table(document.report, "deployed")
+    if sides:
+        x, y, z = (factor * sides[each] for each in ("width", "depth", "height"))
+    built = document.panel is not None and document.boards is not None
+    return KitFacts(
+        starts_packed=held.get("start") == "pack" and "pack" in document.named,
+        construction=document.panel.construction if document.panel and built else "",
+        sheet=(width, height),
+        opened=(x, y, z),
+        packs=tuple(
+            (factor * each["length"], factor * each["width"], factor * each["height"])
+            for each in packs
+        ),
+        mass=None if model else _mass(document.report),
+        ties=_tie_lengths(points, tied) if model else lengths,
+        tied=tied,
+        ties_join=len(pieces) > 1,
+        feet=feet,
+        apart=apart,
+        pieces=pieces,
+        diagonals=tuple(_diagonals(document, pieces)),
+        shuts=held.get("closing") == "flaps",
+        flaps=len(document.clipped),
+        clipped_panels=sum(len(each.mesh.faces) for each in document.clipped),
+        model=model,
+    )
+
+
+def _factor(document: Document) -> float:
+    """From lengths of the report to those of the document."""
+    unit = document.report.get("unit", document.unit)
+    return document.model_scale * conversion(str(unit), document.unit)
+
+
+def _table(tables: Mapping[str, object], key: str) -> dict[str, Any]:
+    table = tables.get(key)
+    return table if isinstance(table, dict) else {}
+
+
+def _mass(report: Mapping[str, object]) -> float | None:
+    quantities = _table(report, "quantities")
+    built = quantities.get("built") or {}
+    mass = built.get("mass_kg", {}).get("total") or quantities.get("mass_kg")
+    return None if mass is None else float(mass)
+
+
+def _tied(document: Document, ties: Iterable[Mapping[str, Any]]) -> Integers:
+    """Numbers (K, 2) of the vertices that ties join."""
+    ends = np.array([tie["ends"] for tie in ties], np.int64).reshape(-1, 2, 2)
+    across = 0 if document.grid_shape is None else document.grid_shape[1]
+    return np.asarray(across * ends[..., 0] + ends[..., 1])
+
+
+def _tie_lengths(points: Array, tied: Integers) -> tuple[float, ...]:
+    """How far vertices (K, 2) are apart, of ties between vertices themselves."""
+    ends = points[tied]
+    return tuple(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1).tolist())
+
+
+def _pieces(document: Document) -> Iterator[Booleans]:
+    """The panels (F,) of each piece that is folded by itself."""
+    count, shape = len(document.mesh.faces), document.grid_shape
+    hinges = None if document.boards is None else document.boards.hinges
+    if hinges is None or hinges.joints is None or shape is None:
+        yield np.ones(count, np.bool_)
+        return
+    rows = np.arange(count) // (shape[1] - 1)
+    ends = [0, *(int(row) + 1 for row in hinges.joints.rows), shape[0] - 1]
+    for first, last in pairwise(ends):
+        yield np.asarray((rows >= first) & (rows < last))
+
+
+def _diagonals(document: Document, pieces: Iterable[Booleans]) -> Iterator[tuple[float, float]]:
+    """Both diagonals of every piece as it lies flat, from corner to corner of what is cut."""
+    shape = document.grid_shape
+    if shape is None:
+        return
+    across = shape[1] - 1
+    for piece in pieces:
+        of_grid = np.flatnonzero(piece[: (shape[0] - 1) * across])
+        first, last = int(of_grid[0]) // across, int(of_grid[-1]) // across
+        corners = (
+            _corner(document, first * across, 0),
+            _corner(document, last * across + across - 1, 2),
+            _corner(document, last * across, 1),
+            _corner(document, first * across + across - 1, 3),
+        )
+        one, other = (float(np.hypot(*(corners[k + 1] - corners[k]))) for k in (0, 2))
+        yield one, other
+
+
+def _corner(document: Document, panel: int, corner: int) -> Array:
+    """Where a corner (2,) of a panel is, or of its board if that is what is cut."""
+    place = document.require_flat()[document.mesh.faces[panel, corner]]
+    boards = document.boards
+    if boards is None:
+        return np.asarray(place)
+    mine = np.flatnonzero((boards.panels == panel) & (boards.sides == 0))
+    if not len(mine):
+        return np.asarray(place)
+    levels = boards.outlines[mine[0]]
+    outline = levels[len(levels) // 2, :, :2]
+    return np.asarray(outline[np.hypot(*(outline - place).T).argmin()])
+
+
+def _feet(
+    document: Document, stands: Mapping[str, Any], points: Array
+) -> tuple[tuple[float, float] | None, int]:
+    """How far feet in both rows are apart, least and most, and how many there are."""
+    shape = document.grid_shape
+    if not stands or shape is None:
+        return None, 0
+    rows, named = stands["rows"], stands.get("points") or ()
+    inner = document.report.get("columns", shape[1])
+    beside = max(shape[1] - int(str(inner)), 0) // 2
+    columns = np.arange(beside, shape[1] - beside)
+    count = 2 * len(columns)
+    if named:
+        first, last = ({c for r, c in named if r == row} for row in rows)
+        columns, count = np.array(sorted(first & last), np.int64), len(named)
+    whole = document.boards is not None and document.boards.hinges is not None
+    if whole or not len(columns):  # whole boards stand beside their vertices
+        return None, count
+    ends = points[: shape[0] * shape[1]].reshape(*shape, 3)
+    away = np.linalg.norm(ends[rows[0], columns] - ends[rows[1], columns], axis=-1)
+    return (float(away.min()), float(away.max())), count
+
+
+def middle_state(document: Document, start: str) -> int | str:
+    """A state half way from the flat sheet or the pack to the target."""
+    first, last = document.named.get(start, 0), document.named.get(SHELL, len(document.states) - 1)
+    return (first + last) // 2 if len(document.states) else SHELL
