@@ -109,6 +109,14 @@ def pdf(path: Path) -> Content:
     return Content()
 
 
+def booklet(path: Path) -> Content:
+    from pypdf import PdfReader
+
+    pages = [page.extract_text() for page in PdfReader(path).pages]
+    assert f"{len(pages)} of {len(pages)}" in pages[-1]
+    return Content()
+
+
 def origami_simulator(path: Path) -> Content:
     lines = ElementTree.parse(path).getroot().iter("{http://www.w3.org/2000/svg}line")
     ends: dict[str, list[Any]] = {"#ff0000": [], "#0000ff": [], "#000000": [], "#ffff00": []}
@@ -266,6 +274,7 @@ READERS: dict[str, Callable[[Path], Content]] = {
     "dxf": dxf,
     "svg": svg,
     "pdf": pdf,
+    "booklet": booklet,
     "origami-simulator": origami_simulator,
     "obj": obj,
     "stl": stl,

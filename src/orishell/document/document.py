@@ -95,8 +95,8 @@ class Document:
     # boards that are no part of the sheet and clipped on at the target, in the same frame, flat and
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
-    # its size relative to the shell, where it is a model of it
-    model_scale: float = 1.0
+    # its size relative to the shell, if it is a model of it; None if it is the shell itself
+    model_scale: float | None = None
     # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 

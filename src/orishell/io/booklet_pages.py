@@ -103,7 +103,7 @@ class _Book:
         name, _, rest = self.document.title.partition(": ")
         drawing = draw_lines(self.document, SHELL)
         lines = [rest] * bool(rest)
-        if facts.model:
+        if self.document.model_scale is not None:
             ratio = f"1:{plain(1 / self.document.model_scale)}"
             lines.append(say("cover.model", scale=ratio))
         lines += ["", say("cover.opened", size=box(facts.opened, self.unit))]

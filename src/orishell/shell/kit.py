@@ -170,7 +170,7 @@ def _readme(document: Document, folders: dict[str, list[Path]]) -> Iterator[str]
     words = load_words("en")
     yield f"# {document.title}"
     yield ""
-    if facts.model:
+    if document.model_scale is not None:
         yield f"A card model, 1:{plain(1 / document.model_scale)}. All sizes are the model's."
     else:
         yield "DXF files are 1:1 in the unit that they declare, PDF files as each says."

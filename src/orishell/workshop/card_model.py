@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import overload
 
-from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import conversion, plain
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.settings import Workshop
-from orishell.workshop.tiling import page_scale
+from orishell.workshop.tiling import page_scale, tile_sheet
 
 
 @record
@@ -28,25 +27,17 @@ class CardModel:
 def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     """The card model of a shell, at ``paper_scale``, or the largest scale that fits ``paper``.
 
-    Raises InputError if ``paper_scale`` is given and the sheet does not fit one page.
+    Raises InputError if it takes more than 400 pages at ``paper_scale``.
     """
     millimetres = conversion(document.require_unit(), "mm")
     bare = _without_boards(document)
     rims = whole_sheet(with_clipped(bare)).outlines
     low = rims[0].min(axis=0)
     placed = tuple((rim - low) * millimetres for rim in rims)
-    most = page_scale(placed, workshop.paper)
-    scale = most
-    if workshop.paper_scale != "auto":
-        scale = float(workshop.paper_scale)
-        least = page_scale(tuple(rim * scale for rim in placed), workshop.paper)
-        if least < 1:
-            raise InputError(
-                f"the sheet does not fit one page of {workshop.paper} at this scale",
-                keys=("workshop.paper_scale",),
-                got=f"{scale:g}",
-                expected=f'at most {plain(most)}, or "auto"',
-            )
+    if workshop.paper_scale == "auto":
+        scale = page_scale(placed, workshop.paper)
+    else:
+        scale = tile_sheet(placed, workshop.paper_scale, workshop.paper).scale
     drawn = workshop.having(
         creases="score",
         dash="auto",

@@ -45,8 +45,8 @@ def find_facts(document: Document) -> KitFacts:
     held, stands = _table(document.report, "deployment"), _table(document.report, "stands")
     flat, points = document.require_flat(), document.in_world(document.shell.positions)
     pieces = tuple(_pieces(document))
-    packs = held.get("pieces") or [held["packed"]] * bool(held.get("packed"))
-    model, tied = document.model_scale != 1, _tied(document, held.get("ties") or ())
+    packs = held.get("pieces") or [each for each in [held.get("packed")] if each]
+    model, tied = document.model_scale is not None, _tied(document, held.get("ties") or ())
     if model:
         packs = []  # they are measured with the thickness of panels
     lengths = tuple(factor * each["length"] for each in held.get("ties") or ())
@@ -83,7 +83,7 @@ def find_facts(document: Document) -> KitFacts:
 def _factor(document: Document) -> float:
     """From lengths of the report to those of the document."""
     unit = document.report.get("unit", document.unit)
-    return document.model_scale * conversion(str(unit), document.unit)
+    return (document.model_scale or 1.0) * conversion(str(unit), document.unit)
 
 
 def _table(tables: Mapping[str, object], key: str) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 MOST: Final = 1500
-"""Panels that are drawn, at most: of more rows and columns of a grid every k-th is."""
+"""Panels that are drawn, about, at most: of more rows and columns of a grid every k-th is."""
 TURN_DEG, RISE_DEG = -55.0, 24.0
 """From where shells are seen: about z, and above the ground (degrees)."""
 OVERLAP: Final = 1e-6

@@ -60,7 +60,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     content = part_lines(document, part, workshop)
     title = sheet_title(document)
     model = _to_scale(content, title, document.unit, part.outlines, workshop)
-    return replace(model, of_shell=document.model_scale)
+    return replace(model, of_shell=document.model_scale or 1.0)
 
 
 def make_board_models(
