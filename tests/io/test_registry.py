@@ -189,7 +189,9 @@ def test_all_means_solids_and_structures_only_where_there_are_any() -> None:
     assert (solid | analysed).isdisjoint(each.name for each in (*chosen, *missing))
     chosen, missing = formats_for([ALL], thick)
     assert analysed.isdisjoint(each.name for each in (*chosen, *missing))
-    chosen, missing = formats_for([ALL], replace(thick, loaded=loaded))
+    assert "booklet" not in {each.name for each in (*chosen, *missing)}
+    designed = replace(thick, loaded=loaded, report={"unit": "m"})
+    chosen, missing = formats_for([ALL], designed)
     assert {*chosen, *missing} == set(all_formats())
     assert all(each.ready() for each in chosen)
     assert not any(each.ready() for each in missing)

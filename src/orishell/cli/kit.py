@@ -21,9 +21,9 @@ def kit(
         typer.Option("--paper", help="The kit of a card model at a scale that fits one page."),
     ] = False,
 ) -> None:
-    """Write what a builder needs: drawings, tables and booklet, in folders by trade.
+    """Write what a builder needs, in folders by trade.
 
-    README.md says what is where. Make the card model first.
+    They have drawings, tables and a booklet; README.md says what is where.
     """
     from orishell.conventions.quantities import plain
     from orishell.io import OutputDirectory

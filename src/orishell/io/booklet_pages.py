@@ -15,7 +15,7 @@ from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
 from orishell.workshop.kit_facts import KitFacts, find_facts
 from orishell.workshop.kit_parts import KitPart, kit_parts, kit_tools
-from orishell.workshop.kit_steps import Step, kit_steps
+from orishell.workshop.kit_steps import Step, kit_steps, pack_words
 from orishell.workshop.line_drawing import LineDrawing, draw_lines
 from orishell.workshop.words import Words, load_words
 
@@ -108,8 +108,9 @@ class _Book:
             lines.append(say("cover.model", scale=ratio))
         lines += ["", say("cover.opened", size=box(facts.opened, self.unit))]
         if facts.packs and facts.starts_packed:
-            sizes = "; ".join(box(pack, self.unit) for pack in facts.packs)
-            lines.append(say("cover.packed", size=sizes))
+            key = "cover.packed" if facts.construction else "cover.packed_bare"
+            sizes = pack_words(facts, self.unit)
+            lines.append(say(key, size=sizes, layers=facts.layers))
         lines.append(say("cover.sheet", size=box(facts.sheet, self.unit)))
         if facts.mass is not None:
             lines.append(say("cover.mass", mass=f"{plain(facts.mass, 3)} kg"))
@@ -202,7 +203,8 @@ class _Book:
         """The boxes that packs need, and the mass."""
         say, facts = self.words.say, self.facts
         y = HIGH - TOP - TITLE
-        lines = [say("packing.text"), ""]
+        text = "packing.text" if facts.construction else "packing.text_bare"
+        lines = [say(text, layers=facts.layers), ""]
         lines += [
             say("packing.one", number=number, size=box(pack, self.unit))
             for number, pack in enumerate(facts.packs, 1)

@@ -25,6 +25,7 @@ from orishell.shell.make import Shell
 from orishell.workshop.card_model import make_card_model
 from orishell.workshop.kit_facts import find_facts
 from orishell.workshop.kit_parts import kit_parts
+from orishell.workshop.kit_steps import pack_words
 from orishell.workshop.words import load_words
 
 FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
@@ -72,7 +73,7 @@ TRADES: Final = {
 class Kit:
     """A kit that was written."""
 
-    files: tuple[Path, ...]
+    files: tuple[Path, ...]  # where they are now
     scale: float  # size of the model relative to the shell; 1 for the shell itself
 
 
@@ -177,7 +178,8 @@ def _readme(document: Document, folders: dict[str, list[Path]]) -> Iterator[str]
     yield ""
     yield f"- Opened: {box(facts.opened, unit)}"
     if facts.packs and facts.starts_packed:
-        yield f"- Packed: {'; '.join(box(pack, unit) for pack in facts.packs)}"
+        bare = "" if facts.construction else f", without the thickness of {facts.layers} layers"
+        yield f"- Packed: {pack_words(facts, unit)}{bare}"
     yield f"- Flat sheet: {box(facts.sheet, unit)}"
     if facts.mass is not None:
         yield f"- Mass: {plain(facts.mass, 3)} kg"

@@ -25,6 +25,7 @@ class KitFacts:
     opened: tuple[float, float, float]
     # sides of the packs of all pieces; none where they were not measured
     packs: tuple[tuple[float, float, float], ...]
+    layers: int  # panels that lie on each other in a pack, at most; 0 where it was not measured
     mass: float | None  # kg; None where it is not known
     ties: tuple[float, ...]  # their lengths
     tied: Integers  # vertices (K, 2) that they join
@@ -65,6 +66,7 @@ def find_facts(document: Document) -> KitFacts:
             (factor * each["length"], factor * each["width"], factor * each["height"])
             for each in packs
         ),
+        layers=max((int(each.get("layers", 0)) for each in packs), default=0),
         mass=None if model else _mass(document.report),
         ties=_tie_lengths(points, tied) if model else lengths,
         tied=tied,

@@ -93,8 +93,9 @@ def _tie(document: Document, facts: KitFacts) -> Step:
 def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[Step]:
     if not facts.packs:
         return
-    values = {"packs": pack_words(facts, unit), "count": plain(len(facts.packs))}
-    yield Step("load", values, "pack", piece)
+    values = {"packs": pack_words(facts, unit), "layers": plain(facts.layers)}
+    name = "load" if facts.construction else "load_bare"
+    yield Step(name, values, "pack", piece)
     if facts.mass is not None:
         values["mass"] = f"{plain(facts.mass, 3)} kg"
         values["people"] = plain(-(-facts.mass // PERSON_KG))

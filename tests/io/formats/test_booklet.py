@@ -39,7 +39,7 @@ HELD = {
     "columns": 9,
     "deployment": {
         "start": "pack",
-        "packed": {"length": 3.0, "width": 2.0, "height": 1.0},
+        "packed": {"length": 3.0, "width": 2.0, "height": 1.0, "layers": 12},
         "ties": [{"ends": [[0, 2], [6, 2]], "length": 1.2345}],
     },
     "quantities": {"mass_kg": 60.0},
@@ -112,7 +112,7 @@ def test_it_says_what_is_known(tmp_path: Path) -> None:
     write_booklet(tmp_path / "booklet.pdf", held_document(), Settings())
     pages = [page.extract_text() for page in PdfReader(tmp_path / "booklet.pdf").pages]
     text = " ".join(" ".join(pages).split())
-    assert "Packed: 3 x 2 x 1 m" in text
+    assert "Packed: 3 x 2 x 1 m, without the thickness of 12 layers" in text
     assert "If each person carries 25 kg, it takes 3." in text
     assert "Ties are 1.234 m long from end to end." in text or "1.235 m long" in text
     titles = re.findall(
