@@ -15,7 +15,7 @@ from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
 from orishell.workshop.kit_facts import KitFacts, find_facts
 from orishell.workshop.kit_parts import KitPart, kit_parts, kit_tools
-from orishell.workshop.kit_steps import Step, kit_steps, pack_words
+from orishell.workshop.kit_steps import Step, kit_steps, pack_boxes, pack_words
 from orishell.workshop.line_drawing import LineDrawing, draw_lines
 from orishell.workshop.words import Words, load_words
 
@@ -206,8 +206,8 @@ class _Book:
         text = "packing.text" if facts.construction else "packing.text_bare"
         lines = [say(text, layers=facts.layers), ""]
         lines += [
-            say("packing.one", number=number, size=box(pack, self.unit))
-            for number, pack in enumerate(facts.packs, 1)
+            say("packing.one", number=number, size=sides)
+            for number, sides in enumerate(pack_boxes(facts, self.unit), 1)
         ]
         loose = [
             f"{say('times', count=part.count)} {say(f'parts.{part.name}')}"

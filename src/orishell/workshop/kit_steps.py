@@ -10,6 +10,8 @@ from orishell.document import FLAT, SHELL, Document
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.workshop.kit_facts import KitFacts, middle_state
 
+SLIM = 0.03
+"""A pack less high than this share of its length is flat."""
 PERSON_KG = 25.0
 """What one person carries."""
 
@@ -105,7 +107,15 @@ def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[St
 
 def pack_words(facts: KitFacts, unit: str) -> str:
     """The sides of all packs."""
-    return "; ".join(box(pack, unit) for pack in facts.packs)
+    return "; ".join(pack_boxes(facts, unit))
+
+
+def pack_boxes(facts: KitFacts, unit: str) -> tuple[str, ...]:
+    """The sides of each pack; of panels without a thickness a flat one has no height."""
+    return tuple(
+        box(pack[:2] if not facts.construction and pack[2] < SLIM * pack[0] else pack, unit)
+        for pack in facts.packs
+    )
 
 
 DIGITS = 4
