@@ -96,7 +96,7 @@ class Document:
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
     # its size relative to the shell, if it is a model of it; None if it is the shell itself
-    model_scale: float | None = None
+    model_scale: float | None = field(default=None, repr=False)
     # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 
