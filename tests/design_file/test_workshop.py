@@ -42,6 +42,9 @@ def test_all_keys(tmp_path: Path) -> None:
     paper_scale = 0.1
     model_scale = 0.05
     areal_density = 1.4
+    cutting_error = 0.0003
+    cutting_bias = 0.0001
+    cutting = "boards"
     """
     settings = read(tmp_path, text)
     assert settings.stock == (1.2, 0.8)
