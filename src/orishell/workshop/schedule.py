@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.hinge_parts import fittings_of
-from orishell.workshop.settings import Workshop
+from orishell.workshop.settings import HingeKind, Workshop
 
 Names = NDArray[np.str_]
 PACK: Final = "pack"
@@ -111,7 +111,7 @@ def _kinds(document: Document, edges: Integers, directions: Names, workshop: Wor
     return np.asarray(kinds, dtype=np.str_)
 
 
-_ALL: Final = ("auto", "membrane", "piano hinge", "tape")
+_ALL: Final = ("auto", *get_args(HingeKind))
 _UNFIT: Final[dict[str, tuple[str, ...]]] = {
     "bevel": ("membrane",),
     "hinged": ("membrane", "tape"),

@@ -16,8 +16,8 @@ CreaseStyle = Literal["score", "dashes", "perforation"]
 Labels = Literal["none", "panels", "creases", "both"]
 Joint = Literal["tabs", "strips"]
 Paper = Literal["A4", "A3"]
-HingeKind = Literal["auto", "membrane", "piano hinge", "tape"]
-"""What joins panels along a crease; "auto" follows the construction."""
+HingeKind = Literal["membrane", "piano hinge", "tape"]
+"""What joins panels along a crease."""
 Auto = Literal["auto"]
 LEAST, MOST = 1e-12, 1e12
 """Numbers beyond these are refused: what is computed from them would overflow in the end."""
@@ -112,12 +112,18 @@ class Workshop(Table):
         NoLength, _length("Tie ends", "Length that ties have beyond either end, to be fixed by")
     ] = 0.0
     row_hinge: Annotated[
-        HingeKind,
-        _choice("Row hinges", "What joins panels along row creases; auto: as built", HingeKind),
+        HingeKind | Auto,
+        _choice(
+            "Row hinges", "What joins panels along row creases; auto: as they are built", HingeKind
+        ),
     ] = "auto"
     column_hinge: Annotated[
-        HingeKind,
-        _choice("Column hinges", "What joins panels along column creases", HingeKind),
+        HingeKind | Auto,
+        _choice(
+            "Column hinges",
+            "What joins panels along column creases; auto: as they are built",
+            HingeKind,
+        ),
     ] = "auto"
     stock_price: Annotated[NoLength, _price("Stock price", "Of one sheet of stock")] = 0.0
     roll_price: Annotated[NoLength, _price("Roll price", "Of one roll")] = 0.0
