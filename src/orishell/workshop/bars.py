@@ -8,7 +8,6 @@ half a bar have one each, and what those leave room for is taken off the sum of 
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_left, insort
 
 import numpy as np
@@ -17,6 +16,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
+from orishell.workshop.fitting import above
 
 SLACK = 1e-9
 """A piece fits if it is no longer than the bar by more than this share of it."""
@@ -76,12 +76,6 @@ def cut_bars(lengths: Array, bar: float, kerf: float, key: str, what: str) -> Cu
         of[piece] = number
         insort(left, (rest - size, number))
     return CutBars(bar, count, _least(sizes, room), of)
-
-
-def above(length: float) -> float:
-    """A length in four digits, rounded up."""
-    unit = 10.0 ** (math.floor(math.log10(length)) - 3)
-    return math.ceil(length / unit * (1 - 1e-12)) * unit
 
 
 def _least(sizes: Array, room: float) -> int:

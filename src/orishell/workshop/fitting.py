@@ -125,11 +125,19 @@ class CutSheet:
 
 
 class OversizeError(InputError):
-    """Panels that the stock is too small for, the largest by a factor (more than 1)."""
+    """Panels that the stock is too small for.
 
-    def __init__(self, what: str, factor: float, **facts: Any) -> None:
+    Parameters
+    ----------
+    factor
+        By how much the largest of them is larger (more than 1).
+    needed
+        Sides of stock, margins included, that all panels fit, the longer one first (length).
+    """
+
+    def __init__(self, what: str, factor: float, needed: tuple[float, float], **facts: Any) -> None:
         super().__init__(what, **facts)
-        self.factor = factor
+        self.factor, self.needed = factor, needed
 
 
 def require_panels_fit(
@@ -168,15 +176,16 @@ def require_panels_fit(
     largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))])
     stock = sorted((sheet.width, sheet.height))
     # Those that fit the stock as it is must fit what is offered, too.
-    needed = [_above(side + 2 * margin) for side in sides.max(axis=0).tolist()]
+    low, high = (above(side + 2 * margin) for side in sides.max(axis=0).tolist())
     rim = f", with its margins of {plain(margin)}" if margin else ""
     raise OversizeError(
         f"{len(wrong)} of {len(sheet.corners)} panels do not fit the "
         f"{'roll' if key.endswith('roll') else 'stock'}",
         max(short / stock[0], long / stock[1], 1 + SLACK),
+        (high, low),
         keys=(key,),
         got=f"{sheet.width + 2 * margin:.6g} x {sheet.height + 2 * margin:.6g}{rim}",
-        expected=f"at least {needed[1]} x {needed[0]}{rim}, in which each of them fits; "
+        expected=f"at least {plain(high)} x {plain(low)}{rim}, in which each of them fits; "
         f"the longest is panel {largest}, with its tabs if it has any",
         remedy=f"larger {'rolls' if key.endswith('roll') else 'stock'}, or more rows or columns",
     )
@@ -186,7 +195,11 @@ POLYGON = 3
 """The type of a polygon, as shapely numbers them."""
 
 
-def _above(length: float) -> str:
+def above(length: float) -> float:
     """A length in four digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(length)) - 3)
-    return f"{plain(math.ceil(length / unit) * unit)}"
+    return float(plain(math.ceil(length / unit * (1 - ROUNDING)) * unit))
+
+
+ROUNDING = 1e-12
+"""By such a share a length may be above the one that is meant."""
