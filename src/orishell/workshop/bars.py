@@ -58,6 +58,7 @@ def cut_bars(lengths: Array, bar: float, kerf: float, key: str, what: str) -> Cu
             keys=(key,),
             got=plain(bar),
             expected=f"at least {plain(above(float(lengths[longest])))}",
+            remedy="longer coils" if "tie" in key else "longer bars, or more rows or columns",
         )
     # A cut after every piece, and a bar that is longer by one: the last piece needs none.
     room = (bar + kerf) * (1 + SLACK)
