@@ -24,7 +24,15 @@ BUILDS: dict[str, Tables] = {
 def shell_of(build: str) -> Shell:
     design = tables("parallel-repeating", F, G, rows=5, columns=5, flap=0)
     design["panel"] = BUILDS[build]
-    skipped: tuple[Step, ...] = ("verification", "pack", "weight", "deviation", "structure", "remedies", "stock")
+    skipped: tuple[Step, ...] = (
+        "verification",
+        "pack",
+        "weight",
+        "deviation",
+        "structure",
+        "remedies",
+        "stock",
+    )
     return make_shell(check_design(design, Path("shell.toml")), skip=skipped)
 
 

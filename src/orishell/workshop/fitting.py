@@ -145,6 +145,8 @@ def require_panels_fit(
 ) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
 
+    Where panels are cut from it more than once, as boards of two faces are, all follow each other.
+
     Parameters
     ----------
     margin
@@ -173,14 +175,15 @@ def require_panels_fit(
     rings = shapely.get_coordinates(boxes[flat]).reshape(-1, 5, 2)
     sides[flat] = np.sort(np.hypot(*np.diff(rings[:, :3], axis=1).T).T, axis=1)
     short, long = sides[wrong].max(axis=0).tolist()
-    largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))])
+    count = len(document.mesh.faces)
+    largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))] % count)
+    many = len({k % count for k in wrong})
     stock = sorted((sheet.width, sheet.height))
     # Those that fit the stock as it is must fit what is offered, too.
     low, high = (above(side + 2 * margin) for side in sides.max(axis=0).tolist())
     rim = f", with its margins of {plain(margin)}" if margin else ""
     raise OversizeError(
-        f"{len(wrong)} of {len(sheet.corners)} panels do not fit the "
-        f"{'roll' if key.endswith('roll') else 'stock'}",
+        f"{many} of {count} panels do not fit the {'roll' if key.endswith('roll') else 'stock'}",
         max(short / stock[0], long / stock[1], 1 + SLACK),
         (high, low),
         keys=(key,),

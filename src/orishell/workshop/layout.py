@@ -95,10 +95,9 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     if workshop.stock is None or document.boards is None or (has_sheet(document) and not own_roll):
         return
     everything = with_clipped(document)
-    for side in SIDES:
-        outlines = _board_outlines(everything, side)
-        sheet = CutSheet.apart(outlines, *usable_stock(workshop))
-        require_panels_fit(everything, sheet, workshop.margin)
+    outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
+    sheet = CutSheet.apart(outlines, *usable_stock(workshop))
+    require_panels_fit(everything, sheet, workshop.margin)
 
 
 def _require_sheet(document: Document, workshop: Workshop) -> None:
