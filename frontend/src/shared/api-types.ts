@@ -1051,6 +1051,10 @@ export interface PanelReport {
   largest_fold_deg: number;
   /** How far boards stand back at most. */
   largest_setback: number;
+  /** The least share of a panel that a board covers, on the face on which that is least; flaps that are clipped on are left out. */
+  least_share: number;
+  /** How far a chamfer of solid panels leans from a square cut at most; None if there is none. */
+  steepest_chamfer_deg: number | null;
   /** Their number, those of clipped flaps included. */
   boards: number;
   /** Number of vertices at which corners of boards are cut off, and how far at most. */
