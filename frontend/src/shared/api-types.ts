@@ -952,6 +952,30 @@ export interface Objective {
   label: string;
 }
 
+/** One line of the order; lengths and areas in the document's unit, None where not known. */
+export interface OrderRow {
+  /** What it is for: "boards", "membrane", "sheet", "arms", "ties", or a kind of hinge. */
+  item: string;
+  /** In words, with its thickness. */
+  what: string;
+  /** How many sheets, rolls, bars or coils; None if nobody says how it is sold. */
+  count: number | null;
+  /** How few would do at least, where it is proved that fewer cannot. */
+  least: number | null;
+  /** Of one: width and height, or length; empty if nobody says. */
+  size: number[];
+  /** Of what is used: "m2" for areas, "m" for lengths. */
+  unit: string;
+  /** Area or length of all parts. */
+  used: number;
+  /** Share of what is ordered that is not used. */
+  waste: number | null;
+  /** Of the parts. */
+  mass_kg: number | null;
+  /** Of all that is ordered. */
+  price: number | null;
+}
+
 /** A shell under its own weight, from flat to packed, flaps that are clipped on left out. */
 export interface OwnWeight {
   /** Newtons, or the shell's weight if its mass is not known. */
@@ -1076,6 +1100,10 @@ export interface PanelReport {
   largest_fold_deg: number;
   /** How far boards stand back at most. */
   largest_setback: number;
+  /** The least share of a panel that a board covers, on the face on which that is least; flaps that are clipped on are left out. */
+  least_share: number;
+  /** How far a chamfer of solid panels leans from a square cut at most; None if there is none. */
+  steepest_chamfer_deg: number | null;
   /** Their number, those of clipped flaps included. */
   boards: number;
   /** Number of vertices at which corners of boards are cut off, and how far at most. */
@@ -1196,6 +1224,8 @@ export interface Quantities {
   mass_kg: number | null;
   /** Boards, membrane and hinges; None if panels have no thickness. */
   built: PanelBill | null;
+  /** What to order. */
+  order: OrderRow[];
 }
 
 /** Values of a parameter that were tried, and those that work. */
@@ -1601,7 +1631,7 @@ export interface Verified {
   view: string | null;
 }
 
-/** How much stock is used, and the length of cuts and creases, in the document's unit. */
+/** How much of stock or rolls is used, and how long cuts and creases are (document's unit). */
 export interface Waste {
   /** Number of sheets of stock. */
   sheets: number;

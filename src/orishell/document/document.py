@@ -18,6 +18,7 @@ from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import Boards
+from orishell.motion.grid import VertexPair
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -49,6 +50,14 @@ class FirstContact:
 
     drive_deg: float  # drive angle at which they do
     panels: tuple[int, int]  # their numbers
+
+
+@record
+class DocumentTie:
+    """A tie between two vertices, taut in the shell as it stands."""
+
+    ends: VertexPair  # its vertices by row and column of the grid
+    length: float  # from end to end
 
 
 @record
@@ -95,6 +104,7 @@ class Document:
     # boards that are no part of the sheet and clipped on at the target, in the same frame, flat and
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
+    ties: tuple[DocumentTie, ...] = field(default=(), repr=False)
     # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 

@@ -16,7 +16,7 @@ from orishell.deployment.report import with_measures
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
-from orishell.document import Document, FirstContact
+from orishell.document import Document, DocumentTie, FirstContact
 from orishell.document.from_design import document_of_motion
 from orishell.families.registry import AUTO
 from orishell.locking import Lock
@@ -173,6 +173,8 @@ def _step_by_step(
         weighed="weight" not in skip,
     )
     document = _document(file, design, lock, motion)
+    ties = tuple(DocumentTie(tie.ends, tie.length) for tie in deployment.ties)
+    document = replace(document, ties=ties)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
     cutting = None if "cutting" in skip else find_cutting(design, file.workshop, feet)
     analysis = None

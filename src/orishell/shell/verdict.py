@@ -14,6 +14,7 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
+from orishell.workshop.order import order_in_words
 
 CONTACT, STOCK, STRUCTURE, CUTTING = (
     "contact between panels on the way",
@@ -56,6 +57,7 @@ def find_verdict(
         *_locks(report),
         *_packs(report),
         *_fits(report, stock),
+        *order_in_words(report.quantities.order),
         *_unchecked(report),
         *_boards(report),
         *_hinges(report),
