@@ -16,6 +16,7 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
+from orishell.document.ground import GroundPlan
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import Boards
 from orishell.motion.mesh import QuadMesh
@@ -95,6 +96,8 @@ class Document:
     # boards that are no part of the sheet and clipped on at the target, in the same frame, flat and
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
+    # its feet in plan; None if it cannot stand, or that was not measured
+    ground: GroundPlan | None = field(default=None, repr=False)
     # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 

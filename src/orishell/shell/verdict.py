@@ -64,6 +64,7 @@ def find_verdict(
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *_sizes(report),
         *_weighs(report.deployment),
+        *_ground(report.deployment, report.unit),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -339,3 +340,18 @@ def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
     work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
     raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
     yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
+
+
+def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
+    """The ground that it needs on its way, and the people."""
+    plan, raising = deployment.ground, deployment.raising
+    if plan is None or plan.swept is None:
+        return
+    swept = plan.swept
+    wide, deep, high = (
+        size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
+    )
+    crew = ""
+    if raising is not None and raising.carried_by is not None:
+        crew = f"; {raising.carried_by} people carry it"
+    yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")
