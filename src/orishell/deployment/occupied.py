@@ -1,4 +1,4 @@
-"""The space that the panels of a shell take up while it moves: corners of panels as thick as boards.
+"""The space that panels take up while a shell moves: their corners, as thick as boards.
 
 Between two states at drives a and b a vector e between two of these corners stays near the straight
 line between its values there, by

@@ -21,8 +21,8 @@ from orishell.deployment.weight import Body, OwnWeight
 from orishell.numerics.arrays import Array
 
 PERSON = 23 * GRAVITY
-"""What one person can lift, and is taken to pull (N): the load of 23 kg that the lifting equation of
-NIOSH (1991) allows under the best conditions."""
+"""What one person can lift, and is taken to pull (N): the load of 23 kg that NIOSH's lifting
+equation (1991) allows under the best conditions."""
 STAGES = 4
 """The way has so many parts, of the same change of the drive."""
 STEP = 1e-3

@@ -96,7 +96,7 @@ class Standing:
     def turning(
         self, first: Array, last: Array, ranges: tuple[Array, Array]
     ) -> tuple[Array, Array]:
-        """How far the ground turns in ranges (S,), and how far that is from turning evenly (radians).
+        """How far the ground turns in ranges (S,), and how far that is from even (radians).
 
         By the vectors (S, 3) between the feet at both ends.
         """
@@ -110,7 +110,7 @@ class Standing:
         with np.errstate(divide="ignore", invalid="ignore"):
             swing = angle + np.arcsin(np.clip(off / (nearest + off), 0.0, 1.0))
             swing = np.where(nearest > 0, swing, np.pi)
-            # Where feet meet at the end, their distance over what is left of the way has the direction.
+            # Where feet meet at the end, vectors over what is left of the way have the direction.
             at_end = 0.5 * acceleration * step**2 / long[0]
             swing = np.where(
                 met, np.where(at_end < 1, 2 * np.arcsin(np.minimum(at_end, 1)), np.pi), swing

@@ -1,20 +1,20 @@
 """The ground that a shell needs while it moves, and its height: nothing of it is ever outside.
 
-The outline is the convex hull of the shell's plans in some states, with a margin. Between two states
-at drives a and b, apart by h, let e be the vector from the middle of the feet to a corner, and W the
+The outline is the convex hull of the shell's plans in some states, with a margin. Between states at
+drives a and b, apart by h, let e be the vector from the middle of the feet to a corner, and W the
 turn from the frame of the mechanism to the ground. With straight lines between their values,
 
     abs(e - e_line) <= h^2/8 max abs(e''),          abs(W - W_line) <= h^2/8 max abs(W''),
 
 and W_line e_line leaves the straight line between the corner's two places on the ground by no more
-than abs(W_b - W_a) abs(e_b - e_a)/4. That line lies in the hull. W depends on the direction u of the
-line between the feet alone; with its slope, of the cosine c, and its turning v = abs(u'),
+than abs(W_b - W_a) abs(e_b - e_a)/4. That line lies in the hull. W depends on the direction u of
+the line between the feet alone; with its slope, of the cosine c, and its turning v = abs(u'),
 
     abs(W'') <= 2 abs(u'')/c + 5 v^2/c^2.
 
-Where feet nearly meet that is too much, and the turn within the range is taken: by at most the angle
-t that u leaves its values at both ends, over c, so that a corner moves by t abs(e)/c. Ranges are
-parted until the margin takes a small share of the area, or what moves in them is well inside.
+Where feet nearly meet that is too much, and the turn within the range is taken: if u leaves its
+values at both ends by an angle t at most, a corner moves by t abs(e)/c. Ranges are parted until the
+margin takes a small share of the area, or what moves in them is well inside.
 """
 
 from __future__ import annotations
@@ -49,8 +49,7 @@ class Sweep:
     outline: Array  # convex, (K, 2), counter-clockwise, margin included
     margin: float  # what was added for the way between two states (length)
     states: int  # how many states were made
-    # the greatest height of a state, from its lowest corner to its highest, margin included (length)
-    height: float
+    height: float  # the greatest of a state from lowest to highest corner, margin included
     highest_at: float  # where it is as high (radians)
     # how far it gets below the middle of its feet, margin included where it does (length)
     below: float

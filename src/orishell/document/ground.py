@@ -27,6 +27,11 @@ class GroundFoot:
     sideways: float | None = None
     ballast: float | None = None  # mass that holds it without an anchor (kg); None likewise
 
+    @property
+    def asked(self) -> tuple[float | None, ...]:
+        """What is asked of the ground: forces down, up and along it (N), and ballast (kg)."""
+        return self.push, self.pull, self.sideways, self.ballast
+
 
 @record
 class SweptGround:
@@ -66,3 +71,23 @@ class GroundPlan:
     # the ground that it needs on its way; None where it is opened in pieces, or feet meet so that
     # nobody knows how it is turned
     swept: SweptGround | None
+
+    def table(self, unit: str) -> tuple[list[str], list[list[object]]]:
+        """Names of columns, and a row for each foot: from the corner, and in world coordinates.
+
+        What is asked of the ground is empty where it is not known.
+        """
+        x, y = self.corner
+        heads = [
+            *("foot", "row", "column"),
+            *(f"{name}_{unit}" for name in ("x", "y", "z", "world_x", "world_y")),
+            *("push_N", "pull_N", "sideways_N", "ballast_kg"),
+        ]
+        rows: list[list[object]] = [
+            [
+                *(foot.number, *foot.at, foot.x, foot.y, foot.z, x + foot.x, y + foot.y),
+                *("" if each is None else each for each in foot.asked),
+            ]
+            for foot in self.feet
+        ]
+        return heads, rows

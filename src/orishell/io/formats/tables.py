@@ -21,6 +21,7 @@ from orishell.solids.hinged.pieces import piece_numbers
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_parts, nest_boards
+from orishell.workshop.ground_plan import ground_beside
 from orishell.workshop.hinge_parts import fittings_of, hinge_names
 
 FORMULA = ("=", "+", "-", "@", "\t", "\n")
@@ -62,7 +63,7 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
     other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, hinges
     of whole boards to ``hinges.csv``, the kinds of their arms to ``arms.csv``, joints of pieces to
-    ``joints.csv``. The first
+    ``joints.csv``; feet, from one corner, to ``ground.csv``. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.
     """
@@ -74,6 +75,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     write_csv(beside("creases"), *_creases(document))
     if document.boards is not None:
         write_csv(beside("boards"), *_boards(document, settings.workshop))
+    if document.ground is not None:
+        write_csv(ground_beside(path), *document.ground.table(document.unit))
     fittings = fittings_of(document)
     if fittings is not None:
         write_csv(beside("hinges"), *_hinges(document, fittings))
