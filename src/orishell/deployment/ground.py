@@ -54,7 +54,7 @@ def plan_ground(
         feet=tuple(
             GroundFoot(number, (row, column), *away) for number, ((row, column), away) in numbered
         ),
-        outline=from_corner(at_target(standing, occupied, beside)[0]),
+        hull=from_corner(at_target(standing, occupied, beside)[0]),
         swept=None if sweep is None else _swept(sweep, from_corner(sweep.outline)),
     )
 
@@ -83,7 +83,7 @@ def _clipped(document: Document) -> Array | None:
 def _swept(sweep: Sweep, outline: Array) -> SweptGround:
     width, depth = np.ptp(outline, axis=0).tolist()
     return SweptGround(
-        outline=outline,
+        hull=outline,
         width=width,
         depth=depth,
         area=float(polygon(outline).area),

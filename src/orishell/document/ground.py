@@ -45,7 +45,7 @@ class SweptGround:
         "margin", "states",
     )  # fmt: skip
 
-    outline: Array  # (K, 2), convex, from the corner, counter-clockwise (length)
+    hull: Array  # its outline (K, 2), convex, from the corner, counter-clockwise (length)
     # size of the rectangle around it along x and y (length), and its area
     width: float
     depth: float
@@ -58,6 +58,11 @@ class SweptGround:
     margin: float
     states: int  # how many these are
 
+    @property
+    def outline(self) -> tuple[tuple[float, float], ...]:
+        """The corners of its outline."""
+        return _pairs(self.hull)
+
 
 @record
 class GroundPlan:
@@ -67,10 +72,15 @@ class GroundPlan:
 
     corner: tuple[float, float]  # the corner in world coordinates, x and y
     feet: tuple[GroundFoot, ...]
-    outline: Array  # convex hull (K, 2) of the plan of the shell, from the corner (length)
+    hull: Array  # convex hull (K, 2) of the plan of the shell, from the corner (length)
     # the ground that it needs on its way; None where it is opened in pieces, or feet meet so that
     # nobody knows how it is turned
     swept: SweptGround | None
+
+    @property
+    def outline(self) -> tuple[tuple[float, float], ...]:
+        """The corners of the convex hull of the shell."""
+        return _pairs(self.hull)
 
     def table(self, unit: str) -> tuple[list[str], list[list[object]]]:
         """Names of columns, and a row for each foot: from the corner, and in world coordinates.
@@ -91,3 +101,7 @@ class GroundPlan:
             for foot in self.feet
         ]
         return heads, rows
+
+
+def _pairs(corners: Array) -> tuple[tuple[float, float], ...]:
+    return tuple((x, y) for x, y in corners.tolist())

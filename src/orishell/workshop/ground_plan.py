@@ -103,8 +103,8 @@ def _facts(plan: GroundPlan, unit: str) -> list[str]:
 
 
 def _legend(plan: GroundPlan, unit: str) -> list[tuple[str, str, str]]:
-    wide, deep = (decimal(each, unit) for each in np.ptp(plan.outline, axis=0).tolist())
-    rows = [("PLAN", "LINE", "SIZE"), ("shell", "solid", f"{wide} × {deep} {unit}")]
+    wide, deep = (size(each, unit) for each in np.ptp(plan.hull, axis=0).tolist())
+    rows = [("PLAN", "LINE", "SIZE"), ("shell", "solid", f"{wide} × {deep}")]
     if plan.swept is not None:
         swept = plan.swept
         wide, deep = (size(each, unit, bound=True) for each in (swept.width, swept.depth))
@@ -118,7 +118,7 @@ class _Plan:
 
     def __init__(self, plan: GroundPlan, unit: str) -> None:
         self.plan, self.unit = plan, unit
-        around = [plan.outline] if plan.swept is None else [plan.outline, plan.swept.outline]
+        around = [plan.hull] if plan.swept is None else [plan.hull, plan.swept.hull]
         self.feet = np.array([(foot.x, foot.y) for foot in plan.feet])
         points = np.concatenate([*around, self.feet])
         self.low, self.high = points.min(axis=0), points.max(axis=0)
@@ -132,9 +132,9 @@ class _Plan:
     def content(self) -> Content:
         """Lines, circles and words."""
         plan, letter = self.plan, self.letter
-        lines = [Line("ENGRAVE", plan.outline, closed=True)]
+        lines = [Line("ENGRAVE", plan.hull, closed=True)]
         if plan.swept is not None:
-            lines += _dashed(plan.swept.outline, letter * DASH, letter * GAP)
+            lines += _dashed(plan.swept.hull, letter * DASH, letter * GAP)
         arm = CROSS * letter * np.array([[-1.0, 0.0], [1.0, 0.0]])
         for foot in self.feet:
             lines += [Line("CUT", foot + arm), Line("CUT", foot + arm[:, ::-1])]

@@ -56,8 +56,10 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     places of the sheet on both. Pages that the sheet does not touch are left out. If there are
     several, a page with their order comes first. Where panels have a thickness, the back of the
     membrane and the boards of each layer follow at the same scale, in files of their own:
-    ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count. The plan of the feet of
-    a shell that can stand is ``ground.pdf``, on one page, at the largest usual scale that it fits.
+    ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count.
+
+    The plan of the feet of a shell that can stand is ``ground.pdf``, on one page, at the largest
+    usual scale at which it fits.
     """
     model = make_paper_model(document, settings.workshop)
     _write_model(path, model)
