@@ -50,6 +50,12 @@ class Occupied:
         low, high = np.where(bare, 0.0, low), np.where(bare, 0.0, high)
         return cls(mechanism, low, high, boards.hinges, _beyond(mechanism, boards))
 
+    @property
+    def count(self) -> int:
+        """How many corners there are."""
+        layout = Layout.of(self.mechanism)
+        return int(layout.faces.max()) + 1 if self.low is None else 8 * len(layout.faces)
+
     def at(self, drives: Array) -> Array:
         """Corners (S, N, 3) at drives (S,): no panel or board reaches out of their convex hull.
 

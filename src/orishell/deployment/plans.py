@@ -41,9 +41,10 @@ def polygon(corners: Array) -> Polygon:
 
 def hull_of(points: Array) -> Array:
     """Corners (K, 2) of the hull of points (N, 2), counter-clockwise; if in a line, its ends."""
-    from shapely.geometry import MultiPoint, Polygon
+    from shapely import LineString
+    from shapely.geometry import Polygon
 
-    hull = MultiPoint(points).convex_hull
+    hull = LineString(points).convex_hull
     return corners_of(hull) if isinstance(hull, Polygon) else np.array(hull.coords)
 
 

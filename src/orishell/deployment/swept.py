@@ -34,10 +34,13 @@ FIRST = 24
 """Ranges that are begun with."""
 SHARE = 0.004
 """The margin takes about this share of the area."""
-PARTS = 16
+PARTS = 4
 """A range is parted into so many at once, at most."""
-ROUNDS, MOST = 12, 2048
-"""So often are ranges parted, and no more than so many are looked at in one round."""
+ROUNDS, MOST = 24, 20_000_000
+"""So often are ranges parted, and no more than so many corners are placed, of all states."""
+SMALLEST = 2.0**-30
+"""A range that is a smaller part than this of the way is not parted: at the very end of a motion
+accelerations may grow beyond all bounds. Both its ends are inside."""
 NUMBERS = 2_000_000
 """Coordinates that are held at once: memory grows with it."""
 
@@ -95,18 +98,18 @@ def find_sweep(
     Returns
     -------
     Sweep or None
-        None if the direction of its feet is not known somewhere on the way.
+        None if that takes too many states, as where panels turn over within a small part of it.
     """
     target = standing.mechanism.target_drive
     hull, *heights = at_target(standing, occupied, beside)
     cuts = np.linspace(min(end, target), max(end, target), FIRST + 1)
     start, stop = cuts[:-1], cuts[1:]
-    made = 1
+    made, corners = 1, occupied.count
     shape = polygon(hull)
     margin = SHARE * shape.area / shape.length
     states = np.array([[target, *heights]])
     for _ in range(ROUNDS):
-        if len(start) > MOST:
+        if (made + len(start)) * corners > MOST:
             return None
         looked = _look(standing, occupied, start, stop)
         made += 1 + len(start)
@@ -117,6 +120,7 @@ def find_sweep(
         )
         states = np.concatenate([states, *ends])
         left = ~_within(looked, hull, margin, float(states[:, 1].max()), float(states[:, 2].min()))
+        left &= stop - start > SMALLEST * abs(end - target)
         if not left.any():
             return _swept(states, hull, margin, occupied.beyond, made)
         start, stop = _parted(looked.only(left), margin)
@@ -168,8 +172,7 @@ def _look(standing: Standing, occupied: Occupied, start: Array, stop: Array) -> 
 
 def _looked(standing: Standing, occupied: Occupied, start: Array, stop: Array) -> Iterator[_Looked]:
     """The same for some of them at a time."""
-    size = occupied.at(np.array([0.0]))[0].size
-    batch = max(1, NUMBERS // size - 1)
+    batch = max(1, NUMBERS // (3 * occupied.count) - 1)
     for part in (slice(k, k + batch) for k in range(0, len(start), batch)):
         drives, numbers = np.unique(np.concatenate([start[part], stop[part]]), return_inverse=True)
         ends = np.split(numbers, 2)

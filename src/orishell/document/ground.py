@@ -73,8 +73,8 @@ class GroundPlan:
     corner: tuple[float, float]  # the corner in world coordinates, x and y
     feet: tuple[GroundFoot, ...]
     hull: Array  # convex hull (K, 2) of the plan of the shell, from the corner (length)
-    # the ground that it needs on its way; None where it is opened in pieces, or feet meet so that
-    # nobody knows how it is turned
+    # the ground that it needs on its way; None where it is opened in pieces, or moves so
+    # fast somewhere that nobody knows
     swept: SweptGround | None
 
     @property
