@@ -109,7 +109,7 @@ def _legend(plan: GroundPlan, unit: str) -> list[tuple[str, str, str]]:
         swept = plan.swept
         wide, deep = (size(each, unit, bound=True) for each in (swept.width, swept.depth))
         high = size(swept.height, unit, bound=True)
-        rows += [("on its way", "dashed", f"{wide} × {deep}"), ("height there", "", high)]
+        rows += [("on its way", "dashed", f"{wide} × {deep}"), ("height", "", high)]
     return [*rows, ("feet", "crosses", str(len(plan.feet)))]
 
 
