@@ -353,5 +353,6 @@ def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
     )
     crew = ""
     if raising is not None and raising.carried_by is not None:
-        crew = f"; {raising.carried_by} people carry it"
+        people = raising.carried_by
+        crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
     yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")
