@@ -16,6 +16,7 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
+from orishell.document.ground import GroundPlan
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import Boards
 from orishell.motion.grid import VertexPair
@@ -105,6 +106,8 @@ class Document:
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
     ties: tuple[DocumentTie, ...] = field(default=(), repr=False)
+    # its feet in plan; None if it cannot stand, or that was not measured
+    ground: GroundPlan | None = field(default=None, repr=False)
     # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 

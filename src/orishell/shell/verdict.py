@@ -69,6 +69,7 @@ def find_verdict(
         *_sizes(report),
         *_weighs(report.deployment),
         *(() if report.cutting is None else report.cutting.rows(report.unit)),
+        *_ground(report.deployment, report.unit),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -344,3 +345,19 @@ def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
     work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
     raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
     yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
+
+
+def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
+    """The ground that it needs on its way, and the people."""
+    plan, raising = deployment.ground, deployment.raising
+    if plan is None or plan.swept is None:
+        return
+    swept = plan.swept
+    wide, deep, high = (
+        size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
+    )
+    crew = ""
+    if raising is not None and raising.carried_by is not None:
+        people = raising.carried_by
+        crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
+    yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")
