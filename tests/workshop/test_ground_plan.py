@@ -14,7 +14,7 @@ import shapely
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
-from orishell.io.format import DEFAULT_SETTINGS
+from orishell.io.format import Settings
 from orishell.io.formats.dxf import INSUNITS, write_dxf
 from orishell.io.formats.pdf import write_pdf
 from orishell.io.formats.svg import write_svg
@@ -26,6 +26,7 @@ from orishell.workshop.printed_plan import print_ground
 from orishell.workshop.tiling import BORDER_MM
 
 UNITS = ("mm", "cm", "m", "in", "ft")
+ON_THE_GROUND = Settings(ground=True)
 
 
 def planned(feet: Array, size: float, unit: str = "m") -> Document:
@@ -96,7 +97,7 @@ def test_no_line_and_no_words_go_through_words(shape: object, count: int, unit: 
 @pytest.mark.parametrize("unit", UNITS)
 def test_dxf_is_at_true_size_and_its_audit_finds_nothing(unit: str, tmp_path: Path) -> None:
     document = planned(arc(20, 5.0), 1.2, unit)
-    write_dxf(tmp_path / "pattern.dxf", document, DEFAULT_SETTINGS)
+    write_dxf(tmp_path / "pattern.dxf", document, ON_THE_GROUND)
     file = ezdxf.readfile(tmp_path / "ground.dxf")
     audit = file.audit()
     assert not audit.errors
@@ -131,7 +132,7 @@ def test_files_are_there_and_table_has_the_feet(tmp_path: Path) -> None:
         (write_pdf, "pattern.pdf"),
         (write_tables, "panels.csv"),
     ):
-        write(tmp_path / name, document, DEFAULT_SETTINGS)
+        write(tmp_path / name, document, ON_THE_GROUND)
     assert {"ground.svg", "ground.pdf", "ground.csv"} <= {file.name for file in tmp_path.iterdir()}
     with (tmp_path / "ground.csv").open() as file:
         rows = list(csv.DictReader(file))
@@ -161,5 +162,5 @@ def test_a_shell_without_feet_has_no_plan(tmp_path: Path) -> None:
     assert document.ground is None
     assert draw_ground(document) is None
     assert print_ground(document, "A4") is None
-    write_svg(tmp_path / "pattern.svg", document, DEFAULT_SETTINGS)
+    write_svg(tmp_path / "pattern.svg", document, ON_THE_GROUND)
     assert not (tmp_path / "ground.svg").exists()

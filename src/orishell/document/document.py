@@ -58,7 +58,7 @@ class DocumentTie:
     """A tie between two vertices, taut in the shell as it stands."""
 
     ends: VertexPair  # its vertices by row and column of the grid
-    length: float  # from end to end
+    length: float  # from end to end (length)
 
 
 @record

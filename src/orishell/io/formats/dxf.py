@@ -47,12 +47,12 @@ _LINEWEIGHTS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90,
 def write_dxf(path: Path, document: Document, settings: Settings) -> None:
     """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it.
 
-    The plan of the feet of a shell that can stand is ``ground.dxf``.
+    The plan of the feet of a shell that can stand is ``ground.dxf``, if it is asked for.
     """
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_dxf(place, drawing, palette)
-    ground = draw_ground(document)
+    ground = draw_ground(document) if settings.ground else None
     if ground is not None:
         dump_dxf(ground_beside(path), ground, load_palette("plain"))
 

@@ -58,15 +58,15 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     membrane and the boards of each layer follow at the same scale, in files of their own:
     ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count.
 
-    The plan of the feet of a shell that can stand is ``ground.pdf``, on one page, at the largest
-    usual scale at which it fits.
+    The plan of the feet of a shell that can stand is ``ground.pdf``, if it is asked for, on one
+    page, at the largest usual scale at which it fits.
     """
     model = make_paper_model(document, settings.workshop)
     _write_model(path, model)
     scale = model.tiling.scale
     for ending, layer in make_board_models(document, settings.workshop, scale):
         _write_model(path.with_stem(path.stem + ending), layer)
-    plan = print_ground(document, settings.workshop.paper)
+    plan = print_ground(document, settings.workshop.paper) if settings.ground else None
     if plan is not None:
         _write_plan(ground_beside(path), plan)
 

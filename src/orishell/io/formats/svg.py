@@ -39,12 +39,12 @@ Number = Callable[[float], str]
 def write_svg(path: Path, document: Document, settings: Settings) -> None:
     """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it.
 
-    The plan of the feet of a shell that can stand is ``ground.svg``.
+    The plan of the feet of a shell that can stand is ``ground.svg``, if it is asked for.
     """
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_svg(place, drawing, palette)
-    ground = draw_ground(document)
+    ground = draw_ground(document) if settings.ground else None
     if ground is not None:
         dump_svg(ground_beside(path), ground, load_palette("plain"))
 
