@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from orishell.deployment import OwnWeight, measure_weight
 from orishell.deployment.feet import find_feet
-from orishell.deployment.weight import _Body
+from orishell.deployment.weight import Body
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
@@ -155,7 +155,7 @@ def test_columns_whose_zigzags_nearly_close() -> None:
     sheet = ParallelRepeating(
         np.pi / 2, np.full(2, 0.5), 1, np.array([0, 50 + 0j]), axes, (0.8, 0.6), ("start", "start")
     )
-    body = _Body.of(sheet, (0, 2), 1.0)
+    body = Body.of(sheet, (0, 2), 1.0)
     total = measure_weight(sheet, (0, 2), 1.0, states=2).total
     assert body.thrust(np.pi) == pytest.approx(0.3824673787767197, abs=1e-7 * total)
     assert body.thrust(3.1) == pytest.approx(0.5278814090969229, abs=1e-8 * total)

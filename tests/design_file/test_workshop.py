@@ -34,6 +34,16 @@ def test_all_keys(tmp_path: Path) -> None:
     labels = "both"
     title_block = false
     stock = [1.2, 0.8]
+    roll = [1.5, 50]
+    hinge_stock = 2
+    tie_stock = 50
+    tie_end = 0.1
+    row_hinge = "piano hinge"
+    column_hinge = "tape"
+    stock_price = 60
+    roll_price = 180
+    hinge_price = 12
+    tie_price = 40
     margin = 0.01
     spacing = 0.005
     joint = "strips"
@@ -42,6 +52,9 @@ def test_all_keys(tmp_path: Path) -> None:
     paper_scale = 0.1
     model_scale = 0.05
     areal_density = 1.4
+    cutting_error = 0.0003
+    cutting_bias = 0.0001
+    cutting = "boards"
     """
     settings = read(tmp_path, text)
     assert settings.stock == (1.2, 0.8)
@@ -61,6 +74,11 @@ def test_all_keys(tmp_path: Path) -> None:
         ("kerf = 0.1", "[workshop] kerf"),
         ('palette = "mine.toml"', "[workshop] palette"),
         ('palette = "lightbrun"', "lightburn"),
+        ("roll = [1.5]", "[workshop] roll"),
+        ("hinge_stock = 0", "[workshop] hinge_stock"),
+        ("tie_end = -0.1", "[workshop] tie_end"),
+        ('row_hinge = "screws"', "[workshop] row_hinge"),
+        ("tie_price = -1", "[workshop] tie_price"),
         ("margin = -1", "[workshop] margin"),
         ("areal_density = 1e308", "at most 1e+12"),
         ("areal_density = 5e-324", "got 5e-324, expected 0, or a value of at least 1e-15"),

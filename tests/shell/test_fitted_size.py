@@ -113,7 +113,10 @@ def test_the_report_and_the_verdict_say_sizes_and_factors(tmp_path: Path) -> Non
     path = write(tmp_path, asking("auto", width=3.3, depth=3.7, height=2.8))
     ran = orishell("design", path, "--out", tmp_path / "out", "--write", "obj")
     assert ran.returncode == 0, ran.stderr
-    assert "width 3.3, depth 3.7, height 2.8 m outside; scaled: f by " in ran.stdout
+    assert (
+        "width 3.3, depth 3.7, height 2.8 m outside, boards and flaps included; scaled: f by "
+        in ran.stdout
+    )
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     fitted, wanted = report["fitted"], {"width": 3.3, "depth": 3.7, "height": 2.8}
     assert fitted["asked"] == wanted

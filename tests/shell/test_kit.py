@@ -145,7 +145,9 @@ def test_the_table_names_every_file_that_is_written(tmp_path: Path) -> None:
     for name in (QUICK, "canopy"):
         shell = shell_of(name)
         for format_ in find_formats({*FORMATS, *CARD}):
-            write_format(shell, format_, tmp_path, Settings(workshop=shell.file.workshop))
+            write_format(
+                shell, format_, tmp_path, Settings(workshop=shell.file.workshop, ground=True)
+            )
     for file in tmp_path.iterdir():
         folder = folder_of(file.name, "")
         assert folder is None or folder in TRADES

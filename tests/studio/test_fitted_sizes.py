@@ -23,4 +23,6 @@ def test_a_file_with_sizes_keeps_them_and_its_verdict_says_them() -> None:
     report = answer("verify", {"design": opened}, no_progress)["report"]
     assert report["fitted"]["asked"] == {"width": 4.5, "height": 2.2}
     (said,) = [row["finding"] for row in report["verdict"] if row["subject"] == "sizes"]
-    assert said.startswith("width 4.5, height 2.2 m outside; scaled: f by ")
+    assert said.startswith(
+        "width 4.5, height 2.2 m outside, boards and flaps included; scaled: f by "
+    )

@@ -285,6 +285,10 @@ export interface DeploymentReport {
   ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
   weight: OwnWeight | null;
+  /** Its feet in plan, and the ground that it needs on its way; None likewise. */
+  ground: GroundPlan | null;
+  /** What it takes to raise it by hand; None likewise, or where it is opened in pieces. */
+  raising: Raising | null;
 }
 
 /** Distances between a shell and a surface, both ways (length). */
@@ -678,6 +682,40 @@ export interface Governing {
   utilisation: number;
 }
 
+/** A foot, and what the structure asks of the ground there. */
+export interface GroundFoot {
+  /** From 1, row by row. */
+  number: number;
+  /** Row and column of its vertex in the whole grid. */
+  at: [number, number];
+  /** Where it is, from the corner, and how high over the lowest foot (length). */
+  x: number;
+  /** Where it is, from the corner, and how high over the lowest foot (length). */
+  y: number;
+  /** Where it is, from the corner, and how high over the lowest foot (length). */
+  z: number;
+  /** The largest forces on the ground: down, up, and along it (N); None without a structure. */
+  push: number | null;
+  /** The largest forces on the ground: down, up, and along it (N); None without a structure. */
+  pull: number | null;
+  /** The largest forces on the ground: down, up, and along it (N); None without a structure. */
+  sideways: number | null;
+  /** Mass that holds it without an anchor (kg); None likewise. */
+  ballast: number | null;
+}
+
+/** A plan of the feet of a shell at its target. */
+export interface GroundPlan {
+  /** The corner in world coordinates, x and y. */
+  corner: [number, number];
+  /**  */
+  feet: GroundFoot[];
+  /** The corners of the convex hull of the shell. */
+  outline: [number, number][];
+  /** The ground that it needs on its way; None where it is opened in pieces, or moves so fast somewhere that nobody knows. */
+  swept: SweptGround | null;
+}
+
 /** The header of a view: what the shell is, and where its arrays are. */
 export interface Header {
   version: number;
@@ -952,6 +990,30 @@ export interface Objective {
   label: string;
 }
 
+/** One line of the order; lengths and areas in the document's unit, None where not known. */
+export interface OrderRow {
+  /** What it is for: "boards", "membrane", "sheet", "arms", "ties", or a kind of hinge. */
+  item: string;
+  /** In words, with its thickness. */
+  what: string;
+  /** How many sheets, rolls, bars or coils; None if nobody says how it is sold. */
+  count: number | null;
+  /** How few would do at least, where it is proved that fewer cannot. */
+  least: number | null;
+  /** Of one: width and height, or length; empty if nobody says. */
+  size: number[];
+  /** Of what is used: "m2" for areas, "m" for lengths. */
+  unit: string;
+  /** Area or length of all parts. */
+  used: number;
+  /** Share of what is ordered that is not used. */
+  waste: number | null;
+  /** Of the parts. */
+  mass_kg: number | null;
+  /** Of all that is ordered. */
+  price: number | null;
+}
+
 /** A shell under its own weight, from flat to packed, flaps that are clipped on left out. */
 export interface OwnWeight {
   /** Newtons, or the shell's weight if its mass is not known. */
@@ -1076,6 +1138,10 @@ export interface PanelReport {
   largest_fold_deg: number;
   /** How far boards stand back at most. */
   largest_setback: number;
+  /** The least share of a panel that a board covers, on the face on which that is least; flaps that are clipped on are left out. */
+  least_share: number;
+  /** How far a chamfer of solid panels leans from a square cut at most; None if there is none. */
+  steepest_chamfer_deg: number | null;
   /** Their number, those of clipped flaps included. */
   boards: number;
   /** Number of vertices at which corners of boards are cut off, and how far at most. */
@@ -1196,6 +1262,20 @@ export interface Quantities {
   mass_kg: number | null;
   /** Boards, membrane and hinges; None if panels have no thickness. */
   built: PanelBill | null;
+  /** What to order. */
+  order: OrderRow[];
+}
+
+/** The way of a shell from flat or packed to its target, by its own weight. */
+export interface Raising {
+  /** The row of vertices that is highest at the target: where it is lifted. */
+  row: number;
+  /** What one person is taken to pull or lift (N). */
+  person: number;
+  /** How many people carry it; None if its mass is not known. */
+  carried_by: number | null;
+  /** From where it begins to the target. */
+  stages: Stage[];
 }
 
 /** Values of a parameter that were tried, and those that work. */
@@ -1422,6 +1502,22 @@ export interface SheetsResult {
   result: Sheets;
 }
 
+/** A state on the way, and what moves the shell on from there. */
+export interface Stage {
+  /**  */
+  drive_deg: number;
+  /** What it takes to get there (force times metres). */
+  work: number;
+  /** Force on all feet of either side along their way; negative where they must be held back, None where none moves the shell. */
+  force: number | null;
+  /** How many people have that force, on either side; None where it or the mass is unknown. */
+  people: number | null;
+  /** Upward force on the row that is highest at the target, negative and None likewise. */
+  lift: number | null;
+  /** How many people lift with that force; None likewise. */
+  lifting_people: number | null;
+}
+
 /** What it gains and costs to take a neighbour on the front instead. */
 export interface Step {
   /** Number of the neighbour. */
@@ -1456,6 +1552,30 @@ export interface Support {
   edges: boolean;
   /** Radius of what is held around each vertex, as a base plate does; 0 for points (length). */
   patch: number;
+}
+
+/** The ground that a shell needs on its way to the target: it is proved to stay inside. */
+export interface SweptGround {
+  /** The corners of its outline. */
+  outline: [number, number][];
+  /** Size of the rectangle around it along x and y (length), and its area. */
+  width: number;
+  /** Size of the rectangle around it along x and y (length), and its area. */
+  depth: number;
+  /** Size of the rectangle around it along x and y (length), and its area. */
+  area: number;
+  /** The greatest height of a state, from its lowest place to its highest (length). */
+  height: number;
+  /** The drive at which it is so high. */
+  highest_at_deg: number;
+  /** How far parts get below the middle between the feet (length). */
+  below: number;
+  /** The drive at which they do. */
+  lowest_at_deg: number;
+  /** What outline and heights have in addition for the way between the states that were made. */
+  margin: number;
+  /** How many these are. */
+  states: number;
 }
 
 /** A table of the design file in words. */
@@ -1601,7 +1721,7 @@ export interface Verified {
   view: string | null;
 }
 
-/** How much stock is used, and the length of cuts and creases, in the document's unit. */
+/** How much of stock or rolls is used, and how long cuts and creases are (document's unit). */
 export interface Waste {
   /** Number of sheets of stock. */
   sheets: number;

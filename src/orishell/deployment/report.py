@@ -9,12 +9,16 @@ import numpy as np
 
 from orishell.conventions.quantities import GRAVITY
 from orishell.conventions.record import Angle, record
+from orishell.deployment.ground import plan_ground
 from orishell.deployment.pack import PACKS, Pack, find_pack, find_packs
+from orishell.deployment.raising import Raising, find_raising
 from orishell.deployment.settings import Attachment, Start
 from orishell.deployment.site import Site
 from orishell.deployment.ties import Tie, find_ties
-from orishell.deployment.weight import OwnWeight, measure_weight
+from orishell.deployment.weight import Body, OwnWeight, measure_weight
 from orishell.design import Design, PanelSpec
+from orishell.document import Document
+from orishell.document.ground import GroundPlan
 from orishell.locking import Cause, Lock
 from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
@@ -43,6 +47,10 @@ class DeploymentReport:
     ties: tuple[Tie, ...]  # its ties
     # what its own weight does; None if it does not stand, or that was not asked for
     weight: OwnWeight | None
+    # its feet in plan, and the ground that it needs on its way; None likewise
+    ground: GroundPlan | None
+    # what it takes to raise it by hand; None likewise, or where it is opened in pieces
+    raising: Raising | None
 
 
 def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) -> DeploymentReport:
@@ -67,6 +75,8 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
         pieces=(),
         ties=ties,
         weight=None,
+        ground=None,
+        raising=None,
     )
 
 
@@ -112,13 +122,38 @@ def _largest_thickness(design: Design) -> float | None:
 def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
     if site.feet is None:
         return None
-    newtons = GRAVITY * site.areal_density * site.metres**2 or None
     return measure_weight(
         design.mechanism,
         site.feet.rows,
-        newtons,
+        _newtons(site),
         metres=site.metres,
         pack=pack,
         columns=site.feet.columns(design.mechanism),
         hinges=design.hinges,
     )
+
+
+def _newtons(site: Site) -> float | None:
+    """Weight per area of the sheet (N per square of the unit); None if it is not known."""
+    return GRAVITY * site.areal_density * site.metres**2 or None
+
+
+def with_ground(
+    report: DeploymentReport, design: Design, lock: Lock, site: Site, document: Document
+) -> DeploymentReport:
+    """The report with plan of feet and ground, and what raising takes, if its weight is measured.
+
+    document: The shell as files have it, with what is clipped on at the target.
+    """
+    weight, feet, mechanism = report.weight, site.feet, design.mechanism
+    if weight is None or feet is None:
+        return report
+    end = 0.0 if report.start == "flat" else max(lock.closes_to, lock.target_drive)
+    boards = None if lock.built is None else lock.built.boards
+    raising = None
+    if not design.in_pieces:
+        columns, newtons = feet.columns(mechanism), _newtons(site) or 1.0
+        body = Body.of(mechanism, feet.rows, newtons, columns, design.hinges)
+        raising = find_raising(body, weight, end, site.metres)
+    ground = plan_ground(design, feet, boards, end, document)
+    return replace(report, ground=ground, raising=raising)

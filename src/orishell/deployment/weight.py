@@ -28,7 +28,7 @@ from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import Angle, record
-from orishell.deployment.fixings import Fixings
+from orishell.deployment.standing import Standing
 from orishell.motion import Mechanism
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
@@ -46,9 +46,6 @@ HALVINGS, TAIL = 12, 1e-12
 Columns whose zigzags nearly close at the target change within a small part of the drive. The thrust
 is right to some 1e-9 of the weight, and to 2e-6 where the zigzag of a column nearly closes.
 """
-MET, BEFORE = 1e-9, 1e-8
-"""Feet that are nearer than this, relative to the sheet's size, have no direction from each other:
-the one this share of the drive before is theirs."""
 STATIONARY = 1e-6
 """Slope of L at the end, relative to its curvature, that is none."""
 
@@ -124,7 +121,7 @@ def measure_weight(
     states
         Number of states from flat to the pack, the target not counted.
     """
-    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns, hinges)
+    body = Body.of(mechanism, feet_rows, weight_per_area or 1.0, columns, hinges)
     total = body.weight * float(body.shares.sum())
     unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
@@ -150,18 +147,13 @@ def measure_weight(
 
 
 @record
-class _Body:
-    """A mechanism, its feet, the area (V,) that its vertices carry, and that of its panels (F,).
+class Body:
+    """A mechanism on its feet, the area (V,) that vertices carry, and that of panels (F,)."""
 
-    And the sine and the cosine of the slope of the ground.
-    """
-
-    mechanism: Mechanism
-    feet: Fixings
+    standing: Standing
     weight: float
     shares: Array
     areas: Array
-    slope: Array
 
     @classmethod
     def of(
@@ -171,9 +163,8 @@ class _Body:
         weight: float,
         columns: Integers | None = None,
         hinges: Hinges | None = None,
-    ) -> _Body:
-        if columns is None:
-            columns = np.arange(mechanism.grid.columns)[mechanism.inner_columns]
+    ) -> Body:
+        """Of panels of a weight per area, on feet as :meth:`Standing.of` has them."""
         flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
         corners, shares = flat[faces], np.zeros(len(flat))
         areas = np.zeros(len(faces))
@@ -182,35 +173,27 @@ class _Body:
             area = 0.5 * np.cross(q - p, r - p)[:, 2]
             areas += area
             np.add.at(shares, faces[:, triangle], area[:, None] / 3)
-        rows = np.broadcast_to(feet_rows, (len(columns), 2))
-        feet = Fixings(mechanism, rows, columns, hinges)
-        first, last = np.moveaxis(feet.at(mechanism.target_drive), -2, 0)
-        line = (last - first).mean(axis=0)
-        slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(mechanism, feet, weight, shares, areas, slope)
+        standing = Standing.of(mechanism, feet_rows, columns, hinges)
+        return cls(standing, weight, shares, areas)
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The folding sheet."""
+        return self.standing.mechanism
 
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
         drives = np.asarray(drives, dtype=np.float64)
-        feet = self.feet.at(drives)
-        apart = feet[..., 1, :] - feet[..., 0, :]
-        along = apart.mean(axis=-2)
-        met = lengths(along) < MET * np.sqrt(self.shares.sum())
-        if met.any():
-            before = self.feet.at(drives[met] * (1 - BEFORE))
-            along[met] = (before[..., 1, :] - before[..., 0, :]).mean(axis=-2)
-        along /= lengths(along)[..., None]
-        square = np.array([0.0, 0.0, 1.0]) - along[..., 2:] * along
-        square /= lengths(square)[..., None]
-        up = self.slope[0] * along + self.slope[1] * square
-        height = dots(self._centre(drives) - feet.mean(axis=(-3, -2)), up)
-        return self.weight * self.shares.sum() * height, lengths(apart).mean(axis=-1)
+        place = self.standing.place(drives)
+        height = dots(self._centre(drives) - place.middle, place.axes[..., 2, :])
+        span = lengths(place.apart).mean(axis=-1)
+        return self.weight * self.shares.sum() * height, span
 
     def _centre(self, drives: Array) -> Array:
         """The centre of mass (..., 3) at drives (...)."""
         points = points_of(self.mechanism, drives)
         centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
-        hinges = self.feet.hinges
+        hinges = self.standing.feet.hinges
         if hinges is None:
             return np.asarray(centre)
         middles = hinges.middles(panel_normals(self.mechanism.positions(drives)))

@@ -124,6 +124,11 @@ class Design:
         return self.panel is not None and self.panel.construction == "hinged"
 
     @property
+    def in_pieces(self) -> bool:
+        """Whether whole boards fold in pieces, which are joined at the target."""
+        return self.hinges is not None and self.hinges.joints is not None
+
+    @property
     def surface(self) -> AskedSurface:
         """The surface asked for: f swept along g, or that of [target.surface].
 

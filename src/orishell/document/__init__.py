@@ -1,7 +1,15 @@
 """The document that files are written from: of a designed shell, or of any FOLD file."""
 
-from orishell.document.document import FLAT, LARGEST, SHELL, Document, DocumentState, FirstContact
-from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.document.document import (
+    FLAT,
+    LARGEST,
+    SHELL,
+    Document,
+    DocumentState,
+    DocumentTie,
+    FirstContact,
+)
+from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
 
 __all__ = [
     "FLAT",
@@ -9,7 +17,9 @@ __all__ = [
     "SHELL",
     "Document",
     "DocumentState",
+    "DocumentTie",
     "FirstContact",
     "LoadedCase",
+    "LoadedCreases",
     "LoadedShell",
 ]

@@ -16,8 +16,10 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
+from orishell.document.ground import GroundPlan
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import Boards
+from orishell.motion.grid import VertexPair
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -49,6 +51,14 @@ class FirstContact:
 
     drive_deg: float  # drive angle at which they do
     panels: tuple[int, int]  # their numbers
+
+
+@record
+class DocumentTie:
+    """A tie between two vertices, taut in the shell as it stands."""
+
+    ends: VertexPair  # its vertices by row and column of the grid
+    length: float  # from end to end (length)
 
 
 @record
@@ -95,6 +105,9 @@ class Document:
     # boards that are no part of the sheet and clipped on at the target, in the same frame, flat and
     # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
+    ties: tuple[DocumentTie, ...] = field(default=(), repr=False)
+    # its feet in plan; None if it cannot stand, or that was not measured
+    ground: GroundPlan | None = field(default=None, repr=False)
     # its size relative to the shell, if it is a model of it; None if it is the shell itself
     model_scale: float | None = field(default=None, repr=False)
     # the shell as a structure; None if it was not analysed

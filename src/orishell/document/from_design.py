@@ -67,10 +67,27 @@ def document_of_motion(
     )
 
 
-def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
-    """The document of a design as a family's design function returns it."""
-    motion = FoldingMotion(design.mechanism, frames)
-    return document_of_motion(motion, unit, curves=design.targets, clipped=design.clipped)
+def document_of_design(
+    design: Design,
+    unit: str = "unit",
+    *,
+    frames: int = 25,
+    boards: Boards | None = None,
+    flaps: Boards | None = None,
+) -> Document:
+    """The document of a design as a family's design function returns it.
+
+    Its ``boards``, and those of ``flaps`` that are clipped on, are as they are built of its panels.
+    """
+    return document_of_motion(
+        FoldingMotion(design.mechanism, frames),
+        unit,
+        curves=design.targets,
+        clipped=design.clipped,
+        panel=None if boards is None else design.panel,
+        boards=boards,
+        flaps=flaps,
+    )
 
 
 def _clipped(

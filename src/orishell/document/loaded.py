@@ -25,6 +25,16 @@ class LoadedCase:
 
 
 @record
+class LoadedCreases:
+    """The largest force along every crease (C,) of a shell, of all load cases in balance."""
+
+    panels: Integers  # the two panels (C, 2) beside each, flaps counted
+    sizes: Array  # force by length (C,) (N)
+    what: tuple[str, ...]  # which force it is (C,): "pull"; empty where there is none
+    cases: tuple[str, ...]  # the load case (C,), as LoadedCase names it; empty where there is none
+
+
+@record
 class LoadedShell:
     """A meshed shell at its target, in the document's frame, with its load cases."""
 
@@ -46,3 +56,4 @@ class LoadedShell:
     strength: float | None = None  # stress that panels bear; None if that is not known
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
+    creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

@@ -21,6 +21,7 @@ class Settings:
     state: int | str = SHELL  # the state that formats with one state show, by name or number
     print_state: int | str = FLAT  # the state in which solids are printed, by name or number
     workshop: Workshop = DEFAULT  # how the flat sheet is drawn and cut
+    ground: bool = False  # whether drawings have the plan of the ground beside them
 
     @classmethod
     def showing(cls, state: int | str | None, workshop: Workshop = DEFAULT) -> Self:

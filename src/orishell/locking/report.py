@@ -11,11 +11,13 @@ from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
 from orishell.motion.boards import ARM, Boards
-from orishell.motion.layout import Layout
+from orishell.motion.layout import Layout, points_of
+from orishell.motion.quads import signed_areas
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
 from orishell.solids.hinged.joints import joint_openings
 from orishell.solids.hinged.play import Play, find_play
+from orishell.workshop.boards import chamfer_angles
 
 
 @record
@@ -91,6 +93,11 @@ class PanelReport:
     set_back_for: Angle  # the drive up to which boards are set back
     largest_fold: Angle  # the largest fold angle of a crease on the way there
     largest_setback: float  # how far boards stand back at most
+    # the least share of a panel that a board covers, on the face on which that is least; flaps that
+    # are clipped on are left out
+    least_share: float
+    # how far a chamfer of solid panels leans from a square cut at most; None if there is none
+    steepest_chamfer: Angle | None
     boards: int  # their number, those of clipped flaps included
     # number of vertices at which corners of boards are cut off, and how far at most
     corners_cut: int
@@ -121,6 +128,8 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         set_back_for=built.limit,
         largest_fold=float(sides.largest.max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
+        least_share=_least_share(design.mechanism, built.boards),
+        steepest_chamfer=_steepest_chamfer(built),
         boards=sum(
             int((~each.arms).sum()) for each in (built.boards, built.flaps) if each is not None
         ),
@@ -130,6 +139,22 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         path=lock.boards_proof,
         hinged=_hinged(design, built),
     )
+
+
+def _least_share(mechanism: Mechanism, boards: Boards) -> float:
+    """The least share of a panel that a board covers, at the height at which that is least."""
+    boards = boards.chosen(~boards.arms)
+    flat = points_of(mechanism, 0.0)[:, :2]
+    panels = signed_areas(flat[Layout.of(mechanism).faces])[boards.panels]
+    return float((signed_areas(boards.outlines[..., :2]).min(axis=1) / panels).min())
+
+
+def _steepest_chamfer(built: BuiltPanels) -> float | None:
+    """How far a chamfer leans from a square cut at most (radians); None if there is none."""
+    if built.build.construction != "bevel":
+        return None
+    each = [chamfer_angles(boards) for boards in (built.boards, built.flaps) if boards is not None]
+    return float(np.deg2rad(np.concatenate(each).max(initial=0.0)))
 
 
 def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:

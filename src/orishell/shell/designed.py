@@ -43,8 +43,15 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     Raises DesignError if the family cannot make it, or hinges or boards do not close as far as its
     target asks, also where flaps with boards stop short of folding flat.
     """
+    return completed(file, design_of(file, file.pattern, progress))
+
+
+def completed(file: DesignFile, design: Design) -> Design:
+    """What a family made of a file, with panels, flaps and hinges as the file asks for them.
+
+    Raises DesignError as :func:`designed` does.
+    """
     opening = file.deployment.start == "pack"
-    design = design_of(file, file.pattern, progress)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         design = _with_panels(design, file.panel, file.pattern.closing)

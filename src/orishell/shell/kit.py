@@ -128,12 +128,11 @@ def write_kit(
             raise error.located(f"{shell.file.path}:") from None
         document, workshop, scale = model.document, model.workshop, model.scale
     construction = document.panel.construction if document.panel else ""
+    settings = Settings(workshop=workshop, ground=not paper)
     with TemporaryDirectory() as made:
         for format_ in _formats(paper):
             path = Path(made) / format_.file
-            write_document(
-                format_, path, document, Settings(workshop=workshop), str(shell.file.path)
-            )
+            write_document(format_, path, document, settings, str(shell.file.path))
         folders: dict[str, list[Path]] = {}
         for file in sorted(Path(made).iterdir()):
             folder = folder_of(file.name, construction)

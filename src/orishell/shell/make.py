@@ -12,11 +12,11 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.deployment import Site
-from orishell.deployment.report import with_measures
+from orishell.deployment.report import with_ground, with_measures
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
-from orishell.document import Document, FirstContact
+from orishell.document import Document, DocumentTie, FirstContact
 from orishell.document.from_design import document_of_motion
 from orishell.families.registry import AUTO
 from orishell.locking import Lock
@@ -41,6 +41,7 @@ from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
 from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse
+from orishell.structure.anchors import with_anchors
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import (
     AssignmentCheck,
@@ -173,12 +174,17 @@ def _step_by_step(
         weighed="weight" not in skip,
     )
     document = _document(file, design, lock, motion)
+    deployment = with_ground(deployment, design, lock, site, document)
+    ties = tuple(DocumentTie(tie.ends, tie.length) for tie in deployment.ties)
+    document = replace(document, ties=ties, ground=deployment.ground)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
     cutting = None if "cutting" in skip else find_cutting(design, file.workshop, feet)
     analysis = None
     if "structure" not in skip and file.structure is not None:
         analysis = analyse(design, file.structure, site, progress, built=lock.built)
         document = replace(document, loaded=analysis.loaded())
+        deployment = with_anchors(deployment, analysis.anchors)
+        document = replace(document, ground=deployment.ground)
         clock.lap("structure")
     unknown = {
         "whether panels stay rigid": residuals is None,

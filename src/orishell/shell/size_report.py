@@ -29,7 +29,8 @@ class FittedSize:
             f"{key.split('.')[1]} by {_factors(scale)}" for key, scale in self.scales.items()
         )
         how = f"; scaled: {scaled}" if scaled else ""
-        yield Row("holds", "sizes", f"{in_words(self.found, unit)} {self.of}{head}{how}")
+        of = "outside, boards and flaps included" if self.of == "outside" else f"inside{head}"
+        yield Row("holds", "sizes", f"{in_words(self.found, unit)} {of}{how}")
 
 
 def _factors(scale: float | list[float]) -> str:

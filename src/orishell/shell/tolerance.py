@@ -22,10 +22,11 @@ from orishell.document.from_design import document_of_design
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.quads import lengths
-from orishell.shell.designed import designed
+from orishell.shell.designed import completed, designed
 from orishell.shell.size_search import choose
 from orishell.shell.size_trials import Choice, Sizes, Trial
 from orishell.shell.surface_search import SurfaceSearch
+from orishell.solids import build_panels
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 
@@ -76,7 +77,7 @@ def _searched(
             return _sized_on_surface(file, limits, tolerance, progress)
         pattern, choice = choose(_sizes(file, limits), limits, progress)
     except DesignError as refusal:
-        if file.workshop.stock is not None:
+        if _on_stock(file):
             return _with_any_stock(file, tolerance, progress)
         refusal.candidates = (
             each for each in refusal.candidates if not each.changes.keys() & SIZE_KEYS
@@ -99,10 +100,9 @@ def _sized_on_surface(
         design = file.pattern.sized(rows, columns).design_on(surface, told)
         trial = measure(design, True, limits)
         trial = replace(trial, rows=rows, columns=columns)
-        if file.workshop.stock is None:
+        if file.panel is None and not _on_stock(file):
             return trial, 0.0
-        document = document_of_design(design, file.unit)
-        return trial, find_oversize(document, file.workshop)
+        return trial, _oversize(file, completed(file, design))
 
     choice = SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
     sized = file.pattern.sized(choice.trial.rows, choice.trial.columns)
@@ -110,31 +110,66 @@ def _sized_on_surface(
     return file.changed({"tolerance": None, "pattern": table}), replace(choice, limits=tolerance)
 
 
+def _on_stock(file: DesignFile) -> bool:
+    """Whether the sheet, or boards, are cut from something that is sold in one size."""
+    return file.workshop.stock is not None or file.workshop.roll is not None
+
+
+def _oversize(file: DesignFile, design: Design) -> float:
+    """How much larger than its stock a part of a design is; 0 where there is no stock."""
+    return find_oversize(_document(design, file.unit), file.workshop) if _on_stock(file) else 0.0
+
+
+def _document(design: Design, unit: str) -> Document:
+    """A design as it is cut: boards are set back for the target at least, and for the pack more."""
+    if design.panel is None:
+        return document_of_design(design, unit)
+    built = build_panels(design, design.mechanism.target_drive)
+    return document_of_design(design, unit, boards=built.boards, flaps=built.flaps)
+
+
 def _with_any_stock(
     file: DesignFile, tolerance: Tolerance, progress: Progress
 ) -> tuple[DesignFile, Choice]:
     """What meets a tolerance if stock is as large as needed: it is refused for that, or at all."""
-    anywhere, choice = meet_tolerance(file.changed({"workshop.stock": None}), tolerance, progress)
+    free = file.changed({"workshop.stock": None, "workshop.roll": None})
+    anywhere, choice = meet_tolerance(free, tolerance, progress)
     try:
-        require_stock(_document(file, anywhere.pattern), file.workshop)
+        require_stock(_document(designed(anywhere), file.unit), file.workshop)
     except OversizeError as error:
-        error.remedy = (
-            "larger stock, or another distance in [tolerance]: no sheet was found that comes "
-            f"within {tolerance.surface:g} of the surface and whose panels fit"
-        )
+        nearer = "another distance in [tolerance]: no sheet was found that comes within "
+        nearer += f"{tolerance.surface:g} of the surface and whose panels fit"
+        larger = file.changed({error.keys[0]: list(error.needed)})
+        if _meets(larger, tolerance):
+            error.remedy = f"larger {error.keys[0].rpartition('.')[2]}, or {nearer}"
+        else:
+            error.expected, error.remedy = "room for its panels", f"much larger stock, or {nearer}"
         raise
     return anywhere.changed({"workshop": file.tables["workshop"]}), choice
 
 
-def _document(file: DesignFile, pattern: FamilyPattern) -> Document:
-    return document_of_design(designed(replace(file, pattern=pattern)), file.unit)
+def _meets(file: DesignFile, tolerance: Tolerance) -> bool:
+    """Whether a file with other stock meets a tolerance, which a message is to offer."""
+    try:
+        _searched(file, tolerance, no_progress)
+    except (DesignError, OversizeError):
+        return False
+    return True
 
 
 def _limits(file: DesignFile, tolerance: Tolerance) -> Tolerance:
-    """The tolerance, and no edge longer than the stock's diagonal."""
-    if file.workshop.stock is None:
+    """The tolerance, and no edge longer than the diagonal of what the sheet is cut from.
+
+    Boards are shorter than the edges of their panels, by as much as they are set back.
+    """
+    panel, workshop = file.panel, file.workshop
+    if panel is not None and panel.is_solid:
         return tolerance
-    longest = (1 + SLACK) * math.hypot(*usable_stock(file.workshop))
+    if panel is not None and workshop.roll is not None:
+        workshop = workshop.having(stock=workshop.roll)
+    if workshop.stock is None:
+        return tolerance
+    longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
     return tolerance.having(panel_max=min(tolerance.panel_max, longest))
 
 
@@ -154,10 +189,10 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
         return in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
 
     def oversize(variant: FamilyPattern, columns: int) -> float:
-        if file.workshop.stock is None:
+        if file.panel is None and not _on_stock(file):
             return 0.0
-        document = _document(file, variant.sized(variant.rows, columns))
-        return find_oversize(document, file.workshop)
+        sized = variant.sized(variant.rows, columns)
+        return _oversize(file, designed(replace(file, pattern=sized)))
 
     return Sizes(
         variants=in_rows,

@@ -14,6 +14,7 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
+from orishell.workshop.order import order_in_words
 
 CONTACT, STOCK, STRUCTURE, CUTTING = (
     "contact between panels on the way",
@@ -56,6 +57,7 @@ def find_verdict(
         *_locks(report),
         *_packs(report),
         *_fits(report, stock),
+        *order_in_words(report.quantities.order),
         *_unchecked(report),
         *_boards(report),
         *_hinges(report),
@@ -67,6 +69,7 @@ def find_verdict(
         *_sizes(report),
         *_weighs(report.deployment),
         *(() if report.cutting is None else report.cutting.rows(report.unit)),
+        *_ground(report.deployment, report.unit),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -342,3 +345,19 @@ def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
     work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
     raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
     yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
+
+
+def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
+    """The ground that it needs on its way, and the people."""
+    plan, raising = deployment.ground, deployment.raising
+    if plan is None or plan.swept is None:
+        return
+    swept = plan.swept
+    wide, deep, high = (
+        size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
+    )
+    crew = ""
+    if raising is not None and raising.carried_by is not None:
+        people = raising.carried_by
+        crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
+    yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")

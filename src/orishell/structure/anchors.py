@@ -10,12 +10,14 @@ shell (upwards) and H aside,
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.conventions.quantities import GRAVITY, plain
 from orishell.conventions.record import record
+from orishell.deployment.report import DeploymentReport
 from orishell.motion.grid import Vertex
 
 if TYPE_CHECKING:
@@ -82,6 +84,26 @@ def find_anchors(report: Analysis) -> tuple[Anchor, ...]:
         push, pull, sideways, weight = (_worst(each, names) for each in kinds)
         found.append(Anchor(at, push, pull, sideways, weight, friction, not own))
     return tuple(found)
+
+
+def with_anchors(report: DeploymentReport, anchors: tuple[Anchor, ...]) -> DeploymentReport:
+    """The report whose feet in plan know what the structure asks of the ground there."""
+    plan, asked = report.ground, {each.at: each for each in anchors}
+    if plan is None:
+        return report
+    feet = tuple(
+        replace(
+            foot,
+            push=found.push.force,
+            pull=found.pull.force,
+            sideways=found.sideways.force,
+            ballast=found.ballast_mass,
+        )
+        if (found := asked.get(foot.at)) is not None
+        else foot
+        for foot in plan.feet
+    )
+    return replace(report, ground=replace(plan, feet=feet))
 
 
 def _worst(forces: np.ndarray, names: list[str]) -> Worst:

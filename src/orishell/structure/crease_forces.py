@@ -28,6 +28,10 @@ from orishell.structure.settings import LoadCase
 
 CreaseKind = Literal["row", "column"]
 """Row creases run from left to right in the flat sheet, column creases downwards."""
+FORCES = ("pull", "push", "shear in the plane", "shear across")
+"""Forces per length along a crease, as :func:`largest_forces` has them."""
+ROUNDING = 1e-9
+"""Forces below this share of the largest are none."""
 UNBALANCED = 1e-6
 """Panels that miss more than this share of the loads for their balance mean a fault."""
 
@@ -123,6 +127,17 @@ def largest_forces(model: Model, found: EdgeForces) -> Array:
     normal, sizes = values[..., :1], np.abs(values[..., 1:])
     every = np.concatenate([np.maximum(normal, 0), np.maximum(-normal, 0), sizes], axis=-1)
     return np.asarray(every.max(axis=(1, 2)))
+
+
+def worst_forces(model: Model, cases: Sequence[EdgeForces]) -> tuple[Array, Integers]:
+    """The largest forces (C, 5) of all cases, and the case of each, 0 where they are rounding."""
+    creases = len(crease_sides(model.grid)[0])
+    if not cases:
+        return np.zeros((creases, 5)), np.zeros((creases, 5), np.int64)
+    every = np.stack([largest_forces(model, found) for found in cases])
+    least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
+    every = np.where(every > least, every, 0.0)
+    return every.max(axis=0), every.argmax(axis=0)
 
 
 def by_kind(model: Model, found: EdgeForces) -> tuple[CreaseForces, ...]:

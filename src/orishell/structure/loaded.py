@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
+from orishell.structure.crease_forces import FORCES, worst_forces
+from orishell.structure.mesh.edge_forces import crease_sides
 
 if TYPE_CHECKING:
     from orishell.structure.case import CaseResult
@@ -32,6 +34,29 @@ def loaded_shell(analysis: Analysis) -> LoadedShell:
         strength=model.structure.strength,
         whole_boards=model.design.has_whole_boards,
         cases=tuple(_loaded(analysis, case) for case in analysis.cases),
+        creases=_creases(analysis),
+    )
+
+
+def _creases(analysis: Analysis) -> LoadedCreases | None:
+    """The largest force along every crease, of all cases in balance; None without such a case."""
+    model, balanced = analysis.model, analysis.balanced
+    if not balanced:
+        return None
+    sizes, cases = worst_forces(model, [found.edges for found, _ in balanced])
+    names = [analysis.name_of(case) for _, case in balanced]
+    which = sizes[:, : len(FORCES)].argmax(axis=1)
+    at = np.arange(len(which))
+    row, column = np.divmod(crease_sides(model.grid)[1][..., 0], model.grid.columns - 1)
+    across = model.design.mechanism.grid.columns - 1
+    there = sizes[at, which] > 0
+    return LoadedCreases(
+        panels=row * across + column + model.before,
+        sizes=sizes[at, which],
+        what=tuple(FORCES[k] if one else "" for k, one in zip(which, there, strict=True)),
+        cases=tuple(
+            names[k] if one else "" for k, one in zip(cases[at, which], there, strict=True)
+        ),
     )
 
 

@@ -95,6 +95,13 @@ def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]
     return _nest(Known.by(outlines, outlines), *usable_stock(workshop), workshop.spacing)
 
 
+def count_board_sheets(document: Document, workshop: Workshop) -> int | None:
+    """How many sheets of stock all boards take; None without stock."""
+    if workshop.stock is None:
+        return None
+    return 1 + max((placed.sheet for placed in nest_boards(document, workshop)), default=-1)
+
+
 @lru_cache(KEPT)
 def _nest(
     boards: Known[list[Array]], width: float, height: float, spacing: float

@@ -62,6 +62,8 @@ def _without_boards(document: Document) -> Document:
         surface=None,
         distances=None,
         loaded=None,
+        ties=(),
+        ground=None,
     )
 
 

@@ -125,44 +125,84 @@ class CutSheet:
 
 
 class OversizeError(InputError):
-    """Panels that the stock is too small for, the largest by a factor (more than 1)."""
+    """Panels that the stock is too small for.
 
-    def __init__(self, what: str, factor: float, **facts: Any) -> None:
+    Parameters
+    ----------
+    factor
+        By how much the largest of them is larger (more than 1).
+    needed
+        Sides of stock, margins included, that all panels fit, the longer one first (length).
+    """
+
+    def __init__(self, what: str, factor: float, needed: tuple[float, float], **facts: Any) -> None:
         super().__init__(what, **facts)
-        self.factor = factor
+        self.factor, self.needed = factor, needed
 
 
-def require_panels_fit(document: Document, sheet: CutSheet) -> None:
+def require_panels_fit(
+    document: Document, sheet: CutSheet, margin: float = 0.0, key: str = "workshop.stock"
+) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
 
-    Raises OversizeError: With a size that every panel fits.
+    Where panels are cut from it more than once, as boards of two faces are, all follow each other.
+
+    Parameters
+    ----------
+    margin
+        Rim of the stock beside what can be used of it (length).
+    key
+        Where the design file has the stock.
+
+    Raises
+    ------
+    OversizeError
+        With a size that every panel fits, margins included.
     """
     import shapely
 
-    corners = np.concatenate([sheet.corners, sheet.tabs.reshape(len(sheet.tabs), -1, 2)], axis=1)
-    size = np.nanmax(corners, axis=1) - np.nanmin(corners, axis=1)
+    tabs = sheet.tabs.reshape(len(sheet.tabs), -1, 2)
+    corners = np.concatenate([sheet.corners, tabs], axis=1)
+    corners = np.where(np.isnan(corners), corners[:, :1], corners)
+    size = np.ptp(corners, axis=1)
     large = np.flatnonzero((size > (sheet.width, sheet.height)).any(axis=1))
     wrong = [int(k) for k in large if not sheet.fits(np.array([k]))]
     if not wrong:
         return
-    points = [shapely.multipoints(sheet.points(np.array([k]))) for k in wrong]
-    boxes = [shapely.get_coordinates(shapely.minimum_rotated_rectangle(each)) for each in points]
-    sides = np.sort([np.hypot(*np.diff(box[:3], axis=0).T) for box in boxes], axis=1)
-    short, long = sides.max(axis=0).tolist()
-    largest = document.panel_name(wrong[int(np.argmax(sides[:, 1]))])
+    boxes = np.asarray(shapely.minimum_rotated_rectangle(shapely.multipoints(corners)))
+    sides = np.zeros((len(corners), 2))
+    flat = shapely.get_type_id(boxes) == POLYGON  # others are panels without a board
+    rings = shapely.get_coordinates(boxes[flat]).reshape(-1, 5, 2)
+    sides[flat] = np.sort(np.hypot(*np.diff(rings[:, :3], axis=1).T).T, axis=1)
+    short, long = sides[wrong].max(axis=0).tolist()
+    count = len(document.mesh.faces)
+    largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))] % count)
+    many = len({k % count for k in wrong})
     stock = sorted((sheet.width, sheet.height))
+    # Those that fit the stock as it is must fit what is offered, too.
+    low, high = (above(side + 2 * margin) for side in sides.max(axis=0).tolist())
+    rim = f", with its margins of {plain(margin)}" if margin else ""
     raise OversizeError(
-        f"{len(wrong)} of {len(sheet.corners)} panels do not fit the stock",
+        f"{many} of {count} panels do not fit the {'roll' if key.endswith('roll') else 'stock'}",
         max(short / stock[0], long / stock[1], 1 + SLACK),
-        keys=("workshop.stock",),
-        got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
-        expected=f"at least {_above(long)} x {_above(short)}, in which each of them fits; "
+        (high, low),
+        keys=(key,),
+        got=f"{sheet.width + 2 * margin:.6g} x {sheet.height + 2 * margin:.6g}{rim}",
+        expected=f"at least {plain(high)} x {plain(low)}{rim}, in which each of them fits; "
         f"the longest is panel {largest}, with its tabs if it has any",
-        remedy="larger stock, or more rows or columns",
+        remedy=f"larger {'rolls' if key.endswith('roll') else 'stock'}, or more rows or columns",
     )
 
 
-def _above(length: float) -> str:
+POLYGON = 3
+"""The type of a polygon, as shapely numbers them."""
+
+
+def above(length: float) -> float:
     """A length in four digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(length)) - 3)
-    return f"{plain(math.ceil(length / unit) * unit)}"
+    return float(plain(math.ceil(length / unit * (1 - ROUNDING)) * unit))
+
+
+ROUNDING = 1e-12
+"""By such a share a length may be above the one that is meant."""

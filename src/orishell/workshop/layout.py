@@ -16,7 +16,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import with_clipped
-from orishell.workshop.boards import has_sheet, seen_from_outside
+from orishell.workshop.boards import SIDES, Side, has_membrane, has_sheet, seen_from_outside
 from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
 from orishell.workshop.nesting import nest_parts
@@ -67,6 +67,8 @@ class Layout:
 
 def lay_out(document: Document, workshop: Workshop) -> Layout:
     """Split the sheet as the stock asks for, and lay the parts on it: those of `with_clipped`."""
+    _require_sheet(document, workshop)
+    workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         return Layout((whole_sheet(with_clipped(document)),), None)
     bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
@@ -75,28 +77,54 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
     return _lay_on_stock(sheet, usable_stock(workshop), workshop.spacing, joint)
 
 
+def on_its_roll(document: Document, workshop: Workshop) -> Workshop:
+    """The settings by which the flat sheet is laid out: rolls are the stock of a membrane."""
+    if workshop.roll is None or not has_membrane(document):
+        return workshop
+    return workshop.having(stock=workshop.roll)
+
+
 def require_stock(document: Document, workshop: Workshop) -> None:
-    """Refuse stock as :func:`lay_out` does, before any layout is made."""
-    width, height = usable_stock(workshop)
+    """Refuse stock and rolls that panels or boards do not fit, before any layout is made.
+
+    Raises OversizeError with a size that all of them fit.
+    """
+    _require_sheet(document, workshop)
+    own_roll = on_its_roll(document, workshop) is not workshop
+    # On a membrane of the same stock boards are no larger than their panels.
+    if workshop.stock is None or document.boards is None or (has_sheet(document) and not own_roll):
+        return
     everything = with_clipped(document)
-    if not has_sheet(document):
-        require_panels_fit(everything, CutSheet.apart(_solid_outlines(everything), width, height))
-    elif not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
-        tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
-        require_panels_fit(everything, CutSheet.of(everything, width, height, tabs))
+    outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
+    sheet = CutSheet.apart(outlines, *usable_stock(workshop))
+    require_panels_fit(everything, sheet, workshop.margin)
 
 
-def _solid_outlines(document: Document) -> Array:
-    """Outlines (F, K, 2) of solid panels; a panel without one has its own corners."""
-    seen = seen_from_outside(document, 0)
-    corners = document.require_flat()[document.mesh.faces]
-    outlines = np.pad(corners, ((0, 0), (0, seen.outlines.shape[1] - 4), (0, 0)), mode="edge")
+def _require_sheet(document: Document, workshop: Workshop) -> None:
+    """Refuse stock, or a roll, that panels of the flat sheet do not fit."""
+    laid = on_its_roll(document, workshop)
+    if laid.stock is None or not has_sheet(document):
+        return
+    everything = with_clipped(document)
+    width, height = usable_stock(laid)
+    if len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
+        return
+    tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
+    key = "workshop.stock" if laid is workshop else "workshop.roll"
+    sheet = CutSheet.of(everything, width, height, tabs)
+    require_panels_fit(everything, sheet, workshop.margin, key)
+
+
+def _board_outlines(document: Document, side: Side) -> Array:
+    """Outlines (F, K, 2) of the boards of a side; a point for a panel without one."""
+    seen = seen_from_outside(document, side)
+    outlines = np.zeros((len(document.mesh.faces), *seen.outlines.shape[1:]))
     outlines[seen.panels] = seen.outlines
     return outlines
 
 
 def find_oversize(document: Document, workshop: Workshop) -> float:
-    """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs."""
+    """How much larger than its stock, as a factor, a part is; 1 where all fit, with their tabs."""
     try:
         require_stock(document, workshop)
     except OversizeError as error:

@@ -13,9 +13,10 @@ from orishell.document import Document
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import with_clipped
-from orishell.workshop.board_sheets import nest_boards
+from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.hinge_parts import fittings_of
-from orishell.workshop.layout import require_stock
+from orishell.workshop.layout import on_its_roll, require_stock
+from orishell.workshop.order import OrderRow, find_order
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
 
@@ -90,10 +91,6 @@ def measure_panels(
     areas = boards.areas()
     membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
     length = everything.edge_lengths()
-    sheets = None
-    if nested and workshop.stock is not None:
-        placements = nest_boards(document, workshop)
-        sheets = 1 + max((placement.sheet for placement in placements), default=-1)
     cubic = conversion(document.unit, "m") ** 3
     board_mass = cubic * float(boards.volumes().sum()) * build.density or None
     membrane_mass = cubic * membrane * build.membrane * build.membrane_density or None
@@ -120,7 +117,7 @@ def measure_panels(
         hinge_length=hinge_length,
         mass_kg=PanelMass(board_mass, membrane_mass, total, arm_mass, hinge_mass),
         centre_of_mass=None if total is None else _centre_of_mass(document),
-        stock_sheets=sheets,
+        stock_sheets=count_board_sheets(document, workshop) if nested else None,
         hinges=None if fittings is None else _count_hinges(fittings),
     )
 
@@ -235,6 +232,7 @@ class Quantities:
     stock: Waste | None
     mass_kg: float | None  # mass of the panels; None if the areal density is not known
     built: PanelBill | None = None  # boards, membrane and hinges; None if panels have no thickness
+    order: tuple[OrderRow, ...] = ()  # what to order
 
 
 def measure_quantities(
@@ -252,10 +250,9 @@ def measure_quantities(
         return float(length[np.isin(letters, which)].sum())
 
     stock = None
-    if nested or workshop.stock is None:
+    require_stock(document, workshop)
+    if nested or on_its_roll(document, workshop).stock is None:
         stock = measure_waste(document, workshop)
-    else:
-        require_stock(everything, workshop)
     area = float(everything.areas().sum())
     in_metres = conversion(document.unit, "m")
     return Quantities(
@@ -267,4 +264,5 @@ def measure_quantities(
         stock=stock,
         mass_kg=area * in_metres**2 * workshop.areal_density or None,
         built=measure_panels(document, workshop, nested=nested),
+        order=find_order(document, workshop, nested=nested),
     )

@@ -20,6 +20,8 @@ Language = Literal["en", "de"]
 Cutting = Literal["boards", "sheet"]
 """Boards cut apart, every corner with an error of its own; or creases drawn in one sheet, where a
 vertex errs for all its panels alike."""
+HingeKind = Literal["membrane", "piano hinge", "tape"]
+"""What joins panels along a crease."""
 Auto = Literal["auto"]
 LEAST, MOST = 1e-12, 1e12
 """Numbers beyond these are refused: what is computed from them would overflow in the end."""
@@ -33,6 +35,10 @@ def _choice(label: str, text: str, of: object) -> Knob:
 
 def _length(label: str, text: str, *, auto: bool = False) -> Knob:
     return Knob(label, text, "number", auto, "length")
+
+
+def _price(label: str, text: str) -> Knob:
+    return Knob(label, f"{text}, in any currency; 0 if not known", "number", advanced=True)
 
 
 class Workshop(Table):
@@ -91,8 +97,46 @@ class Workshop(Table):
             unit="length",
         ),
     ] = None
-    margin: Annotated[NoLength, _length("Margin", "Rim of the stock that is not cut")] = 0.0
-    spacing: Annotated[NoLength, _length("Spacing", "Least distance between parts")] = 0.0
+    roll: Annotated[
+        Pair[Length] | None,
+        Knob(
+            "Roll",
+            "Width and length of the rolls of a membrane; empty: it is cut from stock",
+            "size",
+            unit="length",
+        ),
+    ] = None
+    hinge_stock: Annotated[
+        Length | None, _length("Hinge stock", "Length of the bars that hinges are cut from")
+    ] = None
+    tie_stock: Annotated[
+        Length | None, _length("Tie stock", "Length of the coils that ties are cut from")
+    ] = None
+    tie_end: Annotated[
+        NoLength, _length("Tie ends", "Length that ties have beyond either end, to be fixed by")
+    ] = 0.0
+    row_hinge: Annotated[
+        HingeKind | Auto,
+        _choice(
+            "Row hinges", "What joins panels along row creases; auto: as they are built", HingeKind
+        ),
+    ] = "auto"
+    column_hinge: Annotated[
+        HingeKind | Auto,
+        _choice(
+            "Column hinges",
+            "What joins panels along column creases; auto: as they are built",
+            HingeKind,
+        ),
+    ] = "auto"
+    stock_price: Annotated[NoLength, _price("Stock price", "Of one sheet of stock")] = 0.0
+    roll_price: Annotated[NoLength, _price("Roll price", "Of one roll")] = 0.0
+    hinge_price: Annotated[NoLength, _price("Hinge price", "Of one bar of hinge")] = 0.0
+    tie_price: Annotated[NoLength, _price("Tie price", "Of one coil")] = 0.0
+    margin: Annotated[NoLength, _length("Margin", "Rim of stock and rolls that is not cut")] = 0.0
+    spacing: Annotated[
+        NoLength, _length("Spacing", "Least distance between parts, and the saw's cut in bars")
+    ] = 0.0
     joint: Annotated[
         Joint, _choice("Joints", "Tabs on one of two parts, or strips glued under both", Joint)
     ] = "tabs"

@@ -12,7 +12,7 @@ import numpy as np
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.workshop.assembly import draw_map, number_text, with_clipped
-from orishell.workshop.board_sheets import draw_boards, draw_plan, nest_boards
+from orishell.workshop.board_sheets import count_board_sheets, draw_boards, draw_plan
 from orishell.workshop.boards import (
     back_of,
     distinct_corners,
@@ -23,7 +23,7 @@ from orishell.workshop.boards import (
 )
 from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
-from orishell.workshop.layout import Layout, lay_out, usable_stock
+from orishell.workshop.layout import Layout, lay_out, on_its_roll, usable_stock
 from orishell.workshop.palettes import Drawing
 from orishell.workshop.placing import Placement, draw_stock_sheets
 from orishell.workshop.settings import Workshop
@@ -32,7 +32,7 @@ from orishell.workshop.title_block import quoted_size
 
 @dataclass(frozen=True, slots=True)
 class Waste:
-    """How much stock is used, and the length of cuts and creases, in the document's unit."""
+    """How much of stock or rolls is used, and how long cuts and creases are (document's unit)."""
 
     sheets: int  # number of sheets of stock
     # their area; without stock, that of the sheet's bounding rectangle along the axes
@@ -55,6 +55,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     if not has_sheet(document):
         return (draw_plan(document, workshop),)
     everything = replace(with_clipped(document), title=sheet_title(document))
+    workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         part = with_glue_areas(everything, whole_sheet(everything))
         return (draw_part(everything, part, workshop),)
@@ -82,6 +83,7 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     if everything.boards is None or not (everything.boards.sides < 0).any():
         return ()
     title = f"{everything.title}, back"
+    workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         content = back_of(everything, whole_sheet(everything))
         facts = (
@@ -119,6 +121,7 @@ def draw_sheet_files(
 
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet, or else the solid panels, need and waste; cuts and creases."""
+    workshop = on_its_roll(document, workshop)
     everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges
     if has_sheet(document):
@@ -129,9 +132,7 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
     else:
         outlines = [*map(distinct_corners, seen_from_outside(everything, 0).outlines)]
         creases = np.zeros(0, np.int64)
-        sheets = 1
-        if workshop.stock is not None:
-            sheets = 1 + max(placed.sheet for placed in nest_boards(document, workshop))
+        sheets = count_board_sheets(document, workshop) or 1
     if workshop.stock is None:
         stock = float(np.prod(np.ptp(np.concatenate(outlines), axis=0)))
     else:

@@ -38,14 +38,20 @@ def letter_height(width: float, unit: str) -> float:
 
 
 def draw_title_block(
-    facts: Sequence[str], palette: Palette, *, drawn: Drawing, letter: float
+    facts: Sequence[str],
+    palette: Palette,
+    *,
+    drawn: Drawing,
+    letter: float,
+    scale: str = "1:1",
+    legend: Sequence[tuple[str, str, str]] = (),
 ) -> Drawing:
     """The title block of what is drawn, with its lower left corner at (0, 0).
 
     Its cells stand side by side where the sheet is wide enough, otherwise the title above. Below
-    the title it says ``facts``, line by line.
+    the title it says ``facts``, line by line. ``legend`` takes the place of that of the layers.
     """
-    rows = _legend_rows(drawn, palette)
+    rows = list(legend) or _legend_rows(drawn, palette)
     high = 2 * _PADDING + len(rows) * _ROW - 1.0
     width = max(drawn.width / letter, SCALE + LEGEND)
     if width >= TITLE + SCALE + LEGEND:
@@ -55,12 +61,12 @@ def draw_title_block(
         top = high + 2 * _PADDING + (len(facts) + 1) * _ROW + 0.5
         first = _Cell(letter, 0.0, high, width, top - high)
     left = width - LEGEND
-    scale = _Cell(letter, first.width % width, 0.0, left - first.width % width, high)
-    cells = [first, scale, _Cell(letter, left, 0.0, LEGEND, high)]
+    bar = _Cell(letter, first.width % width, 0.0, left - first.width % width, high)
+    cells = [first, bar, _Cell(letter, left, 0.0, LEGEND, high)]
     for cell in cells:
         cell.box(0.0, 0.0, cell.width, cell.height)
     _title(cells[0], drawn.title, facts)
-    _scale(cells[1], drawn.unit)
+    _scale(cells[1], drawn.unit, scale)
     _legend(cells[2], rows)
     lines = tuple(line for cell in cells for line in cell.lines)
     texts = tuple(text for cell in cells for text in cell.texts)
@@ -110,9 +116,9 @@ def _title(cell: _Cell, title: str, facts: Sequence[str]) -> None:
         cell.write(_PADDING, _PADDING + 0.5 + number * _ROW, fact, height=size)
 
 
-def _scale(cell: _Cell, unit: str) -> None:
+def _scale(cell: _Cell, unit: str, scale: str) -> None:
     top, right = cell.height - _PADDING - 0.5, cell.width - _PADDING
-    cell.write(_PADDING, top, "SCALE 1:1")
+    cell.write(_PADDING, top, f"SCALE {scale}")
     cell.write(right, top, f"UNIT {unit}", anchor="end")
     length = round_length(cell.letter * (SCALE - 4 * _PADDING))
     parts = 4 if f"{length:e}"[0] == "2" else 5
@@ -182,7 +188,7 @@ def sheet_facts(
 
 def quoted_size(size: Array, unit: str) -> str:
     """Width and height (2,) in words."""
-    return f"{_decimal(float(size[0]), unit)} × {_quoted(float(size[1]), unit)}"
+    return f"{decimal(float(size[0]), unit)} × {_quoted(float(size[1]), unit)}"
 
 
 def program_and_palette(workshop: Workshop) -> str:
@@ -190,9 +196,10 @@ def program_and_palette(workshop: Workshop) -> str:
     return f"orishell {__version__}, palette {printable(Path(workshop.palette).stem)}"
 
 
-def _decimal(length: float, unit: str) -> str:
-    return f"{length:.{_DECIMALS[unit]}f}"
+def decimal(length: float, unit: str) -> str:
+    """A length as drawings have it, without its unit."""
+    return f"{round(length, _DECIMALS[unit]) + 0.0:.{_DECIMALS[unit]}f}"
 
 
 def _quoted(length: float, unit: str) -> str:
-    return f"{_decimal(length, unit)} {unit}"
+    return f"{decimal(length, unit)} {unit}"

@@ -18,6 +18,7 @@ import numpy as np
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
 from orishell.io.format import Format, Settings, plain_line
+from orishell.workshop.ground_plan import draw_ground, ground_beside
 from orishell.workshop.palettes import (
     LAYERS,
     ORDER,
@@ -44,10 +45,16 @@ _LINEWEIGHTS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90,
 
 
 def write_dxf(path: Path, document: Document, settings: Settings) -> None:
-    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it."""
+    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it.
+
+    The plan of the feet of a shell that can stand is ``ground.dxf``, if it is asked for.
+    """
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_dxf(place, drawing, palette)
+    ground = draw_ground(document) if settings.ground else None
+    if ground is not None:
+        dump_dxf(ground_beside(path), ground, load_palette("plain"))
 
 
 def dump_dxf(path: Path, drawing: Drawing, palette: Palette) -> None:

@@ -15,8 +15,10 @@ import numpy as np
 from orishell.document import Document
 from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Booleans
-from orishell.workshop.palettes import Anchor, Layer, Text
+from orishell.workshop.ground_plan import ground_beside
+from orishell.workshop.palettes import ORDER, Anchor, Layer, Text, load_palette
 from orishell.workshop.paper_model import PaperModel, make_board_models, make_paper_model
+from orishell.workshop.printed_plan import PrintedPlan, print_ground
 from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
 
 if TYPE_CHECKING:
@@ -55,12 +57,50 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     several, a page with their order comes first. Where panels have a thickness, the back of the
     membrane and the boards of each layer follow at the same scale, in files of their own:
     ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count.
+
+    The plan of the feet of a shell that can stand is ``ground.pdf``, if it is asked for, on one
+    page, at the largest usual scale at which it fits.
     """
     model = make_paper_model(document, settings.workshop)
     _write_model(path, model)
     scale = model.tiling.scale
     for ending, layer in make_board_models(document, settings.workshop, scale):
         _write_model(path.with_stem(path.stem + ending), layer)
+    plan = print_ground(document, settings.workshop.paper) if settings.ground else None
+    if plan is not None:
+        _write_plan(ground_beside(path), plan)
+
+
+def _write_plan(path: Path, plan: PrintedPlan) -> None:
+    """The plan of the ground on one page, in its middle."""
+    from reportlab.pdfgen.canvas import Canvas
+
+    drawing, palette = plan.drawing, load_palette("plain")
+    canvas = Canvas(
+        str(path), pagesize=(plan.width * MM, plan.height * MM), invariant=1, pageCompression=0
+    )
+    canvas.setTitle(drawing.title.encode("cp1252", "replace").decode("cp1252"))
+    canvas.setCreator("orishell")
+    canvas.translate((plan.width - drawing.width) / 2 * MM, (plan.height - drawing.height) / 2 * MM)
+    for layer in ORDER:
+        pen, (texts, circles, lines) = palette.pens[layer], drawing.of_layer(layer)
+        _pen(canvas, pen.colour, pen.width_mm, ())
+        canvas.setFillColor(pen.colour)
+        for line in lines:
+            path_ = canvas.beginPath()
+            first, *others = (line.points * MM).tolist()
+            path_.moveTo(*first)
+            for point in others:
+                path_.lineTo(*point)
+            if line.closed:
+                path_.close()
+            canvas.drawPath(path_)
+        for circle in circles:
+            canvas.circle(circle.x * MM, circle.y * MM, circle.radius * MM)
+        for text in texts:
+            _draw_text(canvas, text, np.zeros(2))
+    canvas.showPage()
+    canvas.save()
 
 
 def _write_model(path: Path, model: PaperModel) -> None:

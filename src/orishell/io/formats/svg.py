@@ -11,6 +11,7 @@ from typing import Final
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
 from orishell.io.format import Format, Settings, plain_line
+from orishell.workshop.ground_plan import draw_ground, ground_beside
 from orishell.workshop.palettes import (
     ORDER,
     Circle,
@@ -36,10 +37,16 @@ Number = Callable[[float], str]
 
 
 def write_svg(path: Path, document: Document, settings: Settings) -> None:
-    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it."""
+    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it.
+
+    The plan of the feet of a shell that can stand is ``ground.svg``, if it is asked for.
+    """
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_svg(place, drawing, palette)
+    ground = draw_ground(document) if settings.ground else None
+    if ground is not None:
+        dump_svg(ground_beside(path), ground, load_palette("plain"))
 
 
 def dump_svg(path: Path, drawing: Drawing, palette: Palette) -> None:

@@ -14,6 +14,7 @@ from orishell.conventions.quantities import conversion
 from orishell.design.fittings import Fittings
 from orishell.document import Document
 from orishell.io.format import Format, Settings
+from orishell.io.joint_tables import order_table, schedule_table, ties_table
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
@@ -21,6 +22,7 @@ from orishell.solids.hinged.pieces import piece_numbers
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_parts, nest_boards
+from orishell.workshop.ground_plan import ground_beside
 from orishell.workshop.hinge_parts import fittings_of, hinge_names
 
 FORMULA = ("=", "+", "-", "@", "\t", "\n")
@@ -60,11 +62,12 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels to ``path`` and the creases beside it.
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
-    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise, hinges
-    of whole boards to ``hinges.csv``, the kinds of their arms to ``arms.csv``, joints of pieces to
-    ``joints.csv``. The first
-    line names the columns and their units; panels are numbered from 0, and by row and column where
-    the sheet is a grid; numbers have all their digits.
+    other ``NAME.csv``; what joins panels along them to ``schedule.csv``, what to order to
+    ``order.csv`` and ties to ``ties.csv``, likewise. So do boards, where panels have a thickness,
+    to ``boards.csv``, hinges of whole boards to ``hinges.csv``, the kinds of their arms to
+    ``arms.csv``, joints of pieces to ``joints.csv``; feet, from one corner, go to ``ground.csv``.
+    The first line names the columns and their units; panels are numbered from 0, and by row and
+    column where the sheet is a grid; numbers have all their digits.
     """
 
     def beside(name: str) -> Path:
@@ -72,8 +75,14 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
 
     write_csv(path, *_panels(document))
     write_csv(beside("creases"), *_creases(document))
+    write_csv(beside("schedule"), *schedule_table(document, settings.workshop))
+    write_csv(beside("order"), *order_table(document, settings.workshop))
+    if document.ties:
+        write_csv(beside("ties"), *ties_table(document, settings.workshop))
     if document.boards is not None:
         write_csv(beside("boards"), *_boards(document, settings.workshop))
+    if document.ground is not None:
+        write_csv(ground_beside(path), *document.ground.table(document.unit))
     fittings = fittings_of(document)
     if fittings is not None:
         write_csv(beside("hinges"), *_hinges(document, fittings))

@@ -10,16 +10,13 @@ import numpy as np
 
 from orishell.conventions.quantities import Quantities
 from orishell.io.html_pages import paragraph, table
-from orishell.numerics.arrays import Array
-from orishell.structure.crease_forces import AtCrease, largest_forces
+from orishell.structure.crease_forces import FORCES, ROUNDING, AtCrease, worst_forces
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides
 from orishell.structure.results import Analysis
 
 SHARES = {2: "halves", 3: "thirds", 4: "quarters"}
-COLUMNS = ("pull", "push", "shear in the plane", "shear across", "moment")
-ROUNDING = 1e-9
-"""Forces below this share of the largest are none."""
+COLUMNS = (*FORCES, "moment")
 DIGITS = 6
 
 
@@ -84,7 +81,7 @@ def crease_csv(report: Analysis, unit: str) -> str:
     ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     names = [report.name_of(case) for _, case in report.balanced]
-    sizes, worst = _worst(report, len(edges))
+    sizes, worst = worst_forces(model, [found.edges for found, _ in report.balanced])
     for k, edge in enumerate(edges.tolist()):
         (row, column), (other, beside) = (model.panel_at(int(each)) for each in sides[k, :, 0])
         kind = "row" if edge < model.grid.rows * (model.grid.columns - 1) else "column"
@@ -95,13 +92,3 @@ def crease_csv(report: Analysis, unit: str) -> str:
         )
         writer.writerow((row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found))
     return text.getvalue()
-
-
-def _worst(report: Analysis, creases: int) -> tuple[Array, Array]:
-    """The largest forces (C, 5) of all cases, and the case of each, 0 where they are rounding."""
-    if not report.balanced:
-        return np.zeros((creases, 5)), np.zeros((creases, 5), np.int64)
-    every = np.stack([largest_forces(report.model, found.edges) for found, _ in report.balanced])
-    least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
-    every = np.where(every > least, every, 0.0)
-    return every.max(axis=0), every.argmax(axis=0)

@@ -1,0 +1,259 @@
+"""What to order: one table of sheets, rolls, bars and coils, what of them is used, and its mass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import prod
+
+import numpy as np
+
+from orishell.conventions.quantities import MILLIMETRES, conversion, plain, size
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.document import Document
+from orishell.numerics.arrays import Array
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.bars import CutBars, cut_bars
+from orishell.workshop.board_sheets import count_board_sheets
+from orishell.workshop.boards import has_membrane, has_sheet
+from orishell.workshop.hinge_parts import fittings_of
+from orishell.workshop.layout import on_its_roll
+from orishell.workshop.schedule import BY_LENGTH, Schedule, find_schedule
+from orishell.workshop.settings import Workshop
+from orishell.workshop.sheets import Waste, measure_waste
+
+
+@record
+class OrderRow:
+    """One line of the order; lengths and areas in the document's unit, None where not known."""
+
+    item: str  # what it is for: "boards", "membrane", "sheet", "arms", "ties", or a kind of hinge
+    what: str  # in words, with its thickness
+    count: int | None  # how many sheets, rolls, bars or coils; None if nobody says how it is sold
+    least: int | None  # how few would do at least, where it is proved that fewer cannot
+    size: tuple[float, ...]  # of one: width and height, or length; empty if nobody says
+    unit: str  # of what is used: "m2" for areas, "m" for lengths
+    used: float  # area or length of all parts
+    waste: float | None  # share of what is ordered that is not used
+    mass_kg: float | None  # of the parts
+    price: float | None  # of all that is ordered
+
+    def in_words(self) -> str:
+        """What is ordered, for one line; empty if nobody says how it is sold."""
+        if self.count is None or self.waste is None:
+            return ""
+        sides = " x ".join(plain(side, 3) for side in self.size)
+        length = self.unit.removesuffix("2")
+        lost = f"{plain(100 * self.waste, 2)} % waste"
+        return f"{self.count} {self.what} of {sides} {length} for {self.item} ({lost})"
+
+
+def order_in_words(order: Sequence[OrderRow]) -> Iterator[Row]:
+    """A row of the verdict that says what to order, where it is known how it is sold."""
+    rows = [text for row in order if (text := row.in_words())]
+    if rows:
+        yield Row("says", "order", "; ".join(rows))
+
+
+def find_order(
+    document: Document, workshop: Workshop, *, nested: bool = True
+) -> tuple[OrderRow, ...]:
+    """What to order for a document.
+
+    Masses are of parts: of boards as they are cut, of panels or the membrane without tabs and
+    strips. What is cut from sheets and rolls is laid out on them only if ``nested``.
+
+    Raises
+    ------
+    InputError
+        If a hinge or a tie is longer than what it is cut from, or a kind of hinge does not go with
+        the construction.
+    """
+    return tuple(_rows(document, workshop, nested))
+
+
+def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[OrderRow]:
+    everything = with_clipped(document)
+    if has_membrane(everything) or not has_sheet(everything):
+        sheets = count_board_sheets(document, workshop) if nested else None
+        yield _boards(everything, workshop, sheets)
+    if has_sheet(everything):
+        laid = nested and on_its_roll(document, workshop).stock is not None
+        yield _sheet(everything, workshop, measure_waste(document, workshop) if laid else None)
+    if fittings_of(everything) is not None:
+        yield from _arms(everything)
+    schedule = find_schedule(document, workshop)
+    for kind in BY_LENGTH:
+        if (schedule.kinds == kind).any():
+            yield _hinges(everything, workshop, schedule, kind)
+    if document.ties:
+        yield _ties(document, workshop)
+
+
+def _boards(document: Document, workshop: Workshop, sheets: int | None) -> OrderRow:
+    build, boards = document.panel, document.boards
+    assert build is not None
+    assert boards is not None
+    boards = boards.chosen(~boards.arms)
+    thick = build.thickness if build.is_solid else 0.5 * (build.thickness - build.membrane)
+    return _flat_row(
+        document.unit,
+        "boards",
+        ("sheet", thick),
+        sides=workshop.stock if sheets is not None else None,
+        count=sheets,
+        used=float(boards.areas().sum()),
+        mass=_cubic(document.unit) * float(boards.volumes().sum()) * build.density,
+        price=workshop.stock_price,
+    )
+
+
+def _sheet(document: Document, workshop: Workshop, stock: Waste | None) -> OrderRow:
+    """The membrane, or the sheet if panels have no thickness."""
+    build, area = document.panel, float(document.areas().sum())
+    laid = on_its_roll(document, workshop)
+    thick, weight = 0.0, _metres(document.unit) ** 2 * workshop.areal_density
+    if build is not None:
+        thick = build.membrane
+        weight = _cubic(document.unit) * build.membrane * build.membrane_density
+    return _flat_row(
+        document.unit,
+        "sheet" if build is None else "membrane",
+        ("roll" if laid is not workshop else "sheet", thick),
+        sides=None if stock is None else laid.stock,
+        count=None if stock is None else stock.sheets,
+        used=area if stock is None else stock.used_area,
+        mass=weight * area,
+        price=workshop.roll_price if laid is not workshop else workshop.stock_price,
+    )
+
+
+def _flat_row(
+    unit: str,
+    item: str,
+    sold: tuple[str, float],
+    *,
+    sides: tuple[float, float] | None,
+    count: int | None,
+    used: float,
+    mass: float,
+    price: float,
+) -> OrderRow:
+    """A row of what is cut from sheets or rolls, sold as something of a thickness."""
+    name, thick = sold
+    words = f"{name}{'' if count == 1 else 's'}"
+    return OrderRow(
+        item=item,
+        what=f"{words} {size(thick, unit)} thick" if thick else words,
+        count=count,
+        least=None if count is None or not sides else _fewest(used, prod(sides)),
+        size=sides or (),
+        unit=f"{unit}2",
+        used=used,
+        waste=None if not count or not sides else 1 - used / (count * prod(sides)),
+        mass_kg=mass or None,
+        price=price * count if count is not None and price else None,
+    )
+
+
+def _fewest(used: float, one: float) -> int:
+    """How few sheets have the area of all parts."""
+    return int(np.ceil(used / one * (1 - 1e-9)))
+
+
+def _arms(document: Document) -> Iterator[OrderRow]:
+    fittings, build = fittings_of(document), document.panel
+    if fittings is None or build is None or not fittings.arms:
+        return
+    count, kinds = sum(arm.count for arm in fittings.arms), len(fittings.arms)
+    yield OrderRow(
+        item="arms",
+        what=f"{count} arms of {kinds} {'kind' if kinds == 1 else 'kinds'}, of sheet "
+        f"{size(build.fin, document.unit)} thick",
+        count=None,
+        least=None,
+        size=(),
+        unit=f"{document.unit}2",
+        used=sum(arm.count * arm.area for arm in fittings.arms),
+        waste=None,
+        mass_kg=_cubic(document.unit) * fittings.arm_mass(build) or None,
+        price=None,
+    )
+
+
+def _hinges(document: Document, workshop: Workshop, schedule: Schedule, kind: str) -> OrderRow:
+    lengths = schedule.hinge_lengths[schedule.kinds == kind]
+    bars = cut_hinges(lengths, kind, workshop)
+    density = 0.0 if document.panel is None else document.panel.hinge.linear_density
+    mass = _metres(document.unit) * float(lengths.sum()) * density
+    name = "length" if kind == "tape" else "bar"
+    cut = _long_row(document.unit, _CALLED.get(kind, kind), name, lengths, bars)
+    return replace(cut, mass_kg=mass or None, price=_priced(bars, workshop.hinge_price))
+
+
+_CALLED = {"hinge": "hinges", "piano hinge": "piano hinges"}
+
+
+def _ties(document: Document, workshop: Workshop) -> OrderRow:
+    lengths = tie_lengths(document, workshop)
+    coils = cut_ties(lengths, workshop)
+    cut = _long_row(document.unit, "ties", "coil", lengths, coils)
+    return replace(cut, price=_priced(coils, workshop.tie_price))
+
+
+def _priced(bars: CutBars | None, price: float) -> float | None:
+    return None if bars is None or not price else price * bars.count
+
+
+def _long_row(
+    unit: str,
+    item: str,
+    name: str,
+    lengths: Array,
+    bars: CutBars | None,
+) -> OrderRow:
+    used, count = float(lengths.sum()), None if bars is None else bars.count
+    pieces = f"{len(lengths)} {'piece' if len(lengths) == 1 else 'pieces'}"
+    return OrderRow(
+        item=item,
+        what=pieces if bars is None else f"{name}{'' if count == 1 else 's'}",
+        count=count,
+        least=None if bars is None else bars.least,
+        size=() if bars is None else (float(bars.bar),),
+        unit=unit,
+        used=used,
+        waste=None if bars is None else 1 - used / (bars.count * bars.bar),
+        mass_kg=None,
+        price=None,
+    )
+
+
+def cut_hinges(lengths: Array, kind: str, workshop: Workshop) -> CutBars | None:
+    """The bars that hinges of lengths (H,) are cut from; None where nobody says, and of tape."""
+    if workshop.hinge_stock is None or kind == "tape":
+        return None
+    key = "workshop.hinge_stock"
+    return cut_bars(lengths, workshop.hinge_stock, workshop.spacing, key, "a hinge")
+
+
+def cut_ties(lengths: Array, workshop: Workshop) -> CutBars | None:
+    """The coils that ties of lengths (T,) are cut from; None where nobody says."""
+    if workshop.tie_stock is None:
+        return None
+    return cut_bars(lengths, workshop.tie_stock, 0.0, "workshop.tie_stock", "a tie")
+
+
+def tie_lengths(document: Document, workshop: Workshop) -> Array:
+    """Lengths (T,) to which ties are cut: from end to end, and what either end has beyond."""
+    lengths = np.array([tie.length for tie in document.ties], dtype=np.float64)
+    return lengths + 2 * workshop.tie_end
+
+
+def _metres(unit: str) -> float:
+    """How long the unit is (m); 0 if that is not known, and so no mass is."""
+    return conversion(unit, "m") if unit in MILLIMETRES else 0.0
+
+
+def _cubic(unit: str) -> float:
+    return _metres(unit) ** 3

@@ -1,0 +1,126 @@
+"""What to order: masses are those of the report, counts and waste those of the layouts."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from boarded import BUILDS, boarded_document
+from documents import EXAMPLES, demo_document
+from orishell.design_file import read_design_file
+from orishell.document import Document
+from orishell.io.format import Settings
+from orishell.io.formats.tables import write_tables
+from orishell.shell.make import Shell, make_shell
+from orishell.shell.steps import Step
+from orishell.workshop import Workshop
+from orishell.workshop.board_sheets import nest_boards
+from orishell.workshop.layout import lay_out
+from orishell.workshop.order import OrderRow, find_order
+from orishell.workshop.quantities import measure_quantities
+from samples import led_by
+
+SKIPPED: tuple[Step, ...] = (
+    "verification",
+    "pack",
+    "weight",
+    "deviation",
+    "structure",
+    "remedies",
+    "stock",
+)
+SHELLS = [
+    ("shelter.toml", {}),
+    ("shelter_hinged.toml", {}),
+    ("shelter_boards.toml", {}),
+    ("figure1_card.toml", {}),
+    ("dome.toml", {"panel.density": 680, "panel.membrane_density": 900}),
+    ("dome_locked.toml", {"panel.density": 680, "panel.membrane_density": 900}),
+]
+
+
+def shell_of(name: str, changes: dict[str, object]) -> Shell:
+    file = read_design_file(EXAMPLES / name).changed(changes)
+    return make_shell(file, clash="unexamined", skip=SKIPPED)
+
+
+def by_item(document: Document, workshop: Workshop) -> dict[str, OrderRow]:
+    return {row.item: row for row in find_order(document, workshop)}
+
+
+@pytest.mark.parametrize(("name", "changes"), led_by(SHELLS, 2))
+def test_masses_of_the_order_are_the_mass_of_the_report(
+    name: str, changes: dict[str, object]
+) -> None:
+    """Both add up boards, membrane, arms and hinges, in another order: 1e-12 is rounding."""
+    found = shell_of(name, changes).report.quantities
+    total = found.mass_kg if found.built is None else found.built.mass_kg.total
+    assert total is not None
+    masses = [row.mass_kg for row in found.order if row.item != "ties"]
+    assert sum(mass or 0.0 for mass in masses) == pytest.approx(total, rel=1e-12)
+
+
+@pytest.mark.parametrize("construction", BUILDS)
+def test_counts_and_waste_are_those_of_the_layouts(construction: str) -> None:
+    """Sheets of stock by the nests themselves; what is not used is the rest of their area."""
+    document = boarded_document(construction, clipped=True)
+    workshop = Workshop(stock=(300.0, 200.0), spacing=2.0, stock_price=3.0)
+    boards = by_item(document, workshop)["boards"]
+    nest = nest_boards(document, workshop)
+    assert boards.count == 1 + max(each.sheet for each in nest)
+    assert boards.waste == pytest.approx(1 - boards.used / (boards.count * 300 * 200))
+    assert boards.least is not None
+    assert boards.used / 60_000 <= boards.least <= boards.count
+    assert boards.price == 3.0 * boards.count
+
+
+def test_a_membrane_is_cut_from_its_roll_and_boards_from_stock() -> None:
+    document = boarded_document("sandwich")
+    workshop = Workshop(stock=(300.0, 200.0), roll=(150.0, 2000.0), roll_price=9.0)
+    found = by_item(document, workshop)
+    membrane, boards = found["membrane"], found["boards"]
+    layout = lay_out(document, workshop)
+    assert (membrane.size, membrane.count) == ((150.0, 2000.0), layout.sheets)
+    assert membrane.price == 9.0 * layout.sheets
+    assert boards.size == (300.0, 200.0)
+    for part, placed in zip(layout.parts, layout.placements or (), strict=True):
+        low, high = (
+            getattr(placed.move(np.concatenate(part.outlines)), name)(axis=0)
+            for name in ("min", "max")
+        )
+        assert (low >= -1e-6).all()
+        assert (high <= np.array([150.0, 2000.0]) + 1e-6).all()
+
+
+def test_what_is_not_known_is_empty() -> None:
+    """No density, no stock, no price: nothing of them is 0, in the order nor in its table."""
+    document = boarded_document("bevel")
+    assert document.panel is not None
+    for row in find_order(document, Workshop()):
+        assert (row.count, row.waste, row.price, row.size, row.least) == (
+            None,
+            None,
+            None,
+            (),
+            None,
+        )
+    (sheet,) = find_order(demo_document(), Workshop())
+    assert (sheet.item, sheet.mass_kg) == ("sheet", None)
+
+
+def test_order_csv_has_the_rows_of_the_report(tmp_path: Path) -> None:
+    document = boarded_document("sandwich")
+    workshop = Workshop(stock=(300.0, 200.0), row_hinge="piano hinge", hinge_stock=300.0)
+    write_tables(tmp_path / "panels.csv", document, Settings(workshop=workshop))
+    rows = list(csv.DictReader((tmp_path / "order.csv").read_text().splitlines()))
+    said = measure_quantities(document, workshop).order
+    assert [row["item"] for row in rows] == [row.item for row in said]
+    assert [row["item"] for row in rows] == ["boards", "membrane", "piano hinges"]
+    for row, of in zip(rows, said, strict=True):
+        assert float(row["used"]) == of.used
+        assert row["mass_kg"] == ("" if of.mass_kg is None else repr(of.mass_kg))
+        assert int(row["count"]) == of.count
+        assert row["price"] == ""
