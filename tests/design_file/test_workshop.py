@@ -50,6 +50,7 @@ def test_all_keys(tmp_path: Path) -> None:
     joint_width = 0.03
     paper = "A3"
     paper_scale = 0.1
+    language = "de"
     model_scale = 0.05
     areal_density = 1.4
     cutting_error = 0.0003
