@@ -110,7 +110,8 @@ def _farthest_first(seen: Array) -> Integers:
     """
     from graphlib import TopologicalSorter
 
-    depth = seen[..., 2].mean(axis=1)
+    # Rounded: which of two equals is first must not depend on the last bit.
+    depth = np.round(seen[..., 2].mean(axis=1) / (APART * float(np.ptp(seen)) or 1.0))
     before, after = _hiding(seen)
     behind: dict[int, list[int]] = {number: [] for number in np.argsort(depth, kind="stable")}
     for first, second in zip(before.tolist(), after.tolist(), strict=True):
