@@ -38,7 +38,8 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     # What the run before wrote more is gone, but what was changed since is not.
     removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
     assert removed == [
-        f"removed   two/{name}, from an earlier run" for name in ("creases.csv", "pattern.svg")
+        f"removed   two/{name}, from an earlier run"
+        for name in ("creases.csv", "ground.csv", "order.csv", "pattern.svg", "schedule.csv")
     ]
     assert (tmp_path / "two" / "panels.csv").read_text() == "mine"
     printed = json.loads(first.stdout)
