@@ -29,6 +29,7 @@ from orishell.io.formats import all_formats
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.export import write_format, write_shell, write_structure
+from orishell.shell.kit import write_kit
 from orishell.shell.pictures import lay_surface
 from orishell.studio import notebook
 from orishell.studio.notebook import show
@@ -101,6 +102,8 @@ def test_what_has_too_little_to_be_shown_or_written_says_what_to_call(tmp_path: 
     with pytest.raises(InputError, match=r"got Design, .* design_shell"):
         write_structure(design, tmp_path / "out")
     with pytest.raises(InputError, match=r"got Design, .* design_shell"):
+        write_kit(design, tmp_path / "out")
+    with pytest.raises(InputError, match=r"got Design, .* design_shell"):
         analyse_structure(design)
     assert not list(tmp_path.iterdir())
     with pytest.raises(InputError, match=r"got Design, .* take design\.mechanism"):
@@ -125,6 +128,7 @@ def test_every_function_that_takes_a_shell_is_among_these() -> None:
         "orishell.shell.write_shell",
         "orishell.shell.write_format",
         "orishell.shell.write_structure",
+        "orishell.shell.write_kit",
         "orishell.shell.analyse_structure",
     }
 

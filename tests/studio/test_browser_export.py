@@ -176,6 +176,7 @@ def test_files_by_what_they_are_for(page: Page) -> None:
     for said, format_, setting, other in (
         ("Write DXF", "svg", "stock-width", "paper"),
         ("Write PDF", "pdf", "paper", "stock-width"),
+        ("Write BOOKLET", "booklet", "language", "paper"),
         ("Write 3DM", "obj", None, "paper"),
         ("Write CSV", "vtu", "areal_density", "paper"),
     ):
@@ -194,7 +195,7 @@ def test_files_by_what_they_are_for(page: Page) -> None:
     colours = "c => new Set(c.getContext('2d').getImageData(0, 0, 560, 400).data).size"
     assert canvas.evaluate(colours) > 20  # the shell is on it
     page.keyboard.press("ArrowRight")
-    assert page.locator(".export-window button.format:visible").count() == 16
+    assert page.locator(".export-window button.format:visible").count() == 17
     assert not write.is_visible()
     page.keyboard.press("ArrowRight")  # round to the first
     page.keyboard.press("Escape")

@@ -73,7 +73,7 @@ class Format:
     analysed: bool = False
     # whether it says what is known of a designed shell only: ties, pack, feet
     designed: bool = False
-    # what one writes it for: "cut", "paper", "cad" or "analysis"; empty where for none of these
+    # what one writes it for: "cut", "paper", "kit", "cad" or "analysis"; empty for none of these
     task: str = ""
 
     def fits(self, document: Document) -> bool:

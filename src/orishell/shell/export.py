@@ -49,7 +49,7 @@ def write_shell(
     InputError
         If the directory cannot be written to, or a setting does not fit the sheet.
     """
-    _require_shell(shell)
+    require_shell(shell)
     for format_ in formats:
         if not isinstance(format_, Format):
             raise InputError(
@@ -115,7 +115,7 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
     InputError
         If the shell was not analysed, or the directory cannot be written to.
     """
-    _require_shell(shell)
+    require_shell(shell)
     if shell.analysis is None:
         raise InputError(
             "the shell was not analysed",
@@ -153,7 +153,7 @@ def write_format(
     InputError
         If a setting does not fit the sheet.
     """
-    _require_shell(shell)
+    require_shell(shell)
     states = states_of(shell.motion, progress, f"writing {format_.file}")
     document = replace(shell.document, states=states)
     if format_.lays_surface:
@@ -161,7 +161,11 @@ def write_format(
     write_document(format_, draft / format_.file, document, settings, str(shell.file.path))
 
 
-def _require_shell(shell: object) -> None:
+def require_shell(shell: object) -> None:
+    """Refuse what is no shell, as notebooks may have it.
+
+    Raises InputError.
+    """
     if not isinstance(shell, Shell):
         raise InputError(
             "only a shell has a report and pictures",

@@ -20,7 +20,7 @@ from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
-from orishell.shell.export import write_document
+from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
 from orishell.workshop.card_model import make_card_model
 from orishell.workshop.kit_facts import find_facts
@@ -118,6 +118,7 @@ def write_kit(
     InputError
         If the directory cannot be written to, or a setting does not fit the sheet.
     """
+    require_shell(shell)
     directory = path_of(directory, "write_kit: directory")
     document, workshop, scale = shell.document, shell.file.workshop, 1.0
     document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))

@@ -72,5 +72,5 @@ FORMAT = Format(
     "parts, tools and steps to build it",
     write_booklet,
     designed=True,
-    task="paper",
+    task="kit",
 )
