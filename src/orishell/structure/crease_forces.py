@@ -29,7 +29,7 @@ from orishell.structure.settings import LoadCase
 CreaseKind = Literal["row", "column"]
 """Row creases run from left to right in the flat sheet, column creases downwards."""
 FORCES = ("pull", "push", "shear in the plane", "shear across")
-"""Forces per length along a crease, as :func:`largest_forces` has them."""
+"""Forces per length along a crease, as ``largest_forces`` has them."""
 ROUNDING = 1e-9
 """Forces below this share of the largest are none."""
 UNBALANCED = 1e-6
