@@ -48,6 +48,7 @@ class Standing:
     mechanism: Mechanism
     feet: Fixings  # pairs of feet, one of either row
     slope: Array  # (2,), sine and cosine of the slope of the line from one row to the other
+    size: float  # of the sheet: the side of a square of its area (length)
 
     @classmethod
     def of(
@@ -68,12 +69,7 @@ class Standing:
         first, last = np.moveaxis(feet.at(mechanism.target_drive), -2, 0)
         line = (last - first).mean(axis=0)
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
-        return cls(mechanism, feet, slope)
-
-    @property
-    def size(self) -> float:
-        """Of the sheet: the side of a square of its area (length)."""
-        return float(np.sqrt(area_of(self.mechanism)))
+        return cls(mechanism, feet, slope, float(np.sqrt(area_of(mechanism))))
 
     def place(self, drives: ArrayLike) -> Place:
         """Where the ground is at drives (...) (radians)."""
