@@ -57,7 +57,7 @@ def take(page: Page, name: str) -> None:
     wait_until(page, "window.orishell !== undefined", seconds=300)
     page.evaluate(STYLED, ONLY_THE_SHELL)
     await_frames(page)
-    page.evaluate("orishell.shell.fitState()")
+    page.evaluate("orishell.shell.fit()")
     for colours in ("light", "dark"):
         page.evaluate("colours => orishell.theme.set(colours)", colours)
         await_frames(page)
