@@ -239,7 +239,7 @@ def test_from_flat_no_force_at_the_feet_begins_but_a_lift_does() -> None:
     assert first.lift is not None
     assert first.lift > 0
     assert all(stage.force is not None and stage.force > 0 for stage in others)
-    assert first.people is raising.carried_by is None  # its mass is not known
+    assert first.people is None  # its mass is not known
 
 
 def test_a_shell_that_cannot_stand_has_no_plan() -> None:

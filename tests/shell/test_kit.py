@@ -38,7 +38,10 @@ QUICK = "figure1_card"
 """48 panels of card on paper, with flaps that are clipped on; four seconds."""
 KITS = [
     QUICK,
-    *(pytest.param(name, marks=thorough) for name in ("shelter_boards", "shelter_hinged")),
+    *(
+        pytest.param(name, marks=thorough)
+        for name in ("shelter", "shelter_boards", "shelter_hinged", "dome")
+    ),
 ]
 SHEETS = ["canopy", *(pytest.param(name, marks=thorough) for name in ("shelter", "dome_locked"))]
 
@@ -96,6 +99,12 @@ def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> N
         kinds = Counter(row[key] for row in hinges for key in ("kind_1", "kind_2") if row[key])
         assert kinds == {row["kind"]: int(row["count"]) for row in arms}
         assert counts["Arms"] == kinds.total()
+    split = counts.get("Parts of the sheet", counts.get("Parts of the membrane", 0))
+    if split:  # the parts of the sheet are numbered from 1, those of clipped flaps go on
+        numbers = names_in(sorted((tmp_path / "kit/fabric").glob("pattern-[0-9]*.dxf")))
+        flaps = counts.get("Flaps to clip on", 0)
+        assert {name for name in numbers if name.isdecimal()} >= {*map(str, range(1, split + 1))}
+        assert split + flaps <= len([name for name in numbers if name.isdecimal()])
     readme = (tmp_path / "kit/README.md").read_text()
     for part, count in counts.items():
         assert f"| {part.lower()} | {count} |" in readme

@@ -1247,6 +1247,7 @@ export interface ProofRecord {
 
 /** Totals of the sheet and its clipped boards; lengths and areas in the document's unit. */
 export interface Quantities {
+  /**  */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
   clipped: number;
@@ -1262,6 +1263,8 @@ export interface Quantities {
   mass_kg: number | null;
   /** Boards, membrane and hinges; None if panels have no thickness. */
   built: PanelBill | null;
+  /** How many people carry all of it; None if its mass is not known. */
+  carried_by: number | null;
   /** What to order. */
   order: OrderRow[];
 }
@@ -1272,8 +1275,6 @@ export interface Raising {
   row: number;
   /** What one person is taken to pull or lift (N). */
   person: number;
-  /** How many people carry it; None if its mass is not known. */
-  carried_by: number | null;
   /** From where it begins to the target. */
   stages: Stage[];
 }

@@ -13,6 +13,9 @@ MILLIMETRES: Final[dict[str, float]] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in"
 """Length of each unit in millimetres."""
 GRAVITY: Final = 9.81
 """Metres per second squared."""
+PERSON_KG: Final = 23.0
+"""What one person lifts, carries, or is taken to pull with its weight (kg): the load that NIOSH's
+lifting equation (1991) allows under the best conditions."""
 
 
 def conversion(source: str, target: str) -> float:

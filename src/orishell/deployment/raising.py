@@ -14,15 +14,14 @@ from math import ceil
 
 import numpy as np
 
-from orishell.conventions.quantities import GRAVITY
+from orishell.conventions.quantities import GRAVITY, PERSON_KG
 from orishell.conventions.record import Angle, record
 from orishell.deployment.fixings import Fixings
 from orishell.deployment.weight import Body, OwnWeight
 from orishell.numerics.arrays import Array
 
-PERSON = 23 * GRAVITY
-"""What one person can lift, and is taken to pull (N): the load of 23 kg that NIOSH's lifting
-equation (1991) allows under the best conditions."""
+PERSON = PERSON_KG * GRAVITY
+"""What one person can lift, and is taken to pull (N)."""
 STAGES = 4
 """The way has so many parts, of the same change of the drive."""
 STEP = 1e-3
@@ -61,11 +60,10 @@ class Stage:
 class Raising:
     """The way of a shell from flat or packed to its target, by its own weight."""
 
-    WRITTEN = ("row", "person", "carried_by", "stages")
+    WRITTEN = ("row", "person", "stages")
 
     row: int  # the row of vertices that is highest at the target: where it is lifted
     person: float  # what one person is taken to pull or lift (N)
-    carried_by: int | None  # how many people carry it; None if its mass is not known
     stages: tuple[Stage, ...]  # from where it begins to the target
 
 
@@ -101,8 +99,7 @@ def find_raising(body: Body, weight: OwnWeight, end: float, metres: float) -> Ra
         force = None if np.isnan(thrust) else -thrust * grows * float(np.sign(step)) / unit
         up = None if lift is None else lift / unit
         stages.append(Stage(drive, work * metres / unit, force, up, known))
-    carried = ceil(weight.total / PERSON) if known else None
-    return Raising(row, PERSON, carried, tuple(stages))
+    return Raising(row, PERSON, tuple(stages))
 
 
 def _works(body: Body, drives: Array, energy: Array, stages: Array) -> list[float]:

@@ -59,6 +59,7 @@ class DocumentTie:
 
     ends: VertexPair  # its vertices by row and column of the grid
     length: float  # from end to end (length)
+    slack: bool = False  # whether it is proved to be slack from the pack to there
 
 
 @record

@@ -37,7 +37,8 @@ class GroundFoot:
 class SweptGround:
     """The ground that a shell needs on its way to the target: it is proved to stay inside.
 
-    On the way the middle between its feet stays where it is at the target.
+    But for the last billionth of the way, of which both ends are known. The middle between its feet
+    stays where it is at the target.
     """
 
     WRITTEN = (

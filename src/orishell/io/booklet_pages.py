@@ -71,7 +71,7 @@ class BookletPage:
 def booklet_pages(document: Document, workshop: Workshop) -> tuple[BookletPage, ...]:
     """All pages: cover, parts with tools, steps, and how it is packed."""
     words, facts = load_words(workshop.language), find_facts(document)
-    parts, steps = kit_parts(document, facts), kit_steps(document, facts)
+    parts, steps = kit_parts(document, workshop, facts), kit_steps(document, facts)
     book = _Book(document, facts, words)
     pages = [book.cover(parts, steps), book.parts(parts)]
     for first in range(0, len(steps), STEPS):
@@ -212,7 +212,7 @@ class _Book:
         loose = [
             f"{say('times', count=part.count)} {say(f'parts.{part.name}')}"
             for part in parts
-            if part.name == "flap" or (part.name == "tie" and facts.ties_join)
+            if part.name == "flap" or (part.name == "tie" and not facts.ties_early)
         ]
         if loose:
             lines.append(say("packing.beside", what=", ".join(loose)))

@@ -66,5 +66,5 @@ def warn_of_cutting(design: Design, found: CuttingReport | None, unit: str) -> I
         yield (
             f"as they are cut, boards need up to {play} of play at their hinges (in 95 % of "
             f"shells), more than the gap between them, {plain(design.panel.gap)} {unit}: cut more "
-            f"exactly, or leave a gap = {gap} in [panel]"
+            f"exactly, or leave at least {gap} {unit} there, if panels have the room"
         )

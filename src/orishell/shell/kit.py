@@ -22,6 +22,7 @@ from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
+from orishell.workshop import Workshop
 from orishell.workshop.card_model import make_card_model
 from orishell.workshop.kit_facts import find_facts
 from orishell.workshop.kit_parts import kit_parts
@@ -140,7 +141,7 @@ def write_kit(
             if folder is not LEFT_OUT:
                 folders.setdefault(folder, []).append(file)
         readme = Path(made) / "README.md"
-        readme.write_text("\n".join(_readme(document, folders)) + "\n", encoding="utf-8")
+        readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, directory))
     return Kit(written, scale)
@@ -165,7 +166,9 @@ def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
         yield from (directory / folder / file.name for file in files)
 
 
-def _readme(document: Document, folders: dict[str, list[Path]]) -> Iterator[str]:
+def _readme(
+    document: Document, workshop: Workshop, folders: dict[str, list[Path]]
+) -> Iterator[str]:
     """What is where, with counts and sizes."""
     facts, unit = find_facts(document), document.unit
     words = load_words("en")
@@ -186,7 +189,7 @@ def _readme(document: Document, folders: dict[str, list[Path]]) -> Iterator[str]
     yield ""
     yield "| part | count |"
     yield "|---|---|"
-    for part in kit_parts(document, facts):
+    for part in kit_parts(document, workshop, facts):
         yield f"| {words.say(f'parts.{part.name}').lower()} | {part.count} |"
     yield ""
     yield "| folder | what is in it | files |"

@@ -175,7 +175,7 @@ def _step_by_step(
     )
     document = _document(file, design, lock, motion)
     deployment = with_ground(deployment, design, lock, site, document)
-    ties = tuple(DocumentTie(tie.ends, tie.length) for tie in deployment.ties)
+    ties = tuple(DocumentTie(tie.ends, tie.length, tie.slack is True) for tie in deployment.ties)
     document = replace(document, ties=ties, ground=deployment.ground)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
     cutting = None if "cutting" in skip else find_cutting(design, file.workshop, feet)

@@ -69,7 +69,7 @@ def find_verdict(
         *_sizes(report),
         *_weighs(report.deployment),
         *(() if report.cutting is None else report.cutting.rows(report.unit)),
-        *_ground(report.deployment, report.unit),
+        *_ground(report.deployment, report.quantities.carried_by, report.unit),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -347,9 +347,9 @@ def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
     yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
 
 
-def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
+def _ground(deployment: DeploymentReport, people: int | None, unit: str) -> Iterator[Row]:
     """The ground that it needs on its way, and the people."""
-    plan, raising = deployment.ground, deployment.raising
+    plan = deployment.ground
     if plan is None or plan.swept is None:
         return
     swept = plan.swept
@@ -357,7 +357,6 @@ def _ground(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
         size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
     )
     crew = ""
-    if raising is not None and raising.carried_by is not None:
-        people = raising.carried_by
+    if people is not None:
         crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
     yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")

@@ -1,9 +1,9 @@
 """Bars and coils cut to length: one-dimensional nesting, and how few there could be.
 
 Pieces go, the longest first, to the bar that they fill best; a saw takes its cut between two of
-them. That takes no more than 11/9 of the fewest bars, and one beside. How few there are at least
-is known from Martello and Toth's bound (Knapsack Problems, 1990, section 8.3.2): pieces longer than
-half a bar have one each, and what those leave room for is taken off the sum of the others.
+them. How few there are at least is known from Martello and Toth's bound (Knapsack Problems, 1990,
+section 8.3.2): pieces longer than half a bar have one each, and what those leave room for is taken
+off the sum of the others.
 """
 
 from __future__ import annotations

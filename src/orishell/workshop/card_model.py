@@ -62,7 +62,6 @@ def _without_boards(document: Document) -> Document:
         surface=None,
         distances=None,
         loaded=None,
-        ties=(),
         ground=None,
     )
 
@@ -77,6 +76,7 @@ def _scaled(document: Document, factor: float, scale: float) -> Document:
         curves={name: points * factor for name, points in document.curves.items()},
         origin=document.origin * factor,
         clipped=tuple(_scaled(each, factor, scale) for each in document.clipped),
+        ties=tuple(replace(tie, length=tie.length * factor) for tie in document.ties),
         model_scale=scale,
     )
 

@@ -29,7 +29,7 @@ class KitFacts:
     mass: float | None  # kg; None where it is not known
     ties: tuple[float, ...]  # their lengths
     tied: Integers  # vertices (K, 2) that they join
-    ties_join: bool  # whether they are fixed only when pieces are joined
+    ties_early: bool  # whether they are fixed to the pack: all are proved slack until it is open
     feet: int  # how many vertices it stands on; 0 where it has no feet
     apart: tuple[float, float] | None  # the least and largest distance of feet opposite each other
     pieces: tuple[Booleans, ...]  # panels (F,) of each piece
@@ -47,10 +47,10 @@ def find_facts(document: Document) -> KitFacts:
     flat, points = document.require_flat(), document.in_world(document.shell.positions)
     pieces = tuple(_pieces(document))
     packs = held.get("pieces") or [each for each in [held.get("packed")] if each]
-    model, tied = document.model_scale is not None, _tied(document, held.get("ties") or ())
+    model, tied = document.model_scale is not None, _tied(document)
     if model:
         packs = []  # they are measured with the thickness of panels
-    lengths = tuple(factor * each["length"] for each in held.get("ties") or ())
+    packed = held.get("start") == "pack" and "pack" in document.named
     apart, feet = _feet(document, stands, points)
     (width, height), (x, y, z) = np.ptp(flat, axis=0).tolist(), np.ptp(points, axis=0).tolist()
     sides = _table(document.report, "deployed")
@@ -58,7 +58,7 @@ def find_facts(document: Document) -> KitFacts:
         x, y, z = (factor * sides[each] for each in ("width", "depth", "height"))
     built = document.panel is not None and document.boards is not None
     return KitFacts(
-        starts_packed=held.get("start") == "pack" and "pack" in document.named,
+        starts_packed=packed,
         construction=document.panel.construction if document.panel and built else "",
         sheet=(width, height),
         opened=(x, y, z),
@@ -68,9 +68,10 @@ def find_facts(document: Document) -> KitFacts:
         ),
         layers=max((int(each.get("layers", 0)) for each in packs), default=0),
         mass=None if model else _mass(document.report),
-        ties=_tie_lengths(points, tied) if model else lengths,
+        # Those of whole boards are between corners of these.
+        ties=_tie_lengths(points, tied) if model else tuple(tie.length for tie in document.ties),
         tied=tied,
-        ties_join=len(pieces) > 1,
+        ties_early=packed and len(pieces) == 1 and all(tie.slack for tie in document.ties),
         feet=feet,
         apart=apart,
         pieces=pieces,
@@ -100,9 +101,9 @@ def _mass(report: Mapping[str, object]) -> float | None:
     return None if mass is None else float(mass)
 
 
-def _tied(document: Document, ties: Iterable[Mapping[str, Any]]) -> Integers:
+def _tied(document: Document) -> Integers:
     """Numbers (K, 2) of the vertices that ties join."""
-    ends = np.array([tie["ends"] for tie in ties], np.int64).reshape(-1, 2, 2)
+    ends = np.array([tie.ends for tie in document.ties], np.int64).reshape(-1, 2, 2)
     across = 0 if document.grid_shape is None else document.grid_shape[1]
     return np.asarray(across * ends[..., 0] + ends[..., 1])
 

@@ -18,6 +18,8 @@ from orishell.workshop.boards import SIDES, distinct_corners, seen_from_outside
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.kit_facts import KitFacts
+from orishell.workshop.layout import lay_out
+from orishell.workshop.settings import Workshop
 
 LAYERS = {1: "top", -1: "bottom", 0: "solid"}
 
@@ -32,19 +34,20 @@ class KitPart:
     picture: tuple[Array, ...] = ()  # polylines (k, 2), closed where first and last coincide
 
 
-def kit_parts(document: Document, facts: KitFacts) -> tuple[KitPart, ...]:
+def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[KitPart, ...]:
     """All kinds of parts, in the order in which they are used; counts are those of the drawings."""
     everything, unit = with_clipped(document), document.unit
     parts: list[KitPart] = []
     if facts.construction in ("", "sandwich"):
-        name = "membrane" if facts.construction else "sheet"
+        cut = sheet_parts(document, workshop)
+        name = ("membrane" if facts.construction else "sheet") + ("" if cut == 1 else "_parts")
         values = {
             "size": box(facts.sheet, unit),
             "area": area(float(document.areas().sum()), unit),
             "panels": str(len(document.mesh.faces)),
         }
         rims = tuple(map(_closed, whole_sheet(document).outlines))
-        parts.append(KitPart(name, 1, values, rims))
+        parts.append(KitPart(name, cut, values, rims))
     if facts.construction:
         parts += _boards(everything)
     fittings = fittings_of(document)
@@ -61,6 +64,12 @@ def kit_parts(document: Document, facts: KitFacts) -> tuple[KitPart, ...]:
         values = {"panels": str(facts.clipped_panels)}
         parts.append(KitPart("flap", facts.flaps, values, tuple(map(_closed, quads))))
     return tuple(parts)
+
+
+def sheet_parts(document: Document, workshop: Workshop) -> int:
+    """How many parts the sheet or the membrane is cut in, what is clipped on left out."""
+    count = len(document.mesh.faces)
+    return sum(bool((part.panels < count).any()) for part in lay_out(document, workshop).parts)
 
 
 def _boards(everything: Document) -> Iterator[KitPart]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from math import ceil
 
-from orishell.conventions.quantities import box, plain, size
+from orishell.conventions.quantities import PERSON_KG, box, plain, size
 from orishell.conventions.record import record
 from orishell.document import FLAT, SHELL, Document
 from orishell.numerics.arrays import Booleans, Integers
@@ -12,8 +13,6 @@ from orishell.workshop.kit_facts import KitFacts, middle_state
 
 SLIM = 0.03
 """A pack less high than this share of its length is flat."""
-PERSON_KG = 25.0
-"""What one person carries."""
 
 
 @record
@@ -56,12 +55,12 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
     if facts.apart is not None:
         opened["apart"] = _between(*facts.apart, unit)
         standing = "apart_shut" if facts.shuts else "apart"
-    elif facts.ties and facts.starts_packed and not (facts.ties_join or facts.shuts):
+    elif facts.ties and facts.ties_early and not facts.shuts:
         standing = "taut"  # they are fixed before
     tie = [] if not facts.ties else [_tie(document, facts)]
     if facts.starts_packed:
         yield Step("fold_pack", opened, "pack", piece, check="none")
-        if not facts.ties_join:
+        if facts.ties_early:
             yield from tie
         if not facts.model:
             yield from _carrying(facts, piece, unit)
@@ -71,9 +70,9 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         )
         if piece is not None:
             yield Step("join", opened, SHELL, check=standing)
-            yield from tie
     else:
         yield Step("fold", opened, middle_state(document, FLAT), check=standing)
+    if not facts.ties_early:
         yield from tie
     if facts.flaps:
         values = {"flaps": plain(facts.flaps), "panels": plain(facts.clipped_panels)}
@@ -88,7 +87,7 @@ def _tie(document: Document, facts: KitFacts) -> Step:
         "ties": plain(len(facts.ties)),
         "length": _between(min(facts.ties), max(facts.ties), document.unit),
     }
-    name = "tie_joined" if facts.ties_join or not facts.starts_packed else "tie"
+    name = "tie" if facts.ties_early else "tie_open"
     return Step(name, values, SHELL, joined=facts.tied, check="tie")
 
 
@@ -100,7 +99,7 @@ def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[St
     yield Step(name, values, "pack", piece)
     if facts.mass is not None:
         values["mass"] = f"{plain(facts.mass, 3)} kg"
-        values["people"] = plain(-(-facts.mass // PERSON_KG))
+        values["people"] = str(ceil(facts.mass / PERSON_KG))
         values["each"] = f"{plain(PERSON_KG)} kg"
         yield Step("carry", values, "pack", piece, check="none")
 

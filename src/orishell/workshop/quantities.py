@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
-from orishell.conventions.quantities import conversion
+from orishell.conventions.quantities import PERSON_KG, conversion
 from orishell.conventions.record import record
 from orishell.design.fittings import Fittings
 from orishell.document import Document
@@ -222,6 +223,11 @@ class CreaseLength:
 class Quantities:
     """Totals of the sheet and its clipped boards; lengths and areas in the document's unit."""
 
+    WRITTEN = (
+        *("panels", "clipped", "area", "crease_length", "outline_length", "stock"),
+        *("mass_kg", "built", "carried_by", "order"),
+    )
+
     panels: int
     clipped: int  # how many of them are panels of boards that are clipped on at the target
     area: float  # area of all panels
@@ -233,6 +239,13 @@ class Quantities:
     mass_kg: float | None  # mass of the panels; None if the areal density is not known
     built: PanelBill | None = None  # boards, membrane and hinges; None if panels have no thickness
     order: tuple[OrderRow, ...] = ()  # what to order
+
+    @property
+    def carried_by(self) -> int | None:
+        """How many people carry all of it; None if its mass is not known."""
+        built = None if self.built is None else self.built.mass_kg.total
+        mass = built or self.mass_kg
+        return None if mass is None else ceil(mass / PERSON_KG)
 
 
 def measure_quantities(

@@ -17,7 +17,7 @@ from boarded import boarded_document
 from documents import demo_document, folded_only, slit_document
 from mechanisms import flat_foldable, random_net
 from orishell.conventions.errors import InputError
-from orishell.document import Document
+from orishell.document import Document, DocumentTie
 from orishell.document.from_design import document_of_motion
 from orishell.io import write_fold
 from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages, width_of
@@ -40,16 +40,16 @@ HELD = {
     "deployment": {
         "start": "pack",
         "packed": {"length": 3.0, "width": 2.0, "height": 1.0, "layers": 12},
-        "ties": [{"ends": [[0, 2], [6, 2]], "length": 1.2345}],
     },
     "quantities": {"mass_kg": 60.0},
 }
-"""As report.json has it: a pack, a tie, a mass."""
+"""As report.json has it: a pack and a mass."""
+TIE = DocumentTie(((0, 2), (6, 2)), 1.2345, slack=True)
 
 
 def held_document() -> Document:
     document = demo_document()
-    return replace(document, report=HELD, named={"pack": 0, "target": 6})
+    return replace(document, report=HELD, named={"pack": 0, "target": 6}, ties=(TIE,))
 
 
 DOCUMENTS: dict[str, Callable[[], Document]] = {
@@ -108,17 +108,28 @@ def test_no_line_crosses_words_and_none_are_small(name: str, language: Language)
 
 
 def test_it_says_what_is_known(tmp_path: Path) -> None:
-    # Numbers are those of HELD; 60 kg are carried by three with 25 kg each.
+    # Numbers are those of HELD; 60 kg are carried by three with 23 kg each.
     write_booklet(tmp_path / "booklet.pdf", held_document(), Settings())
     pages = [page.extract_text() for page in PdfReader(tmp_path / "booklet.pdf").pages]
     text = " ".join(" ".join(pages).split())
     assert "Packed: 3 x 2 x 1 m, without the thickness of 12 layers" in text
-    assert "If each person carries 25 kg, it takes 3." in text
+    assert "If each person carries 23 kg, it takes 3." in text
     assert "Ties are 1.234 m long from end to end." in text or "1.235 m long" in text
     titles = re.findall(
         r"\b\d  ?(Lay out|Cut and crease|Fold up|Tie|Load|Carry|Open|Anchor)\b", text
     )
     assert titles == ["Lay out", "Cut and crease", "Fold up", "Tie", "Load", "Carry", "Open"]
+
+
+def test_ties_that_are_not_proved_slack_are_fixed_once_it_is_open() -> None:
+    document = replace(held_document(), ties=(replace(TIE, slack=False),))
+    text = " ".join(
+        said.words for page in booklet_pages(document, Workshop()) for said in page.said
+    )
+    titles = re.findall(r"\b\d  (Fold up|Tie|Open)\b", text)
+    assert titles == ["Fold up", "Open", "Tie"]
+    assert "hang loose" not in text
+    assert "Beside the packs: 1 x Ties." in text
 
 
 def test_what_a_design_does_not_have_is_left_out() -> None:
