@@ -29,7 +29,11 @@ class FittedSize:
             f"{key.split('.')[1]} by {_factors(scale)}" for key, scale in self.scales.items()
         )
         how = f"; scaled: {scaled}" if scaled else ""
-        of = "outside, boards and flaps included" if self.of == "outside" else f"inside{head}, ties left out"
+        of = (
+            "outside, boards and flaps included"
+            if self.of == "outside"
+            else f"inside{head}, ties left out"
+        )
         yield Row("holds", "sizes", f"{in_words(self.found, unit)} {of}{how}")
 
 

@@ -1,9 +1,8 @@
 """How large a shell is that stands: outside, and the room within.
 
 All that is built counts, as files of the target have it: panels or, where these have a thickness,
-boards with their arms and knuckles; and what is clipped on. A membrane between boards and ties, over
-which one steps or under which one stoops, do not. Heights are above the lowest point of all, on
-which it stands.
+boards with their arms and knuckles; and what is clipped on. A membrane between boards does not, nor
+do ties. Heights are above the lowest point of all, on which it stands.
 
 - *Outside* are the sizes of the box around it, along x, y and z.
 - *Clear width* (along x) is that of the room through which one can look along y. The shell, up to
