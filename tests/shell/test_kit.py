@@ -27,8 +27,8 @@ from orishell.io.formats import find_formats
 from orishell.shell import Shell, make_shell, write_format, write_kit
 from orishell.shell.kit import CARD, FOLDERS, FORMATS, TRADES, folder_of
 from orishell.shell.steps import MEASURES
-from orishell.workshop.card_model import make_card_model
-from orishell.workshop.kit_facts import find_facts
+from orishell.workshop.kit.card_model import make_card_model
+from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.tiling import PAPERS_MM
 from pdf_tools import require_sound
 from samples import thorough

@@ -11,7 +11,7 @@ from design_tables import Tables, formula, tables
 from orishell.design_file import check_design
 from orishell.search.figures import figure
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.steps import Step
+from orishell.shell.steps import STEPS
 from orishell.workshop.boards import chamfer_angles
 
 F, G = formula("-x**2", -1, 1), formula("0.3*sin(pi*x/2)", 0, 3)
@@ -24,16 +24,7 @@ BUILDS: dict[str, Tables] = {
 def shell_of(build: str) -> Shell:
     design = tables("parallel-repeating", F, G, rows=5, columns=5, flap=0)
     design["panel"] = BUILDS[build]
-    skipped: tuple[Step, ...] = (
-        "verification",
-        "pack",
-        "weight",
-        "deviation",
-        "structure",
-        "remedies",
-        "stock",
-    )
-    return make_shell(check_design(design, Path("shell.toml")), skip=skipped)
+    return make_shell(check_design(design, Path("shell.toml")), skip=STEPS)
 
 
 @pytest.mark.parametrize("build", BUILDS)

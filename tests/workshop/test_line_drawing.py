@@ -9,8 +9,8 @@ import shapely
 from documents import demo_document, slit_document
 from orishell.document import SHELL, Document
 from orishell.motion.quads import unit_normals
-from orishell.workshop import line_drawing
-from orishell.workshop.line_drawing import MOST, RISE_DEG, TURN_DEG, draw_lines, view_axes
+from orishell.workshop.kit import line_drawing
+from orishell.workshop.kit.line_drawing import MOST, RISE_DEG, TURN_DEG, draw_lines, view_axes
 
 CLEAR = 1e-4
 """Depths nearer than this share of the shell are one: panels that lie on each other."""

@@ -15,7 +15,7 @@ from orishell.document import Document
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.steps import Step
+from orishell.shell.steps import STEPS
 from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import nest_boards
 from orishell.workshop.layout import lay_out
@@ -23,15 +23,6 @@ from orishell.workshop.order import OrderRow, find_order
 from orishell.workshop.quantities import measure_quantities
 from samples import led_by
 
-SKIPPED: tuple[Step, ...] = (
-    "verification",
-    "pack",
-    "weight",
-    "deviation",
-    "structure",
-    "remedies",
-    "stock",
-)
 SHELLS = [
     ("shelter.toml", {}),
     ("shelter_hinged.toml", {}),
@@ -44,7 +35,7 @@ SHELLS = [
 
 def shell_of(name: str, changes: dict[str, object]) -> Shell:
     file = read_design_file(EXAMPLES / name).changed(changes)
-    return make_shell(file, clash="unexamined", skip=SKIPPED)
+    return make_shell(file, clash="unexamined", skip=STEPS)
 
 
 def by_item(document: Document, workshop: Workshop) -> dict[str, OrderRow]:

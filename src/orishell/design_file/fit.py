@@ -26,7 +26,7 @@ class FitTable(Table):
 
     Outside they are those of its bounding box. Inside, ``width`` and ``depth`` are clear from the
     ground to ``head_height`` through the whole shell, and ``height`` is the headroom:
-    :mod:`orishell.shell.standing` says exactly what that is (all in the design's unit).
+    :mod:`orishell.shell.fit.built_size` says exactly what that is (all in the design's unit).
     """
 
     width: Length | None = None

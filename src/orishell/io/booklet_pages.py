@@ -13,11 +13,11 @@ from orishell.conventions.record import record
 from orishell.document import SHELL, Document
 from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
-from orishell.workshop.kit_facts import KitFacts, find_facts
-from orishell.workshop.kit_parts import KitPart, kit_parts, kit_tools
-from orishell.workshop.kit_steps import Step, kit_steps, pack_boxes, pack_words
-from orishell.workshop.line_drawing import LineDrawing, draw_lines
-from orishell.workshop.words import Words, load_words
+from orishell.workshop.kit.facts import KitFacts, find_facts
+from orishell.workshop.kit.line_drawing import LineDrawing, draw_lines
+from orishell.workshop.kit.parts import KitPart, kit_parts, kit_tools
+from orishell.workshop.kit.steps import Step, kit_steps, pack_boxes, pack_words
+from orishell.workshop.kit.words import Words, load_words
 
 WIDE, HIGH = 595.28, 841.89
 """An upright page of A4, in points, as all lengths here."""

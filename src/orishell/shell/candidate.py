@@ -17,8 +17,8 @@ from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.motion import FoldingMotion
 from orishell.shell.designed import designed, ended
-from orishell.shell.fitted_size import fit_size
-from orishell.shell.size_report import FittedSize
+from orishell.shell.fit.proved import fit_size
+from orishell.shell.fit.report import FittedSize
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Step
 from orishell.shell.tolerance import meet_tolerance

@@ -23,11 +23,11 @@ from orishell.io.formats import find_formats
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
 from orishell.workshop import Workshop
-from orishell.workshop.card_model import make_card_model
-from orishell.workshop.kit_facts import find_facts
-from orishell.workshop.kit_parts import kit_parts
-from orishell.workshop.kit_steps import pack_words
-from orishell.workshop.words import load_words
+from orishell.workshop.kit.card_model import make_card_model
+from orishell.workshop.kit.facts import find_facts
+from orishell.workshop.kit.parts import kit_parts
+from orishell.workshop.kit.steps import pack_words
+from orishell.workshop.kit.words import load_words
 
 FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
 """What a kit is written in."""

@@ -22,7 +22,7 @@ from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.families import FamilyChoice
-from orishell.shell.size_report import FittedSize
+from orishell.shell.fit.report import FittedSize
 from orishell.shell.size_trials import Choice
 from orishell.shell.turn_search import TurnChoice
 from orishell.structure.results import Analysis

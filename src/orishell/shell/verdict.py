@@ -9,8 +9,8 @@ import numpy as np
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import Quantities, area, box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
-from orishell.deployment.report import DeploymentReport
-from orishell.deviation.report import DeviationReport
+from orishell.deployment.verdict import ground_rows, weight_rows
+from orishell.deviation.verdict import surface_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.report import Report
@@ -62,14 +62,14 @@ def find_verdict(
         *_boards(report),
         *_hinges(report),
         *_feet(report),
-        *_surface(report.deviation, report.unit),
+        *surface_rows(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *(() if report.fitted is None else report.fitted.rows(report.unit)),
         *_sizes(report),
-        *_weighs(report.deployment),
+        *weight_rows(report.deployment),
         *(() if report.cutting is None else report.cutting.rows(report.unit)),
-        *_ground(report.deployment, report.quantities.carried_by, report.unit),
+        *ground_rows(report.deployment, report.quantities.carried_by, report.unit),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -295,68 +295,8 @@ def _feet(report: Report) -> Iterator[Row]:
     yield Row("says", "feet", text)
 
 
-def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
-    """How close the shell is to what was asked for."""
-    if deviation is None:
-        yield Row("says", "surface", "no target: nothing to compare the shell with")
-        return
-    curves = ", ".join(
-        f"{name} within {size(near.max, unit, bound=True)}"
-        for name in ("f", "g", "crests", "valleys")
-        if (near := getattr(deviation, name)) is not None
-    )
-    if deviation.crests is not None:
-        curves += " of where they should lie beside it"
-    surface = deviation.surface
-    if surface is not None:
-        known = size(surface.sample_spacing, unit, bound=True)
-        curves = (
-            f"within {size(surface.max, unit, bound=True)} of the target (known to {known}), "
-            f"rms {size(surface.rms, unit)}; {curves}"
-        )
-    yield Row("says", "surface", curves)
-    if deviation.tilted:
-        yield Row("says", "tilted", f"in the surface asked for {deviation.tilted}")
-    approached = deviation.approached
-    if approached is not None:
-        most = approached.max
-        found = "" if most is None else f"; at most {size(most, unit, bound=True)} from that"
-        yield Row("says", "approach", f"{approached.what}{found}")
-
-
 def _sizes(report: Report) -> Iterator[Row]:
     unit, sheet, shell = report.unit, report.sheet, report.deployed
     sides = box((sheet.width, sheet.height), unit)
     yield Row("says", "sheet", f"{sides}, area {area(sheet.area, unit)}")
     yield Row("says", "deployed", box((shell.width, shell.depth, shell.height), unit))
-
-
-def _weighs(deployment: DeploymentReport) -> Iterator[Row]:
-    """What its own weight does."""
-    weight = deployment.weight
-    if weight is None:
-        return
-    does = "pushes its feet apart" if weight.at_feet > 0 else "pulls its feet together"
-    newtons, force = weight.force_unit == "N", abs(weight.at_feet)
-    thrust = f"{plain(force, 3)} N" if newtons else f"{plain(100 * force, 3)} % of itself"
-    total = f"{plain(weight.total)} N, " if newtons else ""
-    pack = deployment.start == "pack"
-    raising = weight.raise_from_pack if pack else weight.raise_from_flat
-    work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
-    raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
-    yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
-
-
-def _ground(deployment: DeploymentReport, people: int | None, unit: str) -> Iterator[Row]:
-    """The ground that it needs on its way, and the people."""
-    plan = deployment.ground
-    if plan is None or plan.swept is None:
-        return
-    swept = plan.swept
-    wide, deep, high = (
-        size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
-    )
-    crew = ""
-    if people is not None:
-        crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
-    yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")

@@ -25,9 +25,10 @@ from orishell.io.format import Settings
 from orishell.io.formats.booklet import write_booklet
 from orishell.motion import FoldingMotion
 from orishell.shell import convert_fold
-from orishell.workshop import Workshop, words
+from orishell.workshop import Workshop
+from orishell.workshop.kit import words
+from orishell.workshop.kit.words import load_words
 from orishell.workshop.settings import Language
-from orishell.workshop.words import load_words
 from pdf_tools import require_sound
 
 LANGUAGES: tuple[Language, ...] = get_args(Language)

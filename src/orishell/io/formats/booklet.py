@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from orishell.document import Document
 from orishell.io.booklet_pages import HIGH, WIDE, BookletPage, Drawn, booklet_pages
 from orishell.io.format import Format, Settings
+from orishell.io.pdf_lines import add_line
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -54,12 +55,7 @@ def _draw(canvas: Canvas, page: BookletPage) -> None:
 
 def _draw_line(canvas: Canvas, each: Drawn) -> None:
     path = canvas.beginPath()
-    first, *others = each.points.tolist()
-    path.moveTo(*first)
-    for point in others:
-        path.lineTo(*point)
-    if each.closed:
-        path.close()
+    add_line(path, each.points, closed=each.closed)
     if each.fill is not None:
         canvas.setFillGray(each.fill)
     canvas.drawPath(path, stroke=1, fill=int(each.fill is not None))

@@ -14,6 +14,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.io.format import Format, Settings
+from orishell.io.pdf_lines import add_line
 from orishell.numerics.arrays import Array, Booleans
 from orishell.workshop.ground_plan import ground_beside
 from orishell.workshop.palettes import ORDER, Anchor, Layer, Text, load_palette
@@ -87,14 +88,9 @@ def _write_plan(path: Path, plan: PrintedPlan) -> None:
         _pen(canvas, pen.colour, pen.width_mm, ())
         canvas.setFillColor(pen.colour)
         for line in lines:
-            path_ = canvas.beginPath()
-            first, *others = (line.points * MM).tolist()
-            path_.moveTo(*first)
-            for point in others:
-                path_.lineTo(*point)
-            if line.closed:
-                path_.close()
-            canvas.drawPath(path_)
+            drawn = canvas.beginPath()
+            add_line(drawn, line.points * MM, closed=line.closed)
+            canvas.drawPath(drawn)
         for circle in circles:
             canvas.circle(circle.x * MM, circle.y * MM, circle.radius * MM)
         for text in texts:
@@ -153,12 +149,7 @@ def _draw_sheet(
         for k in np.flatnonzero(near):
             line = model.lines[k]
             if line.layer == layer:
-                first, *others = ((line.points * size + origin) * MM).tolist()
-                path.moveTo(*first)
-                for point in others:
-                    path.lineTo(*point)
-                if line.closed:
-                    path.close()
+                add_line(path, (line.points * size + origin) * MM, closed=line.closed)
         canvas.drawPath(path)
     if size == 1 and model.texts:
         canvas.setFillColor(model.colours["ENGRAVE"])

@@ -17,8 +17,8 @@ from orishell.conventions.progress import Progress
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.locking import Lock
-from orishell.shell.size_fit import SizeFit
-from orishell.shell.size_report import FittedSize
+from orishell.shell.fit.report import FittedSize
+from orishell.shell.fit.search import SizeFit
 from orishell.shell.size_trials import Choice
 
 ROUNDS = 4

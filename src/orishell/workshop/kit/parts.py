@@ -17,7 +17,7 @@ from orishell.workshop.assembly import with_clipped
 from orishell.workshop.boards import SIDES, distinct_corners, seen_from_outside
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.hinge_parts import fittings_of
-from orishell.workshop.kit_facts import KitFacts
+from orishell.workshop.kit.facts import KitFacts
 from orishell.workshop.layout import lay_out
 from orishell.workshop.settings import Workshop
 

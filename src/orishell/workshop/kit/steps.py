@@ -9,7 +9,7 @@ from orishell.conventions.quantities import PERSON_KG, box, plain, size
 from orishell.conventions.record import record
 from orishell.document import FLAT, SHELL, Document
 from orishell.numerics.arrays import Booleans, Integers
-from orishell.workshop.kit_facts import KitFacts, middle_state
+from orishell.workshop.kit.facts import KitFacts, middle_state
 
 SLIM = 0.03
 """A pack less high than this share of its length is flat."""

@@ -41,5 +41,5 @@ class Words:
 @cache
 def load_words(language: Language) -> Words:
     """The words of a language."""
-    text = (files("orishell.workshop") / f"booklet.{language}.toml").read_text(encoding="utf-8")
+    text = (files("orishell.workshop.kit") / f"booklet.{language}.toml").read_text(encoding="utf-8")
     return Words(parse_toml(text))

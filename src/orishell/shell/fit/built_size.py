@@ -36,13 +36,13 @@ SLIT = 0.02
 
 
 @record
-class Standing:
+class BuiltShell:
     """A shell that stands, as triangles."""
 
     triangles: Array  # their corners (T, 3, 3), z up, the lowest at 0; in the design's unit
 
     @classmethod
-    def of(cls, design: Design, lock: Lock) -> Standing:
+    def of(cls, design: Design, lock: Lock) -> BuiltShell:
         """The shell of a design whose motion ends as ``lock`` says."""
         motion, built = FoldingMotion(design.mechanism, STATES), lock.built
         triangles = triangles_of(

@@ -21,10 +21,10 @@ from orishell.locking import Lock, lock_without_clash
 from orishell.numerics.arrays import Array
 from orishell.numerics.broyden import MOST, Sizing
 from orishell.shell.designed import designed
-from orishell.shell.scaling import Scaling, first_factors, scaling_of
-from orishell.shell.size_report import FittedSize, in_words
+from orishell.shell.fit.built_size import BuiltShell
+from orishell.shell.fit.report import FittedSize, in_words
+from orishell.shell.fit.scaling import Scaling, first_factors, scaling_of
 from orishell.shell.size_trials import Choice
-from orishell.shell.standing import Standing
 from orishell.shell.tolerance import measure, meet_tolerance
 
 EXACT = 1.0
@@ -107,16 +107,16 @@ class SizeFit:
 
     def sizes(self, design: Design, lock: Lock) -> Array:
         """The sizes (n,) of a shell, of those that are asked for."""
-        standing = Standing.of(design, lock)
+        built = BuiltShell.of(design, lock)
         if self.fit.of == "outside":
-            return np.asarray(standing.outside()[self.axes])
+            return np.asarray(built.outside()[self.axes])
         if find_feet(design) is None:
             raise DesignError(
                 "a shell that does not stand on the ground has no room within",
                 keys=("target.fit.of",),
                 candidates=[Remedy({"target.fit.of": "outside", "target.fit.head_height": None})],
             )
-        return np.asarray(standing.inside(self.fit.head(self.file.unit))[self.axes])
+        return np.asarray(built.inside(self.fit.head(self.file.unit))[self.axes])
 
     def solved(self, start: Array, aims: Array) -> Array:
         """Factors of a shell that has the sizes ``aims`` (n,) before it is proved.
@@ -247,8 +247,8 @@ class SizeFit:
         """The error for a shell in which no room is clear up to the head height."""
         unit, head = self.file.unit, self.fit.head(self.file.unit)
         design = designed(self.scaled(factors))
-        standing = Standing.of(design, lock_without_clash(design))
-        width, depth, headroom = standing.inside(head).tolist()
+        built = BuiltShell.of(design, lock_without_clash(design))
+        width, depth, headroom = built.inside(head).tolist()
         keys = tuple(f"target.fit.{key}" for key in self.fit.asked)
         if not headroom:
             what = "the shell has no headroom over its middle, neither along x nor along y"

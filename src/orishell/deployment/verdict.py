@@ -1,0 +1,40 @@
+"""What the verdict says of a shell's own weight, and of the ground that it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from orishell.conventions.quantities import plain, size
+from orishell.conventions.row import Row
+from orishell.deployment.report import DeploymentReport
+
+
+def weight_rows(deployment: DeploymentReport) -> Iterator[Row]:
+    """What its own weight does."""
+    weight = deployment.weight
+    if weight is None:
+        return
+    does = "pushes its feet apart" if weight.at_feet > 0 else "pulls its feet together"
+    newtons, force = weight.force_unit == "N", abs(weight.at_feet)
+    thrust = f"{plain(force, 3)} N" if newtons else f"{plain(100 * force, 3)} % of itself"
+    total = f"{plain(weight.total)} N, " if newtons else ""
+    pack = deployment.start == "pack"
+    raising = weight.raise_from_pack if pack else weight.raise_from_flat
+    work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
+    raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
+    yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
+
+
+def ground_rows(deployment: DeploymentReport, people: int | None, unit: str) -> Iterator[Row]:
+    """The ground that it needs on its way, and the people."""
+    plan = deployment.ground
+    if plan is None or plan.swept is None:
+        return
+    swept = plan.swept
+    wide, deep, high = (
+        size(each, unit, bound=True) for each in (swept.width, swept.depth, swept.height)
+    )
+    crew = ""
+    if people is not None:
+        crew = "; one person carries it" if people == 1 else f"; {people} people carry it"
+    yield Row("says", "ground", f"{wide} x {deep} on the way, and {high} of height{crew}")

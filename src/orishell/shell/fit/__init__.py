@@ -1,0 +1,1 @@
+"""A target that is scaled until the built shell has the sizes of ``[target.fit]``."""

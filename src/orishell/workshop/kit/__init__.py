@@ -1,0 +1,1 @@
+"""A kit: parts, steps and words of the booklet, line drawings, and the card model."""
