@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Collection, Mapping
+from collections.abc import AsyncGenerator, AsyncIterator, Collection, Mapping
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -149,10 +149,11 @@ def _add_stream(app: FastAPI, task: str, pool: Pool, kept: Kept) -> None:
         payload = await _payload(request)
 
         async def lines() -> AsyncIterator[bytes]:
-            async for kind, line in _lines(pool, task, payload):
-                if kind == "result":
-                    kept.keep(task, body, line)
-                yield line
+            async with aclosing(_lines(pool, task, payload)) as told:
+                async for kind, line in told:
+                    if kind == "result":
+                        kept.keep(task, body, line)
+                    yield line
 
         return StreamingResponse(lines(), media_type="application/x-ndjson")
 
@@ -215,7 +216,7 @@ def _parsed(body: bytes) -> dict[str, Any]:
 
 async def _lines(
     pool: Pool, task: str, payload: dict[str, Any]
-) -> AsyncIterator[tuple[str, bytes]]:
+) -> AsyncGenerator[tuple[str, bytes]]:
     """Lines of JSON and their kinds: progress and what is found, then the result or the error."""
     try:
         # Closed with the response, so that its process stops when the page is gone.
