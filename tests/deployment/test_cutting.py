@@ -16,7 +16,7 @@ from mechanisms import SAMPLES
 from orishell.conventions.errors import InputError
 from orishell.deployment.cutting import can_measure, measure_cutting
 from orishell.deployment.cutting.gaps import Fit
-from orishell.deployment.cutting.report import SAMPLES as SHEETS
+from orishell.deployment.cutting.measure import SAMPLES as SHEETS
 from orishell.deployment.cutting.sheet import CutSheet
 from orishell.design_file import read_design_file
 from orishell.motion import Mechanism

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import plain, size
 from orishell.deployment.cutting import CuttingReport, can_measure, measure_cutting
 from orishell.deployment.feet import Feet
@@ -14,7 +15,9 @@ UP = 1.005
 """A gap that is offered is more than needed, so that three digits of it are not less."""
 
 
-def find_cutting(design: Design, workshop: Workshop, feet: Feet | None) -> CuttingReport | None:
+def find_cutting(
+    design: Design, workshop: Workshop, feet: Feet | None, progress: Progress
+) -> CuttingReport | None:
     """What errors of cutting do to a shell, if the file asks.
 
     None otherwise, for whole boards, and for sheets that are too large.
@@ -41,6 +44,7 @@ def find_cutting(design: Design, workshop: Workshop, feet: Feet | None) -> Cutti
         bias=workshop.cutting_bias,
         cutting=cutting,
         feet=stands,
+        progress=progress,
     )
 
 

@@ -178,7 +178,9 @@ def _step_by_step(
     ties = tuple(DocumentTie(tie.ends, tie.length, tie.slack is True) for tie in deployment.ties)
     document = replace(document, ties=ties, ground=deployment.ground)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
-    cutting = None if "cutting" in skip else find_cutting(design, file.workshop, feet)
+    cutting = None
+    if "cutting" not in skip:
+        cutting = find_cutting(design, file.workshop, feet, progress)
     analysis = None
     if "structure" not in skip and file.structure is not None:
         analysis = analyse(design, file.structure, site, progress, built=lock.built)
