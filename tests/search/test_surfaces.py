@@ -52,10 +52,8 @@ def unbeaten(figures: np.ndarray) -> list[tuple[float, ...]]:
     return sorted(tuple(each) for each in figures[~np.array(beaten)])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "figure", ["sheet_area", pytest.param("deviation.surface.max", marks=thorough)]
-)
+@thorough
+@pytest.mark.parametrize("figure", ["sheet_area", "deviation.surface.max"])
 def test_front_is_that_of_shells_made_one_by_one(figure: str) -> None:
     grid = problem(minimise=["panels", figure], method="grid")
     with alone() as pool:

@@ -86,6 +86,7 @@ def test_a_family_that_cannot_says_why() -> None:
     assert "g is not straight" in reasons["longitudinal-linear-repeating"]
 
 
+@thorough
 def test_even_rows_leave_the_families_that_take_them() -> None:
     families = make_shell(vault(rows=4)).report.families
     assert families is not None

@@ -119,6 +119,7 @@ def test_every_family_comes_as_near_as_asked(
     assert panels == sorted(panels)
 
 
+@thorough
 def test_panels_keep_the_sizes_asked_for(tmp_path: Path) -> None:
     text = "surface = 0.4\npanel_min = 0.2\npanel_max = 2.5"
     file = read_design_file(write_file(tmp_path, "parallel-repeating", text))

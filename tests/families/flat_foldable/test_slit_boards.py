@@ -186,8 +186,8 @@ def test_the_widest_flaps_are_those_whose_boards_meet_nothing() -> None:
     assert contact.drive < lock.target_drive
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("attachment", led_by(["clipped", "folded"]))
+@thorough
+@pytest.mark.parametrize("attachment", ["clipped", "folded"])
 def test_every_board_of_a_dome_is_cut_weighed_and_drawn(attachment: str, tmp_path: Path) -> None:
     shell = dome(attachment)
     lock, document = shell.report.lock, shell.document
