@@ -52,7 +52,7 @@ def show(shell: Shell) -> None:
 # analysis ended long before.
 
 file = read_design_file(EXAMPLES / "shelter_structure.toml")
-boards = make_shell(file, skip=("remedies",))  # stronger panels follow below
+boards = make_shell(file, skip=["remedies"])  # stronger panels follow below
 show(boards)
 
 # %%
