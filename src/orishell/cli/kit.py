@@ -26,10 +26,10 @@ def kit(
     They have drawings, tables and a booklet; README.md says what is where.
     """
     from orishell.conventions.quantities import plain
-    from orishell.io import OutputDirectory
-    from orishell.shell.kit import write_kit
+    from orishell.shell.kit import kit_places, write_kit
 
-    OutputDirectory(out).require_usable()
+    for place in kit_places(out).values():
+        place.require_usable()
     shell = designed(file)
     with bar() as progress:
         made = write_kit(shell, out, paper=paper, progress=progress)

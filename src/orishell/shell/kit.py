@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
+from shutil import copyfile, rmtree
 from tempfile import TemporaryDirectory
 from typing import Final
 
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.progress import Progress, cleaning_up, no_progress
 from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
 from orishell.document import Document
@@ -20,6 +20,7 @@ from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
+from orishell.io.output import replacing_all
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
 from orishell.workshop import Workshop
@@ -33,6 +34,8 @@ FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
 """What a kit is written in."""
 CARD: Final = ("dxf", "pdf", "booklet")
 """What the kit of a card model is written in."""
+MANIFEST: Final = ".orishell-kit.json"
+"""The list of a kit's files in each of its folders."""
 LEFT_OUT: Final = None
 SHEET: Final = ("", "sandwich")
 """Constructions whose pattern is a sheet that is cut; of others it is a plan of assembly."""
@@ -109,7 +112,8 @@ def write_kit(
     ----------
     directory
         Where to; made if needed. Files of an earlier kit that this one does not write are removed
-        from its folders, unless somebody changed them; all others stay.
+        from its folders, unless somebody changed them; all others stay. Files are moved there when
+        all are whole, or none is.
     paper
         Whether it is the kit of a card model: at ``paper_scale``, or the largest scale at which the
         sheet fits a page of ``paper``.
@@ -131,7 +135,7 @@ def write_kit(
         document, workshop, scale = model.document, model.workshop, model.scale
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
-    with TemporaryDirectory() as made:
+    with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
         for format_ in _formats(paper):
             path = Path(made) / format_.file
             write_document(format_, path, document, settings, str(shell.file.path))
@@ -151,19 +155,29 @@ def _formats(paper: bool) -> Iterable[Format]:
     return find_formats(CARD if paper else FORMATS)
 
 
+def kit_places(directory: Path) -> dict[str, OutputDirectory]:
+    """The kit's own folder and those in it, by their names in :data:`TRADES`.
+
+    What other commands wrote there is not the kit's to remove.
+    """
+    return {folder: OutputDirectory(directory / folder, MANIFEST) for folder in sorted(TRADES)}
+
+
 def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
     """Put files into their folders; those of an earlier kit go, and folders that are then empty."""
-    for folder in sorted(TRADES):
-        place = OutputDirectory(directory / folder)
-        files = folders.get(folder, [])
-        if not files and not place.of_earlier_run():
-            continue
-        with place.replacing() as draft:
-            for file in files:
-                shutil.copyfile(file, draft / file.name)
-        if not files:
+    places = {
+        folder: place
+        for folder, place in kit_places(directory).items()
+        if folder in folders or place.of_earlier_run()
+    }
+    with replacing_all(places.values()) as drafts:
+        for folder, draft in zip(places, drafts, strict=True):
+            for file in folders.get(folder, []):
+                copyfile(file, draft / file.name)
+    for folder, place in places.items():
+        if folder not in folders:
             place.remove_list()
-        yield from (directory / folder / file.name for file in files)
+        yield from (place.path / file.name for file in folders.get(folder, []))
 
 
 def _readme(
