@@ -11,6 +11,7 @@ from pathlib import Path
 
 import ezdxf
 from ezdxf.document import Drawing
+from ezdxf.entities.lwpolyline import LWPolyline
 from pypdf import PdfReader
 
 from documents import EXAMPLES
@@ -58,9 +59,10 @@ def names_in(files: Iterable[Path]) -> Counter[str]:
 def outlines_in(files: Iterable[Path]) -> int:
     """How many closed lines are cut in drawings."""
     return sum(
-        int(line.closed)
+        entity.closed
         for file in files
-        for line in read_sound(file).modelspace().query('LWPOLYLINE[layer=="CUT"]')
+        for entity in read_sound(file).modelspace().query('LWPOLYLINE[layer=="CUT"]')
+        if isinstance(entity, LWPolyline)
     )
 
 
