@@ -47,12 +47,12 @@ def read_sound(file: Path) -> Drawing:
     return drawing
 
 
-def names_in(files: Iterable[Path]) -> Counter[str]:
-    """How often each name is engraved in drawings."""
+def names_in(files: Iterable[Path], layer: str = "ENGRAVE") -> Counter[str]:
+    """How often each name is written in drawings, on what is cut."""
     return Counter(
         text.dxf.text
         for file in files
-        for text in read_sound(file).modelspace().query('TEXT[layer=="ENGRAVE"]')
+        for text in read_sound(file).modelspace().query(f'TEXT[layer=="{layer}"]')
     )
 
 

@@ -36,6 +36,7 @@ CARD: Final = ("dxf", "pdf", "booklet")
 """What the kit of a card model is written in."""
 MANIFEST: Final = ".orishell-kit.json"
 """The list of a kit's files in each of its folders."""
+README: Final = "README.md"
 LEFT_OUT: Final = None
 SHEET: Final = ("", "sandwich")
 """Constructions whose pattern is a sheet that is cut; of others it is a plan of assembly."""
@@ -121,10 +122,12 @@ def write_kit(
     Raises
     ------
     InputError
-        If the directory cannot be written to, or a setting does not fit the sheet.
+        If the directory cannot be written to, a README is there that is not of a kit, or a setting
+        does not fit the sheet.
     """
     require_shell(shell)
     directory = path_of(directory, "write_kit: directory")
+    require_kit_place(directory)
     document, workshop, scale = shell.document, shell.file.workshop, 1.0
     document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
     if paper:
@@ -144,7 +147,7 @@ def write_kit(
             folder = folder_of(file.name, construction)
             if folder is not LEFT_OUT:
                 folders.setdefault(folder, []).append(file)
-        readme = Path(made) / "README.md"
+        readme = Path(made) / README
         readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, directory))
@@ -155,7 +158,28 @@ def _formats(paper: bool) -> Iterable[Format]:
     return find_formats(CARD if paper else FORMATS)
 
 
-def kit_places(directory: Path) -> dict[str, OutputDirectory]:
+def require_kit_place(directory: Path) -> None:
+    """Refuse, before any work is done, a directory that a kit cannot be written to.
+
+    Raises
+    ------
+    InputError
+        If it or one of its folders is a file or cannot be written to, or if there is a README and
+        no earlier kit.
+    """
+    places = _places(directory)
+    for place in places.values():
+        place.require_usable()
+    readme = directory / README
+    if readme.exists() and not (directory / MANIFEST).exists():
+        raise InputError(
+            f"a {README} is there that is not of a kit",
+            where=str(readme),
+            remedy="choose another directory",
+        )
+
+
+def _places(directory: Path) -> dict[str, OutputDirectory]:
     """The kit's own folder and those in it, by their names in :data:`TRADES`.
 
     What other commands wrote there is not the kit's to remove.
@@ -167,7 +191,7 @@ def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
     """Put files into their folders; those of an earlier kit go, and folders that are then empty."""
     places = {
         folder: place
-        for folder, place in kit_places(directory).items()
+        for folder, place in _places(directory).items()
         if folder in folders or place.of_earlier_run()
     }
     with replacing_all(places.values()) as drafts:

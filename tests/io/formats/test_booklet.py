@@ -117,9 +117,7 @@ def test_it_says_what_is_known(tmp_path: Path) -> None:
     assert "Packed: 3 x 2 x 1 m, without the thickness of 12 layers" in text
     assert "If each person carries 23 kg, it takes 3." in text
     assert "Ties are 1.234 m long from end to end." in text or "1.235 m long" in text
-    titles = re.findall(
-        r"\b\d  ?(Cut and crease|Fold up|Tie|Load|Carry|Open|Anchor)\b", text
-    )
+    titles = re.findall(r"\b\d  ?(Cut and crease|Fold up|Tie|Load|Carry|Open|Anchor)\b", text)
     assert titles == ["Cut and crease", "Fold up", "Tie", "Load", "Carry", "Open"]
 
 
