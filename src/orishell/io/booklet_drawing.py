@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -58,12 +58,16 @@ def set_lines(
     x: float, y: float, texts: Iterable[str], size: float, wide: float, *, bold: bool = False
 ) -> Iterator[Said]:
     """Texts below each other, broken where they would be wider; an empty one leaves a gap."""
+
+    def fits(words: str) -> bool:
+        return width_of(Said(x, y, words, size, bold)) <= wide
+
     for text in texts:
         text = text.encode("cp1252", "replace").decode("cp1252")  # noqa: PLW2901
         line = ""
-        for word in text.split():
+        for word in _broken(text, fits):
             longer = f"{line} {word}" if line else word
-            if line and width_of(Said(x, y, longer, size, bold)) > wide:
+            if line and not fits(longer):
                 yield Said(x, y, line, size, bold)
                 y -= LEADING * size
                 line = word
@@ -72,6 +76,18 @@ def set_lines(
         if line:
             yield Said(x, y, line, size, bold)
         y -= LEADING * size
+
+
+def _broken(text: str, fits: Callable[[str], bool]) -> Iterator[str]:
+    """Words, and those that do not fit by themselves in parts that do."""
+    for word in text.split():
+        part = ""
+        for letter in word:
+            if part and not fits(part + letter):
+                yield part
+                part = ""
+            part += letter
+        yield part
 
 
 def picture(
