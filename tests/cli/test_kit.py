@@ -11,6 +11,7 @@ from documents import EXAMPLES
 
 CARD = EXAMPLES / "figure1_card.toml"
 CANOPY = EXAMPLES / "canopy.toml"
+GOLDEN = Path(__file__).parents[1] / "io/golden/sheet.fold"
 
 
 def changed(folder: Path, file: Path, lines: str) -> Path:
@@ -64,17 +65,41 @@ def test_a_wrong_key_is_one_message(lines: str, said: str, tmp_path: Path) -> No
 def test_wrong_arguments_are_one_message(tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("")
     (tmp_path / "no.toml").write_text("[shell")
+    (tmp_path / "other/cut").mkdir(parents=True)
+    (tmp_path / "other/README.md").write_text("mine")
+    (tmp_path / "partly").mkdir()
+    (tmp_path / "partly/ground").write_text("mine")
+    there = sorted(tmp_path.rglob("*"))
     for arguments, said in (
         ((tmp_path / "missing.toml", "--out", tmp_path / "kit"), "does not exist"),
         ((tmp_path / "no.toml", "--out", tmp_path / "kit"), "this is not TOML"),
+        ((GOLDEN, "--out", tmp_path / "kit"), "check, fold and convert read FOLD files"),
+        ((EXAMPLES, "--out", tmp_path / "kit"), "this is not a file"),
         ((CANOPY, "--out", ""), "the name is empty"),
         ((CANOPY, "--out", tmp_path / "taken"), "the output directory cannot be made"),
+        ((CANOPY, "--out", tmp_path / "partly"), "ground is a file"),
+        ((CANOPY, "--out", tmp_path / "other"), "README.md is there that is not of a kit"),
     ):
         ran = orishell("kit", *arguments)
         assert ran.returncode == 2
         assert said in ran.stderr
         assert ran.stderr.count("orishell: ") == 1
-        assert not (tmp_path / "kit").exists()
+        assert sorted(tmp_path.rglob("*")) == there
+
+
+def test_a_design_that_cannot_be_made_leaves_nothing(tmp_path: Path) -> None:
+    file = tmp_path / "clash.toml"
+    file.write_text(
+        (EXAMPLES / "shelter.toml")
+        .read_text()
+        .replace("flap = 0.25", "flap = 0.9")
+        .replace('from = "pack"', 'from = "flat"')
+        .replace('ties = "feet"', "")
+    )
+    ran = orishell("kit", file, "--out", tmp_path / "kit")
+    assert ran.returncode == 1
+    assert "the flaps are too wide" in ran.stderr
+    assert not (tmp_path / "kit").exists()
 
 
 def test_a_directory_in_the_way_of_a_file(tmp_path: Path) -> None:

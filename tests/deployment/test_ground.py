@@ -255,4 +255,5 @@ def test_pieces_are_no_one_motion() -> None:
     plan = shell.report.deployment.ground
     assert plan is not None
     assert plan.swept is None
+    assert "the ground that is needed on the way" in shell.report.not_checked
     assert shell.report.deployment.raising is None

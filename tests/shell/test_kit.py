@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-import csv
 import re
-from collections import Counter
+import signal
 from dataclasses import replace
-from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
-import ezdxf
 import numpy as np
 import pytest
-from ezdxf.document import Drawing
 from ezdxf.entities.line import Line
 from pypdf import PdfReader
 
-from cad_tools import require_build123d
-from documents import EXAMPLES
+from kits import CARD_SHELL, read_sound, shell_of
 from orishell.conventions.errors import InputError
-from orishell.design_file import read_design_file
 from orishell.document.from_design import states_of
-from orishell.io import Settings
+from orishell.io import OutputDirectory, Settings
+from orishell.io.format import Format
 from orishell.io.formats import find_formats
-from orishell.shell import Shell, make_shell, write_format, write_kit
+from orishell.shell import write_format, write_kit
+from orishell.shell.export import write_document
 from orishell.shell.kit import CARD, FOLDERS, FORMATS, TRADES, folder_of
-from orishell.shell.steps import MEASURES
 from orishell.workshop.kit.card_model import make_card_model
 from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.tiling import PAPERS_MM
@@ -34,101 +29,19 @@ from pdf_tools import require_sound
 from samples import thorough
 
 MOST_BYTES = 3_000_000
-QUICK = "figure1_card"
-"""48 panels of card on paper, with flaps that are clipped on; four seconds."""
-KITS = [
-    QUICK,
-    *(
-        pytest.param(name, marks=thorough)
-        for name in ("shelter", "shelter_boards", "shelter_hinged", "dome")
-    ),
-]
 SHEETS = ["canopy", *(pytest.param(name, marks=thorough) for name in ("shelter", "dome_locked"))]
 
 
-@cache
-def shell_of(name: str) -> Shell:
-    """An example, with its pack and quantities; distances from its target are not measured."""
-    skip = {*MEASURES} - {"pack", "weight", "stock"}
-    return make_shell(read_design_file(EXAMPLES / f"{name}.toml"), skip=skip)
+def files_in(directory: Path) -> dict[str, bytes]:
+    """All files, lists of a kit's files too."""
+    return {
+        path.relative_to(directory).as_posix(): path.read_bytes()
+        for path in directory.rglob("*")
+        if path.is_file()
+    }
 
 
-def rows_of(file: Path) -> list[dict[str, str]]:
-    with file.open(newline="") as stream:
-        return [*csv.DictReader(stream)]
-
-
-def read_sound(file: Path) -> Drawing:
-    drawing = ezdxf.readfile(file)
-    auditor = drawing.audit()
-    assert not auditor.errors
-    assert not auditor.fixes
-    return drawing
-
-
-def names_in(files: list[Path]) -> Counter[str]:
-    """How often each part number is written in drawings."""
-    return Counter(
-        text.dxf.text for file in files for text in read_sound(file).modelspace().query("TEXT")
-    )
-
-
-def booklet_counts(file: Path) -> dict[str, int]:
-    """What the page of parts says: counts by the name that stands below each."""
-    text = PdfReader(file).pages[1].extract_text()
-    return {name: int(count) for count, name in re.findall(r"(\d+) x\n(.+)", text)}
-
-
-@pytest.mark.parametrize("name", KITS)
-def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> None:
-    # Counted anew in each: names in drawings, rows of tables, words of the booklet.
-    write_kit(shell_of(name), tmp_path / "kit")
-    counts = booklet_counts(tmp_path / "kit/booklet/booklet.pdf")
-    boards = rows_of(tmp_path / "kit/cut/boards.csv")
-    sides = Counter(row["side"] for row in boards)
-    called = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
-    assert {called[key]: n for key, n in counts.items() if key in called} == sides
-    drawings = names_in(sorted((tmp_path / "kit/cut").glob("pattern-[bp]*.dxf")))
-    assert {row["part"]: drawings[row["part"]] for row in boards} == dict.fromkeys(
-        (row["part"] for row in boards), 1
-    )
-    if sides["panel"]:
-        hinges = rows_of(tmp_path / "kit/hinges/hinges.csv")
-        arms = rows_of(tmp_path / "kit/cut/arms.csv")
-        assert counts["Hinges"] == len(hinges) == len({row["hinge"] for row in hinges})
-        kinds = Counter(row[key] for row in hinges for key in ("kind_1", "kind_2") if row[key])
-        assert kinds == {row["kind"]: int(row["count"]) for row in arms}
-        assert counts["Arms"] == kinds.total()
-    split = counts.get("Parts of the sheet", counts.get("Parts of the membrane", 0))
-    if split:  # the parts of the sheet are numbered from 1, those of clipped flaps go on
-        numbers = names_in(sorted((tmp_path / "kit/fabric").glob("pattern-[0-9]*.dxf")))
-        flaps = counts.get("Flaps to clip on", 0)
-        assert {name for name in numbers if name.isdecimal()} >= {*map(str, range(1, split + 1))}
-        assert split + flaps <= len([name for name in numbers if name.isdecimal()])
-    readme = (tmp_path / "kit/README.md").read_text()
-    for part, count in counts.items():
-        assert f"| {part.lower()} | {count} |" in readme
-
-
-@thorough
-@pytest.mark.parametrize("name", [QUICK, "shelter_hinged"])
-def test_the_solids_of_step_are_the_parts_of_the_booklet(name: str, tmp_path: Path) -> None:
-    require_build123d()
-    write_kit(shell_of(name), tmp_path / "kit")
-    (step,) = find_formats(["step"])
-    write_format(shell_of(name), step, tmp_path, Settings())
-    solids = (tmp_path / step.file).read_text()
-    counts = booklet_counts(tmp_path / "kit/booklet/booklet.pdf")
-    sides = Counter(re.findall(r"PRODUCT\('[^']*( top| bottom| arm| knuckle)[^']*',", solids))
-    fittings = sides[" arm"] + sides[" knuckle"]
-    boards = sum(counts.get(key, 0) for key in ("Upper boards", "Lower boards", "Boards"))
-    assert solids.count("MANIFOLD_SOLID_BREP(") - fittings == boards
-    assert sides[" top"] == counts.get("Upper boards", 0)
-    assert sides[" bottom"] == counts.get("Lower boards", 0)
-    assert sides[" arm"] == counts.get("Arms", 0)
-
-
-@pytest.mark.parametrize("name", [QUICK, "canopy"])
+@pytest.mark.parametrize("name", [CARD_SHELL, "canopy"])
 @pytest.mark.parametrize("paper", [False, True], ids=["kit", "paper"])
 def test_every_file_is_in_its_folder_and_named_in_the_readme(
     name: str, paper: bool, tmp_path: Path
@@ -151,7 +64,7 @@ def test_every_file_is_in_its_folder_and_named_in_the_readme(
 
 def test_the_table_names_every_file_that_is_written(tmp_path: Path) -> None:
     # A format that writes another file fails here, and wants a row.
-    for name in (QUICK, "canopy"):
+    for name in (CARD_SHELL, "canopy"):
         shell = shell_of(name)
         for format_ in find_formats({*FORMATS, *CARD}):
             write_format(
@@ -193,7 +106,7 @@ def test_a_card_model_is_cut_at_its_scale_from_one_page(name: str, tmp_path: Pat
 
 
 def test_sizes_of_a_model_are_those_of_the_shell_to_scale() -> None:
-    shell = shell_of(QUICK)
+    shell = shell_of(CARD_SHELL)
     document = replace(shell.document, states=states_of(shell.motion))
     model = make_card_model(document, shell.file.workshop)
     whole, small = find_facts(document), find_facts(model.document)
@@ -215,7 +128,7 @@ def test_a_scale_of_too_many_pages_is_refused() -> None:
 
 
 def test_files_of_an_earlier_kit_are_removed_and_others_stay(tmp_path: Path) -> None:
-    shell = shell_of(QUICK)
+    shell = shell_of(CARD_SHELL)
     first = write_kit(shell, tmp_path)
     (tmp_path / "cut/notes.txt").write_text("mine")
     second = write_kit(shell, tmp_path, paper=True)
@@ -226,7 +139,59 @@ def test_files_of_an_earlier_kit_are_removed_and_others_stay(tmp_path: Path) -> 
 
 
 def test_the_same_kit_again(tmp_path: Path) -> None:
-    shell = shell_of(QUICK)
+    shell = shell_of(CARD_SHELL)
     one, other = (write_kit(shell, tmp_path / name) for name in ("one", "other"))
     for first, second in zip(one.files, other.files, strict=True):
         assert first.read_bytes() == second.read_bytes()
+
+
+def test_what_other_commands_wrote_there_stays(tmp_path: Path) -> None:
+    shell = shell_of(CARD_SHELL)
+    (table,) = find_formats(["csv"])
+    with OutputDirectory(tmp_path).replacing() as draft:
+        write_format(shell, table, draft, Settings(workshop=shell.file.workshop))
+    before = files_in(tmp_path)
+    kit = write_kit(shell, tmp_path)
+    both = files_in(tmp_path)
+    assert {**both, **before} == both  # order.csv is the same in both
+    with OutputDirectory(tmp_path).replacing() as draft:
+        (draft / "other").write_text("other")
+    assert {*kit.files} - {tmp_path / "order.csv"} <= {*tmp_path.rglob("*")}
+
+
+def test_a_kit_that_fails_changes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shell = shell_of(CARD_SHELL)
+    write_kit(shell, tmp_path / "kit", paper=True)
+    (tmp_path / "kit/hinges/schedule.csv").mkdir(parents=True)
+    before = files_in(tmp_path)
+    with pytest.raises(InputError, match="a directory is in the way of a file"):
+        write_kit(shell, tmp_path / "kit")  # the last of the folders but one cannot be written
+    assert files_in(tmp_path) == before
+
+    def fails(format_: Format, *rest: object) -> None:
+        if format_.name == "booklet":
+            raise OSError("the disk is full")
+        write_document(format_, *rest)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("orishell.shell.kit.write_document", fails)
+    with pytest.raises(OSError, match="full"):
+        write_kit(shell, tmp_path / "other")
+    assert files_in(tmp_path) == before
+    assert not (tmp_path / "other").exists()
+
+
+def test_a_kit_that_is_stopped_while_files_are_moved_is_whole(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Ctrl-C comes while the files of the first folder are moved, and is heeded after the last.
+    shell, move = shell_of(CARD_SHELL), OutputDirectory._move
+    write_kit(shell, tmp_path / "whole")
+
+    def stopped(place: OutputDirectory, draft: Path, first: str = "") -> None:
+        move(place, draft, first)
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(OutputDirectory, "_move", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        write_kit(shell, tmp_path / "stopped")
+    assert files_in(tmp_path / "stopped") == files_in(tmp_path / "whole")

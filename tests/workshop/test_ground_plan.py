@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,14 +17,16 @@ from orishell.document import Document
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.io.format import Settings
 from orishell.io.formats.dxf import INSUNITS, write_dxf
-from orishell.io.formats.pdf import write_pdf
+from orishell.io.formats.pdf import CAPITALS, write_pdf
 from orishell.io.formats.svg import write_svg
 from orishell.io.formats.tables import write_tables
 from orishell.numerics.arrays import Array
 from orishell.workshop.ground_plan import draw_ground, text_box
 from orishell.workshop.palettes import Drawing
-from orishell.workshop.printed_plan import print_ground
-from orishell.workshop.tiling import BORDER_MM
+from orishell.workshop.printed_plan import PAD, ROW, SCALES, print_ground
+from orishell.workshop.settings import Paper
+from orishell.workshop.tiling import BORDER_MM, PAPERS_MM
+from orishell.workshop.title_block import decimal
 
 UNITS = ("mm", "cm", "m", "in", "ft")
 ON_THE_GROUND = Settings(ground=True)
@@ -69,12 +72,8 @@ def of(document: Document) -> Drawing:
     return drawing
 
 
-@pytest.mark.parametrize("unit", ["m", "mm", "ft"])
-@pytest.mark.parametrize("count", [4, 26, 120])
-@pytest.mark.parametrize("shape", [arc, lattice, crowd])
-def test_no_line_and_no_words_go_through_words(shape: object, count: int, unit: str) -> None:
-    assert callable(shape)
-    drawing = of(planned(shape(count, 40.0 if unit == "ft" else 7.0), 1.1, unit))
+def require_clear(drawing: Drawing) -> None:
+    """No line and no words go through words, and all that is drawn is on the page."""
     boxes = np.array([text_box(text) for text in drawing.texts])
     lines = [
         shapely.LinearRing(line.points) if line.closed else shapely.LineString(line.points)
@@ -87,11 +86,44 @@ def test_no_line_and_no_words_go_through_words(shape: object, count: int, unit: 
     assert [drawing.texts[k].words for k in hit] == []
     pairs = shapely.STRtree(words).query(words, predicate="overlaps")
     assert [tuple(drawing.texts[k].words for k in pair) for pair in pairs.T] == []
-    # All that is drawn is on the page.
-    points = np.concatenate([line.points for line in drawing.lines])
-    everything = np.concatenate([points, boxes[:, :2], boxes[:, 2:]])
+    points = [line.points for line in drawing.lines]
+    everything = np.concatenate([*points, boxes[:, :2], boxes[:, 2:]])
     assert (everything >= 0).all()
     assert (everything <= [drawing.width, drawing.height]).all()
+
+
+@pytest.mark.parametrize("unit", ["m", "mm", "ft"])
+@pytest.mark.parametrize("count", [4, 26, 120])
+@pytest.mark.parametrize("shape", [arc, lattice, crowd])
+def test_no_line_and_no_words_go_through_words(
+    shape: Callable[[int, float], Array], count: int, unit: str
+) -> None:
+    require_clear(of(planned(shape(count, 40.0 if unit == "ft" else 7.0), 1.1, unit)))
+
+
+SMALLEST = 8.0
+"""Points: what is read at arm's length."""
+
+
+@pytest.mark.parametrize(("count", "unit"), [(4, "m"), (30, "mm"), (120, "m"), (400, "m")])
+@pytest.mark.parametrize("shape", [arc, lattice, crowd])
+def test_printed_words_are_clear_and_large_and_the_table_has_all_feet(
+    shape: Callable[[int, float], Array], count: int, unit: str
+) -> None:
+    document = planned(shape(count, 7.0 if unit == "m" else 7e6), 1.1, unit)
+    printed = print_ground(document, "A4")
+    assert printed is not None
+    assert document.ground is not None
+    rows = []
+    for page in printed.pages:
+        require_clear(page)
+        assert min(text.height for text in page.texts) / CAPITALS >= SMALLEST * 25.4 / 72
+        ends = [text.words for text in page.texts if text.anchor == "end"]
+        rows += [row for row in zip(*[iter(ends)] * 3, strict=True) if row[0] != "foot"]
+    assert rows == [
+        (str(foot.number), decimal(foot.x, unit), decimal(foot.y, unit))
+        for foot in document.ground.feet
+    ]
 
 
 @pytest.mark.parametrize("unit", UNITS)
@@ -145,16 +177,34 @@ def test_files_are_there_and_table_has_the_feet(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("radius", [0.05, 3.0, 1e3])
-@pytest.mark.parametrize("paper", ["A4", "A3"])
-def test_it_is_printed_on_one_page_at_the_largest_usual_scale(radius: float, paper: str) -> None:
-    assert paper in {"A3", "A4"}
-    printed = print_ground(planned(arc(12, radius), 1.2), "A3" if paper == "A3" else "A4")
+@pytest.mark.parametrize("paper", PAPERS_MM)
+def test_it_is_printed_at_the_largest_usual_scale(radius: float, paper: Paper) -> None:
+    document = planned(arc(12, radius), 1.2)
+    printed = print_ground(document, paper)
     assert printed is not None
-    page = np.array([printed.width, printed.height]) - 2 * BORDER_MM
-    drawn = np.array([printed.drawing.width, printed.drawing.height])
-    assert (drawn <= page + 1e-9).all()
-    assert (drawn > page / 2.6).any() or printed.scale == 1
-    assert f"SCALE 1:{printed.scale} ON {paper}" in [text.words for text in printed.drawing.texts]
+    (page,) = printed.pages
+    assert (page.width, page.height) == PAPERS_MM[paper]
+    assert f"SCALE 1:{printed.scale} ON {paper}" in [text.words for text in page.texts]
+    # At true size over the scale: the corner's circle and the crosses at feet.
+    assert document.ground is not None
+    (circle,) = page.circles
+    (first, *_) = document.ground.feet
+    (cross, *_) = (line.points.mean(axis=0) for line in page.lines if line.layer == "CUT")
+    np.testing.assert_allclose(
+        (cross - [circle.x, circle.y]) * printed.scale / 1000, [first.x, first.y], atol=1e-9
+    )
+    # Between the lines of words and the table the next scale has no room.
+    texts = np.array([(text.x, text.y) for text in page.texts if text.anchor != "middle"])
+    outlines = np.concatenate([line.points for line in page.lines if line.layer == "ENGRAVE"])
+    drawn, middle = np.ptp(outlines, axis=0), outlines[:, 1].mean()
+    above = texts[texts[:, 1] > middle, 1].min() - texts[texts[:, 1] < middle, 1].max()
+    room = np.array([page.width - 2 * BORDER_MM, above])
+    larger = max(
+        (each * 1000**k for k in range(3) for each in SCALES if each * 1000**k < printed.scale),
+        default=0,
+    )
+    if larger:
+        assert (drawn * printed.scale / larger + 2 * PAD > room - 2 * ROW).any()
 
 
 def test_a_shell_without_feet_has_no_plan(tmp_path: Path) -> None:

@@ -26,10 +26,9 @@ def kit(
     They have drawings, tables and a booklet; README.md says what is where.
     """
     from orishell.conventions.quantities import plain
-    from orishell.io import OutputDirectory
-    from orishell.shell.kit import write_kit
+    from orishell.shell.kit import require_kit_place, write_kit
 
-    OutputDirectory(out).require_usable()
+    require_kit_place(out)
     shell = designed(file)
     with bar() as progress:
         made = write_kit(shell, out, paper=paper, progress=progress)

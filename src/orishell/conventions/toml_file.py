@@ -89,6 +89,8 @@ def _no_toml(text: str, said: str) -> InputError:
         remedy = f"numbers have a decimal point: write {value[1].replace(',', '.')}"
     elif value is not None and _WORD.fullmatch(value[1]):
         remedy = f'put texts in quotes: "{value[1]}"'
+    elif text.lstrip().startswith("{"):
+        remedy = "this looks like JSON: orishell check, fold and convert read FOLD files"
     begin = max(0, column - WIDTH // 2)
     shown = "".join(each if each.isprintable() else " " for each in line[begin : begin + WIDTH])
     return InputError(

@@ -52,6 +52,11 @@ class DeploymentReport:
     # what it takes to raise it by hand; None likewise, or where it is opened in pieces
     raising: Raising | None
 
+    @property
+    def lacks_ground(self) -> bool:
+        """Whether it stands and nobody knows the ground that it needs on its way."""
+        return self.ground is not None and self.ground.swept is None
+
 
 def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.

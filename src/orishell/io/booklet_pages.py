@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from typing import Literal
+from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
-from orishell.numerics.arrays import Array
+from orishell.io.booklet_drawing import (
+    SMALL,
+    Drawn,
+    Said,
+    fitted,
+    named_corners,
+    outlines,
+    picture,
+    set_lines,
+)
 from orishell.workshop import Workshop
-from orishell.workshop.kit.facts import KitFacts, find_facts
-from orishell.workshop.kit.line_drawing import LineDrawing, draw_lines
+from orishell.workshop.kit.facts import KitFacts, corner_panels, find_facts
+from orishell.workshop.kit.line_drawing import draw_lines
 from orishell.workshop.kit.parts import KitPart, kit_parts, kit_tools
 from orishell.workshop.kit.steps import Step, kit_steps, pack_boxes, pack_words
 from orishell.workshop.kit.words import Words, load_words
@@ -24,40 +32,15 @@ WIDE, HIGH = 595.28, 841.89
 SIDE, TOP, FOOT = 56.0, 60.0, 60.0
 """What is left white."""
 BODY, HEAD, TITLE = 10.0, 13.0, 24.0
-SMALL = 9.0
 """Sizes of letters."""
-LEADING = 1.35
-"""From line to line, in sizes of letters."""
-BACK = 0.88
-"""How light the back of the sheet is."""
 PICTURE = 210.0
-"""Width and height of the picture of a step."""
-STEPS = 3
-"""On a page."""
+"""Width of the picture of a step."""
+STEP = (HIGH - TOP - FOOT) / 3
+"""Height of a step with a picture, at least."""
+NAMES = 26.0
+"""Room beside a plan for names of panels."""
 PART = 56.0
 """Height of a part in the list."""
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """A line of words, its baseline at (x, y)."""
-
-    x: float
-    y: float
-    words: str
-    size: float
-    bold: bool = False
-    anchor: Literal["start", "end"] = "start"
-
-
-@record
-class Drawn:
-    """A line or a panel."""
-
-    points: Array  # (k, 2)
-    closed: bool = True
-    fill: float | None = None  # how light it is, from 0 to 1; None where it is not filled
-    dashed: bool = False
 
 
 @record
@@ -71,13 +54,12 @@ class BookletPage:
 def booklet_pages(document: Document, workshop: Workshop) -> tuple[BookletPage, ...]:
     """All pages: cover, parts with tools, steps, and how it is packed."""
     words, facts = load_words(workshop.language), find_facts(document)
-    parts, steps = kit_parts(document, workshop, facts), kit_steps(document, facts)
+    parts = kit_parts(document, workshop, facts)
+    steps = kit_steps(document, workshop, facts, parts)
     book = _Book(document, facts, words)
-    pages = [book.cover(parts, steps), book.parts(parts)]
-    for first in range(0, len(steps), STEPS):
-        pages.append(book.steps(steps[first : first + STEPS], first))
+    pages = [book.cover(parts, steps), book.parts(parts), *book.steps(steps)]
     if facts.packs and facts.starts_packed and not facts.model:
-        pages.append(book.packing(parts))
+        pages.append(book.packing(parts, steps))
     count = len(pages)
     return tuple(
         replace(page, said=(*page.said, _number(words, number, count)))
@@ -125,12 +107,12 @@ class _Book:
             lines.append(say("cover.thin"))
         if drawing.every > 1:
             lines.append(say("cover.coarse", every=drawing.every))
-        title = [*_lines(SIDE, HIGH - TOP - TITLE, [name], TITLE, WIDE - 2 * SIDE, bold=True)]
+        title = [*set_lines(SIDE, HIGH - TOP - TITLE, [name], TITLE, WIDE - 2 * SIDE, bold=True)]
         top = title[-1].y - 30
-        said = [*title, *_lines(SIDE, top, lines, BODY + 1, WIDE - 2 * SIDE)]
+        said = [*title, *set_lines(SIDE, top, lines, BODY + 1, WIDE - 2 * SIDE)]
         room = said[-1].y - 24 - FOOT
-        picture = _picture(drawing, (SIDE, FOOT), (WIDE - 2 * SIDE, room))
-        return BookletPage(tuple(picture), tuple(said))
+        seen = picture(drawing, (SIDE, FOOT), (WIDE - 2 * SIDE, room))
+        return BookletPage(tuple(seen), tuple(said))
 
     def parts(self, parts: tuple[KitPart, ...]) -> BookletPage:
         """The parts with their counts, and the tools."""
@@ -140,71 +122,95 @@ class _Book:
         y -= 16
         for part in parts:
             corner = (SIDE, y - PART + 8)
-            drawn += _outlines(part.picture, corner, (70, PART - 16))
+            drawn += outlines(part.picture, corner, (70, PART - 16))
             left = SIDE + 92
             middle = y - 0.5 * PART
             said += [
                 Said(left, middle, say("times", count=part.count), HEAD, bold=True),
                 Said(left + 64, middle + 4, say(f"parts.{part.name}"), BODY + 1, bold=True),
-                *_lines(left + 64, middle - 10, [self._note(part)], BODY, WIDE - SIDE - left - 64),
+                *set_lines(
+                    left + 64, middle - 10, [self._note(part)], BODY, WIDE - SIDE - left - 64
+                ),
             ]
             y -= PART
-        y -= 24
+        y -= 40
         said.append(Said(SIDE, y, say("titles.tools"), TITLE - 6, bold=True))
         tools = [
             f"- {say(f'tools.{name}', **values)}"
             for name, values in kit_tools(self.document, self.facts, parts)
         ]
-        said += _lines(SIDE, y - 22, tools, BODY + 1, WIDE - 2 * SIDE)
+        said += set_lines(SIDE, y - 22, tools, BODY + 1, WIDE - 2 * SIDE)
         return BookletPage(tuple(drawn), tuple(said))
 
     def _note(self, part: KitPart) -> str:
         """What is said of a part beside its count."""
-        bare = {"membrane": not self.facts.flaps, "flap": not self.facts.construction}
-        key = f"parts.{part.name}_plain_note" if bare.get(part.name) else f"parts.{part.name}_note"
-        return self.words.say(key, **part.values)
+        return self.words.say(f"parts.{part.note or f'{part.name}_note'}", **part.values)
 
-    def steps(self, steps: tuple[Step, ...], before: int) -> BookletPage:
-        """Some steps one below the other, the first of them after so many others."""
+    def steps(self, steps: tuple[Step, ...]) -> Iterator[BookletPage]:
+        """Steps one below the other, as many on a page as it has room for."""
         drawn: list[Drawn] = []
         said: list[Said] = []
-        high = (HIGH - TOP - FOOT) / STEPS
-        for k, step in enumerate(steps):
-            top = HIGH - TOP - k * high
-            if k:
+        top = HIGH - TOP
+        for number, step in enumerate(steps, 1):
+            words = [*self._step(step, number, 0.0)]
+            high = 28 - words[-1].y if step.state is None else max(STEP, 28 - words[-1].y)
+            if said and top - high < FOOT:
+                yield BookletPage(tuple(drawn), tuple(said))
+                drawn, said, top = [], [], HIGH - TOP
+            if said:
                 rule = np.array([[SIDE, top], [WIDE - SIDE, top]])
                 drawn.append(Drawn(rule, closed=False))
-            said += self._step(step, before + k + 1, top - 22)
+            said += self._step(step, number, top)
             if step.state is not None:
-                corner = (WIDE - SIDE - PICTURE, top - high + 12)
-                seen = draw_lines(
-                    self.document, step.state, step.panels, step.joined, plan=step.plan
-                )
-                drawn += _picture(seen, corner, (PICTURE, high - 24))
-        return BookletPage(tuple(drawn), tuple(said))
+                seen, names = self._picture(step, (WIDE - SIDE - PICTURE, top - high + 12), high)
+                drawn, said = [*drawn, *seen], [*said, *names]
+            top -= high
+        yield BookletPage(tuple(drawn), tuple(said))
 
-    def _step(self, step: Step, number: int, y: float) -> Iterator[Said]:
-        say, table = self.words.say, f"steps.{step.name}"
-        wide = WIDE - 2 * SIDE - PICTURE - 20
-        yield Said(SIDE, y, f"{number}  {say(f'{table}.title')}", HEAD, bold=True)
-        text = [*_lines(SIDE, y - 22, [say(f"{table}.text", **step.values)], BODY, wide)]
-        yield from text
-        own = (
-            step.check in ("", "diagonals", "none")
-            and "check" in self.words.tables["steps"][step.name]
+    def _picture(
+        self, step: Step, corner: tuple[float, float], high: float
+    ) -> tuple[list[Drawn], list[Said]]:
+        """What a step shows, and the names of the panels at the corners of a plan."""
+        assert step.state is not None
+        drawing = draw_lines(
+            self.document, step.state, step.panels, step.joined, step.marked, plan=step.plan
         )
-        if step.check == "none" and step.name != "lay_out":
-            return
-        key = f"{table}.check" if own else f"checks.{step.check}"
-        said = f"{say('check')}: {say(key, **step.values)}"
-        yield from _lines(SIDE, text[-1].y - 20, [said], BODY, wide, bold=True)
+        room = (PICTURE, high - 24)
+        if not step.plan:
+            return [*picture(drawing, corner, room)], []
+        corner, room = (corner[0] + NAMES, corner[1] + 12), (room[0] - 2 * NAMES, room[1] - 24)
+        seen = [*picture(drawing, corner, room)]
+        flat = self.document.state(step.state).positions[:, :2]
+        move, scale = fitted(drawing.box, corner, room)
+        faces = self.document.mesh.faces
+        corners = (
+            (self.document.panel_name(panel), flat[faces[panel, which]] * scale + move)
+            for panel, which in corner_panels(self.document, step.panels)
+        )
+        return seen, [*named_corners(corners, seen)]
 
-    def packing(self, parts: tuple[KitPart, ...]) -> BookletPage:
-        """The boxes that packs need, and the mass."""
+    def _step(self, step: Step, number: int, top: float) -> Iterator[Said]:
+        say, table = self.words.say, f"steps.{step.name}"
+        wide = WIDE - 2 * SIDE - (PICTURE + 20 if step.state is not None else 0)
+        yield Said(SIDE, top - 22, f"{number}  {say(f'{table}.title')}", HEAD, bold=True)
+        keys = (f"{table}.text", *(f"more.{key}" for key in step.more))
+        if step.panels is not None:
+            keys += ("more.first_piece",)
+        words = " ".join(say(key, **step.values) for key in keys)
+        text = [*set_lines(SIDE, top - 44, [words], BODY, wide)]
+        yield from text
+        if step.check:
+            said = f"{say('check')}: {say(f'checks.{step.check}', **step.values)}"
+            yield from set_lines(SIDE, text[-1].y - 20, [said], BODY, wide, bold=True)
+
+    def packing(self, parts: tuple[KitPart, ...], steps: tuple[Step, ...]) -> BookletPage:
+        """How it is taken down, the boxes that packs need, and the mass."""
         say, facts = self.words.say, self.facts
         y = HIGH - TOP - TITLE
         text = "packing.text" if facts.construction else "packing.text_bare"
-        lines = [say(text, layers=facts.layers), ""]
+        load = next(k for k, step in enumerate(steps, 1) if step.name.startswith("load"))
+        back = say("packing.back", last=len(steps), first=load)
+        lines = [back, "", say(text, layers=facts.layers), ""]
         lines += [
             say("packing.one", number=number, size=sides)
             for number, sides in enumerate(pack_boxes(facts, self.unit), 1)
@@ -219,70 +225,9 @@ class _Book:
         if facts.mass is not None:
             lines += ["", say("packing.mass", mass=f"{plain(facts.mass, 3)} kg")]
         title = Said(SIDE, y, say("titles.packing"), TITLE - 6, bold=True)
-        said = [title, *_lines(SIDE, y - 26, lines, BODY + 1, WIDE - 2 * SIDE)]
+        said = [title, *set_lines(SIDE, y - 26, lines, BODY + 1, WIDE - 2 * SIDE)]
         piece = facts.pieces[0] if len(facts.pieces) > 1 else None
         drawing = draw_lines(self.document, "pack", piece)
         room = said[-1].y - 30 - FOOT
-        picture = _picture(drawing, (SIDE, FOOT), (WIDE - 2 * SIDE, room))
-        return BookletPage(tuple(picture), tuple(said))
-
-
-def width_of(said: Said) -> float:
-    """Width of a line of words."""
-    from reportlab.pdfbase.pdfmetrics import stringWidth
-
-    font = "Helvetica-Bold" if said.bold else "Helvetica"
-    return float(stringWidth(said.words, font, said.size))
-
-
-def _lines(
-    x: float, y: float, texts: Iterable[str], size: float, wide: float, *, bold: bool = False
-) -> Iterator[Said]:
-    """Texts below each other, broken where they would be wider; an empty one leaves a gap."""
-    for text in texts:
-        text = text.encode("cp1252", "replace").decode("cp1252")  # noqa: PLW2901
-        line = ""
-        for word in text.split():
-            longer = f"{line} {word}" if line else word
-            if line and width_of(Said(x, y, longer, size, bold)) > wide:
-                yield Said(x, y, line, size, bold)
-                y -= LEADING * size
-                line = word
-            else:
-                line = longer
-        if line:
-            yield Said(x, y, line, size, bold)
-        y -= LEADING * size
-
-
-def _picture(
-    drawing: LineDrawing, corner: tuple[float, float], room: tuple[float, float]
-) -> Iterator[Drawn]:
-    """Panels in the middle of a room, as large as they fit."""
-    move, scale = _fitted(drawing.box, corner, room)
-    outlines = np.round(drawing.outlines * scale + move, 2)
-    for outline, front in zip(outlines, drawing.fronts.tolist(), strict=True):
-        yield Drawn(outline, fill=1.0 if front else BACK)
-    for line in np.round(drawing.lines * scale + move, 2):
-        yield Drawn(line, closed=False, dashed=True)
-
-
-def _outlines(
-    lines: tuple[Array, ...], corner: tuple[float, float], room: tuple[float, float]
-) -> Iterator[Drawn]:
-    if not lines:
-        return
-    points = np.concatenate(lines)
-    move, scale = _fitted((points.min(axis=0), points.max(axis=0)), corner, room)
-    for line in lines:
-        yield Drawn(np.round(line * scale + move, 2), closed=False)
-
-
-def _fitted(
-    around: tuple[Array, Array], corner: tuple[float, float], room: tuple[float, float]
-) -> tuple[Array, float]:
-    """How far a drawing is moved once it is enlarged, and how much it is."""
-    (low, high), space = around, np.array(room)
-    size = np.maximum(high - low, 1e-12)
-    scale = float((space / size).min())
-    return np.array(corner) + 0.5 * (space - scale * (low + high)), scale
+        seen = picture(drawing, (SIDE, FOOT), (WIDE - 2 * SIDE, room))
+        return BookletPage(tuple(seen), tuple(said))

@@ -14,7 +14,7 @@ import re
 import secrets
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -171,23 +171,14 @@ class OutputDirectory:
         with self._drafting() as draft:
             yield draft
             with self._alone():
+                self._require_free(draft)
                 self._move(draft)
 
     @contextlib.contextmanager
     def replacing(self) -> Iterator[Path]:
         """As :meth:`adding`, and files of an earlier run are removed, unless they were changed."""
-        with self._drafting() as draft:
+        with replacing_all([self]) as (draft,):
             yield draft
-            new = Manifest({file.name: hash_of(file) or "" for file in sorted(draft.iterdir())})
-            with self._alone():
-                before = read_manifest(self.path, self.manifest) or Manifest({})
-                (draft / self.manifest).write_text(Manifest(new.files, before.known).text())
-                self._move(draft, first=self.manifest)
-                for name in before.known.keys() - new.files.keys():
-                    if hash_of(self.path / name) in before.known[name]:
-                        (self.path / name).unlink()
-                (draft / self.manifest).write_text(new.text())
-                self._move(draft)
 
     def remove_list(self) -> None:
         """Remove the list of files, and the directory if nothing else is in it."""
@@ -232,15 +223,46 @@ class OutputDirectory:
                     if free:
                         shutil.rmtree(path, ignore_errors=True)
 
-    def _move(self, draft: Path, first: str = "") -> None:
-        files = sorted(draft.iterdir(), key=lambda file: (file.name != first, file.name))
-        for file in files:
+    def _replace(self, draft: Path) -> None:
+        """Move the files of a draft here, and remove those of an earlier run."""
+        new = Manifest({file.name: hash_of(file) or "" for file in sorted(draft.iterdir())})
+        before = read_manifest(self.path, self.manifest) or Manifest({})
+        (draft / self.manifest).write_text(Manifest(new.files, before.known).text())
+        self._move(draft, first=self.manifest)
+        for name in before.known.keys() - new.files.keys():
+            if hash_of(self.path / name) in before.known[name]:
+                (self.path / name).unlink()
+        (draft / self.manifest).write_text(new.text())
+        self._move(draft)
+
+    def _require_free(self, draft: Path) -> None:
+        for file in sorted(draft.iterdir()):
             if (self.path / file.name).is_dir():
                 raise InputError(
                     "a directory is in the way of a file", where=str(self.path / file.name)
                 )
+
+    def _move(self, draft: Path, first: str = "") -> None:
+        files = sorted(draft.iterdir(), key=lambda file: (file.name != first, file.name))
         for file in files:
             file.replace(self.path / file.name)
+
+
+@contextlib.contextmanager
+def replacing_all(directories: Iterable[OutputDirectory]) -> Iterator[list[Path]]:
+    """As :meth:`OutputDirectory.replacing` of each, and files are moved to all of them or to none.
+
+    Those that lie in others come after them. The temporary directories have the same order.
+    """
+    with contextlib.ExitStack() as held:
+        drafts = [(each, held.enter_context(each._drafting())) for each in directories]
+        yield [draft for _, draft in drafts]
+        with contextlib.ExitStack() as alone:
+            for each, draft in drafts:
+                alone.enter_context(each._alone())
+                each._require_free(draft)
+            for each, draft in drafts:
+                each._replace(draft)
 
 
 @contextlib.contextmanager

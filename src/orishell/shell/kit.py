@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
+from shutil import copyfile, rmtree
 from tempfile import TemporaryDirectory
 from typing import Final
 
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.progress import Progress, cleaning_up, no_progress
 from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
 from orishell.document import Document
@@ -20,6 +20,7 @@ from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
+from orishell.io.output import replacing_all
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
 from orishell.workshop import Workshop
@@ -33,6 +34,9 @@ FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
 """What a kit is written in."""
 CARD: Final = ("dxf", "pdf", "booklet")
 """What the kit of a card model is written in."""
+MANIFEST: Final = ".orishell-kit.json"
+"""The list of a kit's files in each of its folders."""
+README: Final = "README.md"
 LEFT_OUT: Final = None
 SHEET: Final = ("", "sandwich")
 """Constructions whose pattern is a sheet that is cut; of others it is a plan of assembly."""
@@ -109,7 +113,8 @@ def write_kit(
     ----------
     directory
         Where to; made if needed. Files of an earlier kit that this one does not write are removed
-        from its folders, unless somebody changed them; all others stay.
+        from its folders, unless somebody changed them; all others stay. Files are moved there when
+        all are whole, or none is.
     paper
         Whether it is the kit of a card model: at ``paper_scale``, or the largest scale at which the
         sheet fits a page of ``paper``.
@@ -117,10 +122,12 @@ def write_kit(
     Raises
     ------
     InputError
-        If the directory cannot be written to, or a setting does not fit the sheet.
+        If the directory cannot be written to, a README is there that is not of a kit, or a setting
+        does not fit the sheet.
     """
     require_shell(shell)
     directory = path_of(directory, "write_kit: directory")
+    require_kit_place(directory)
     document, workshop, scale = shell.document, shell.file.workshop, 1.0
     document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
     if paper:
@@ -131,7 +138,7 @@ def write_kit(
         document, workshop, scale = model.document, model.workshop, model.scale
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
-    with TemporaryDirectory() as made:
+    with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
         for format_ in _formats(paper):
             path = Path(made) / format_.file
             write_document(format_, path, document, settings, str(shell.file.path))
@@ -140,7 +147,7 @@ def write_kit(
             folder = folder_of(file.name, construction)
             if folder is not LEFT_OUT:
                 folders.setdefault(folder, []).append(file)
-        readme = Path(made) / "README.md"
+        readme = Path(made) / README
         readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, directory))
@@ -151,19 +158,50 @@ def _formats(paper: bool) -> Iterable[Format]:
     return find_formats(CARD if paper else FORMATS)
 
 
+def require_kit_place(directory: Path) -> None:
+    """Refuse, before any work is done, a directory that a kit cannot be written to.
+
+    Raises
+    ------
+    InputError
+        If it or one of its folders is a file or cannot be written to, or if there is a README and
+        no earlier kit.
+    """
+    places = _places(directory)
+    for place in places.values():
+        place.require_usable()
+    readme = directory / README
+    if readme.exists() and not (directory / MANIFEST).exists():
+        raise InputError(
+            f"a {README} is there that is not of a kit",
+            where=str(readme),
+            remedy="choose another directory",
+        )
+
+
+def _places(directory: Path) -> dict[str, OutputDirectory]:
+    """The kit's own folder and those in it, by their names in :data:`TRADES`.
+
+    What other commands wrote there is not the kit's to remove.
+    """
+    return {folder: OutputDirectory(directory / folder, MANIFEST) for folder in sorted(TRADES)}
+
+
 def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
     """Put files into their folders; those of an earlier kit go, and folders that are then empty."""
-    for folder in sorted(TRADES):
-        place = OutputDirectory(directory / folder)
-        files = folders.get(folder, [])
-        if not files and not place.of_earlier_run():
-            continue
-        with place.replacing() as draft:
-            for file in files:
-                shutil.copyfile(file, draft / file.name)
-        if not files:
+    places = {
+        folder: place
+        for folder, place in _places(directory).items()
+        if folder in folders or place.of_earlier_run()
+    }
+    with replacing_all(places.values()) as drafts:
+        for folder, draft in zip(places, drafts, strict=True):
+            for file in folders.get(folder, []):
+                copyfile(file, draft / file.name)
+    for folder, place in places.items():
+        if folder not in folders:
             place.remove_list()
-        yield from (directory / folder / file.name for file in files)
+        yield from (place.path / file.name for file in folders.get(folder, []))
 
 
 def _readme(

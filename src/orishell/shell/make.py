@@ -30,12 +30,7 @@ from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.families import choose_family
 from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
-from orishell.shell.report import (
-    BoxReport,
-    Report,
-    SheetReport,
-    describe_assignment,
-)
+from orishell.shell.report import BoxReport, Report, SheetReport, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import find_stronger
@@ -192,6 +187,7 @@ def _step_by_step(
         "whether panels stay rigid": residuals is None,
         CONTACT: clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
+        "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),
         STOCK: quantities.stock is None,

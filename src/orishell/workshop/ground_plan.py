@@ -7,7 +7,7 @@ numbered where nothing is drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,7 +18,8 @@ from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.document.ground import GroundFoot, GroundPlan
 from orishell.numerics.arrays import Array
-from orishell.workshop.palettes import Anchor, Circle, Drawing, Line, Text, load_palette
+from orishell.workshop.ground_marks import WIDE, ground_marks
+from orishell.workshop.palettes import Anchor, Drawing, Line, Text, load_palette
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.title_block import decimal, draw_title_block
 
@@ -26,27 +27,14 @@ LETTERS = 100
 """Heights of letters that make up the longer side of the plan."""
 PITCH = 1.6
 """Least distance of labels along a line of coordinates, in letters."""
-WIDE = 0.9
-"""Width of a character at most, in letters."""
-CROSS, CORNER = 0.7, 0.45
-"""Arms of the crosses at feet, and radius of the circle at the corner, in letters."""
-DASH, GAP = 1.6, 1.0
-"""Of the outline of the ground that is needed on the way, in letters."""
-AWAY = (1.5, 2.0, 2.6, 3.3)
-"""Distances of a foot's number from it that are tried, in letters."""
-WAYS = 16
-"""Directions of it that are tried."""
 SMALLER = (1.0, 0.6, 0.35)
 """Sizes of a number that are tried, in letters."""
 NAMED = 6
 """So many feet are named at a coordinate."""
 
 
-def draw_ground(document: Document, scale: str = "1:1") -> Drawing | None:
-    """The plan of a shell's feet in its unit, at true size; None for a shell that has none.
-
-    scale: What the title block says of the size that it is printed in.
-    """
+def draw_ground(document: Document) -> Drawing | None:
+    """The plan of a shell's feet in its unit, at true size; None for a shell that has none."""
     plan = document.ground
     if plan is None:
         return None
@@ -56,12 +44,11 @@ def draw_ground(document: Document, scale: str = "1:1") -> Drawing | None:
     letter = max(float(high[0] - low[0]) / LETTERS, drawn.letter)
     palette, (wide, tall) = load_palette("plain"), (high - low).tolist()
     block = draw_title_block(
-        _facts(plan, document.unit),
+        ground_facts(plan, document.unit),
         palette,
         drawn=Drawing(document.title, document.unit, wide, tall, *content),
         letter=letter,
-        scale=scale,
-        legend=_legend(plan, document.unit),
+        legend=ground_legend(plan, document.unit),
     )
     margin = 2 * letter
     up = block.height + 2 * margin - float(low[1])
@@ -84,7 +71,8 @@ def ground_beside(path: Path) -> Path:
     return path.with_name(f"{stem}{path.suffix}")
 
 
-def _facts(plan: GroundPlan, unit: str) -> list[str]:
+def ground_facts(plan: GroundPlan, unit: str) -> list[str]:
+    """What is said of a plan, line by line."""
     x, y = (decimal(each, unit) for each in plan.corner)
     facts = [
         f"{len(plan.feet)} feet; coordinates in {unit} from the corner with the circle, "
@@ -102,7 +90,8 @@ def _facts(plan: GroundPlan, unit: str) -> list[str]:
     return [*facts, f"North is not known; orishell {__version__}"]
 
 
-def _legend(plan: GroundPlan, unit: str) -> list[tuple[str, str, str]]:
+def ground_legend(plan: GroundPlan, unit: str) -> list[tuple[str, str, str]]:
+    """What its lines mean, below a row of headings, with sizes."""
     wide, deep = (size(each, unit) for each in np.ptp(plan.hull, axis=0).tolist())
     rows = [("PLAN", "LINE", "SIZE"), ("shell", "solid", f"{wide} × {deep}")]
     if plan.swept is not None:
@@ -131,51 +120,11 @@ class _Plan:
 
     def content(self) -> Content:
         """Lines, circles and words."""
-        plan, letter = self.plan, self.letter
-        lines = [Line("ENGRAVE", plan.hull, closed=True)]
-        if plan.swept is not None:
-            lines += _dashed(plan.swept.hull, letter * DASH, letter * GAP)
-        arm = CROSS * letter * np.array([[-1.0, 0.0], [1.0, 0.0]])
-        for foot in self.feet:
-            lines += [Line("CUT", foot + arm), Line("CUT", foot + arm[:, ::-1])]
-        circle = Circle("CUT", 0.0, 0.0, CORNER * letter)
-        numbers = self._numbers(lines)
+        lines, circles, numbers = ground_marks(self.plan, self.letter, SMALLER)
         for axis in (0, 1):
             more, words = self._coordinates(axis)
-            lines, numbers = [*lines, *more], [*numbers, *words]
-        return tuple(lines), (circle,), tuple(numbers)
-
-    def _numbers(self, lines: Sequence[Line]) -> list[Text]:
-        """Numbers beside feet, clear of all lines and of each other, where there is room."""
-        import shapely
-
-        drawn = [
-            shapely.LinearRing(line.points) if line.closed else shapely.LineString(line.points)
-            for line in lines
-        ]
-        ring = shapely.Point(0.0, 0.0).buffer(CORNER * self.letter)
-        tree = shapely.STRtree([*drawn, ring])
-        taken, texts = np.zeros((0, 4)), []
-        turns = 2 * np.pi * np.arange(WAYS) / WAYS
-        ways = np.stack([np.cos(turns), np.sin(turns)], axis=-1)
-        for foot, place in zip(self.plan.feet, self.feet, strict=True):
-            words = str(foot.number)
-            for share in SMALLER:
-                height = share * self.letter
-                half = 0.5 * height * np.array([WIDE * len(words) + 0.4, 1.4])
-                away = height * np.array(AWAY)[:, None, None] + half.max() - half.min()
-                middles = (place + away * ways).reshape(-1, 2)
-                boxes = np.concatenate([middles - half, middles + half], axis=1)
-                free = np.ones(len(boxes), np.bool_)
-                free[tree.query(shapely.box(*boxes.T), predicate="intersects")[0]] = False
-                free &= ~_overlap(boxes, taken).any(axis=1)
-                if free.any():
-                    chosen = int(free.argmax())
-                    taken = np.concatenate([taken, boxes[chosen : chosen + 1]])
-                    x, y = middles[chosen].tolist()
-                    texts.append(Text("CUT", x, y, height, words))
-                    break
-        return texts
+            lines, numbers = (*lines, *more), (*numbers, *words)
+        return lines, circles, numbers
 
     def _coordinates(self, axis: int) -> tuple[list[Line], list[Text]]:
         """Ticks and labels of one coordinate: below the plan, or to its left."""
@@ -239,30 +188,6 @@ def _spread(places: Array, pitch: float, least: float, most: float) -> Array:
         pools.append((mean, count))
     means = np.concatenate([np.full(count, mean) for mean, count in pools])
     return np.asarray(np.clip(means, least, max(most - float(order[-1]), least)) + order)
-
-
-def _dashed(corners: Array, dash: float, gap: float) -> Iterator[Line]:
-    """The dashes of a closed outline; they go around corners."""
-    closed = np.concatenate([corners, corners[:1]])
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])
-    count = max(round(float(along[-1]) / (dash + gap)), 3)
-    step = along[-1] / count
-    for begin in (step * np.arange(count)).tolist():
-        end = begin + step * dash / (dash + gap)
-        between = along[(along > begin) & (along < end)]
-        at = np.concatenate([[begin], between, [end]])
-        yield Line(
-            "ENGRAVE", np.stack([np.interp(at, along, closed[:, axis]) for axis in (0, 1)], axis=1)
-        )
-
-
-def _overlap(boxes: Array, others: Array) -> Array:
-    """Which boxes (N, 4) overlap which others (M, 4): (N, M)."""
-    mine, theirs = boxes[:, None], others[None]
-    return np.asarray(
-        (mine[..., :2] < theirs[..., 2:]).all(axis=-1)
-        & (theirs[..., :2] < mine[..., 2:]).all(axis=-1)
-    )
 
 
 def text_box(text: Text) -> Array:

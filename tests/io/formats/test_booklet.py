@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from string import Formatter
 from typing import Any, get_args
 
+import numpy as np
 import pytest
 import shapely
 from pypdf import PdfReader
@@ -17,16 +19,20 @@ from boarded import boarded_document
 from documents import demo_document, folded_only, slit_document
 from mechanisms import flat_foldable, random_net
 from orishell.conventions.errors import InputError
+from orishell.design_file import check_design
 from orishell.document import Document, DocumentTie
 from orishell.document.from_design import document_of_motion
+from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.io import write_fold
-from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages, width_of
+from orishell.io.booklet_drawing import CLIPPED, width_of
+from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages
 from orishell.io.format import Settings
 from orishell.io.formats.booklet import write_booklet
 from orishell.motion import FoldingMotion
-from orishell.shell import convert_fold
+from orishell.shell import convert_fold, make_shell
 from orishell.workshop import Workshop
 from orishell.workshop.kit import words
+from orishell.workshop.kit.parts import CutCounts
 from orishell.workshop.kit.words import load_words
 from orishell.workshop.settings import Language
 from pdf_tools import require_sound
@@ -53,6 +59,35 @@ def held_document() -> Document:
     return replace(document, report=HELD, named={"pack": 0, "target": 6}, ties=(TIE,))
 
 
+FEET = np.array([[0.0, 0.0], [1.0, 0.2], [2.0, 0.0], [0.0, 3.0], [1.0, 3.2], [2.0, 3.0]])
+PLAN = GroundPlan(
+    corner=(0.0, 0.0),
+    feet=tuple(
+        GroundFoot(k + 1, (6 * (k // 3), 2 + k % 3), x, y, 0.0)
+        for k, (x, y) in enumerate(FEET.tolist())
+    ),
+    hull=FEET[[0, 2, 5, 3]],
+    swept=SweptGround(FEET[[0, 2, 5, 3]], 2.0, 3.0, 6.0, 2.5, 1.0, 0.0, 1.0, 0.01, 9),
+)
+PIECES = {
+    "shell": {"family": "flat-foldable", "unit": "m"},
+    "pattern": {"rows": 3, "columns": 4, "sheet": "miura"},
+    "panel": {"construction": "hinged", "thickness": 0.02, "pieces": 2, "density": 500},
+    "motion": {"frames": 7},
+    "deployment": {"from": "pack"},
+}
+
+
+@cache
+def pieces_document() -> Document:
+    """Whole boards on hinges, folded and carried in two pieces."""
+    return make_shell(check_design(PIECES, Path("shell.toml")), skip=["remedies"]).document
+
+
+def split(**more: Any) -> Workshop:
+    return Workshop(stock=(130.0, 130.0), **more)
+
+
 DOCUMENTS: dict[str, Callable[[], Document]] = {
     "bare": demo_document,
     "held": held_document,
@@ -60,7 +95,22 @@ DOCUMENTS: dict[str, Callable[[], Document]] = {
     "sandwich": boarded_document,
     "bevel": lambda: boarded_document("bevel"),
     "clipped": lambda: boarded_document(clipped=True),
+    "ground": lambda: replace(held_document(), ground=PLAN),
+    "pieces": pieces_document,
+    "named": lambda: replace(demo_document(), title=f"{'long_' * 20}name: and more"),
 }
+
+
+def text_of(document: Document, workshop: Workshop | None = None) -> str:
+    pages = booklet_pages(document, workshop or Workshop())
+    return " ".join(said.words for page in pages for said in page.said)
+
+
+def titles_of(document: Document, workshop: Workshop | None = None) -> list[str]:
+    """Titles of steps, with their numbers."""
+    pages = booklet_pages(document, workshop or Workshop())
+    said = [said.words for page in pages for said in page.said]
+    return [words for words in said if re.match(r"\d+  ", words)]
 
 
 def paths(table: dict[str, Any], before: str = "") -> dict[str, set[str | None]]:
@@ -116,10 +166,8 @@ def test_it_says_what_is_known(tmp_path: Path) -> None:
     assert "Packed: 3 x 2 x 1 m, without the thickness of 12 layers" in text
     assert "If each person carries 23 kg, it takes 3." in text
     assert "Ties are 1.234 m long from end to end." in text or "1.235 m long" in text
-    titles = re.findall(
-        r"\b\d  ?(Lay out|Cut and crease|Fold up|Tie|Load|Carry|Open|Anchor)\b", text
-    )
-    assert titles == ["Lay out", "Cut and crease", "Fold up", "Tie", "Load", "Carry", "Open"]
+    titles = re.findall(r"\b\d  ?(Cut and crease|Fold up|Tie|Load|Carry|Open|Anchor)\b", text)
+    assert titles == ["Cut and crease", "Fold up", "Tie", "Load", "Carry", "Open"]
 
 
 def test_ties_that_are_not_proved_slack_are_fixed_once_it_is_open() -> None:
@@ -139,6 +187,62 @@ def test_what_a_design_does_not_have_is_left_out() -> None:
     for word in ("Tie", "Pack", "Carry", "Anchor", "Clip", "Mass", "Screw", "board"):
         assert word not in text
     assert "Fold all creases" in text
+
+
+def test_the_ground_is_marked_out_before_it_is_opened() -> None:
+    # Across corners: the square root of 2^2 + 3^2; the size of the ground is SweptGround's.
+    document = DOCUMENTS["ground"]()
+    assert titles_of(document)[-2:] == ["6  Mark out", "7  Open"]
+    text = text_of(document)
+    assert "needs 2 m x 3 m of ground, within the dashed line of that plan, and 2.5 m" in text
+    assert "1 - 6: 3.606 m; 3 - 4: 3.606 m" in text
+
+
+def test_a_booklet_without_a_plan_does_not_speak_of_one(tmp_path: Path) -> None:
+    for ground in (True, False):
+        write_booklet(tmp_path / "booklet.pdf", DOCUMENTS["ground"](), Settings(ground=ground))
+        pages = [page.extract_text() for page in PdfReader(tmp_path / "booklet.pdf").pages]
+        assert ("plan of the ground" in " ".join(" ".join(pages).split())) == ground
+
+
+def test_pieces_are_folded_and_opened_one_by_one() -> None:
+    titles = titles_of(pieces_document())
+    assert [title.split("  ")[1] for title in titles] == [
+        *("Cut", "Lay out", "Hinge", "Fold up", "Load", "Carry", "Open", "Join")
+    ]
+    text = text_of(pieces_document())
+    assert "Fold each piece up by itself" in text
+    assert text.count("The picture is of the first of 2 pieces.") == 4
+    assert "measures" not in text  # no piece has the size of the whole
+
+
+@pytest.mark.parametrize(
+    ("workshop", "said", "unsaid"),
+    [
+        (Workshop(), ["Score all creases"], ["Join", "Strips", "All parts"]),
+        (Workshop(creases="dashes"), ["bridges between the cuts"], ["Score"]),
+        (split(), ["Glue each tab", "numbers 1 to", "All parts"], ["Strips"]),
+        (split(joint="strips"), ["Glue each strip", "Strips"], ["Glue each tab"]),
+    ],
+)
+def test_a_sheet_is_cut_and_joined_as_it_is_drawn(
+    workshop: Workshop, said: list[str], unsaid: list[str]
+) -> None:
+    document = replace(boarded_document(), panel=None, boards=None)
+    text = text_of(document, workshop)
+    assert [words for words in said if words not in text] == []
+    assert [words for words in unsaid if words in text] == []
+    counts = CutCounts.of(document, workshop)
+    assert (counts.strips > 0) == ("Strips" in text)
+
+
+def test_panels_at_corners_are_named_and_flaps_are_dark() -> None:
+    pages = booklet_pages(boarded_document(clipped=True), Workshop())
+    names = {said.words for page in pages for said in page.said}
+    assert {"0,0", "0,3", "5,0", "5,3"} <= names
+    dark = [each for page in pages for each in page.drawn if each.fill == CLIPPED]
+    panels = sum(len(each.mesh.faces) for each in boarded_document(clipped=True).clipped)
+    assert len(dark) == 2 * panels  # on the cover, and where they are clipped on
 
 
 def test_german_has_its_decimal_sign() -> None:

@@ -6,11 +6,13 @@ nothing tells when or where the file was written.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.document import Document
-from orishell.io.booklet_pages import HIGH, WIDE, BookletPage, Drawn, booklet_pages
+from orishell.io.booklet_drawing import Drawn
+from orishell.io.booklet_pages import HIGH, WIDE, BookletPage, booklet_pages
 from orishell.io.format import Format, Settings
 from orishell.io.pdf_lines import add_line
 
@@ -26,13 +28,16 @@ def write_booklet(path: Path, document: Document, settings: Settings) -> None:
     """Write the booklet of a shell, or of a model of it, in ``[workshop] language``.
 
     Pages are A4. Panels are drawn without their thickness. Of more than 1500 only some rows and
-    columns are drawn, as the cover then says.
+    columns are drawn, as the cover then says. Where feet are marked out is said where the plan of
+    the ground is asked for, too.
     """
     from reportlab.pdfgen.canvas import Canvas
 
     canvas = Canvas(str(path), pagesize=(WIDE, HIGH), invariant=1, pageCompression=0)
     canvas.setTitle(document.title.encode("cp1252", "replace").decode("cp1252"))
     canvas.setCreator("orishell")
+    if not settings.ground:
+        document = replace(document, ground=None)
     for page in booklet_pages(document, settings.workshop):
         _draw(canvas, page)
         canvas.showPage()

@@ -59,8 +59,8 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     membrane and the boards of each layer follow at the same scale, in files of their own:
     ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count.
 
-    The plan of the feet of a shell that can stand is ``ground.pdf``, if it is asked for, on one
-    page, at the largest usual scale at which it fits.
+    The plan of the feet of a shell that can stand is ``ground.pdf``, if it is asked for, at the
+    largest usual scale at which it fits the first page, above a table of the feet.
     """
     model = make_paper_model(document, settings.workshop)
     _write_model(path, model)
@@ -73,29 +73,28 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
 
 
 def _write_plan(path: Path, plan: PrintedPlan) -> None:
-    """The plan of the ground on one page, in its middle."""
+    """The plan of the ground, with the table of its feet."""
     from reportlab.pdfgen.canvas import Canvas
 
-    drawing, palette = plan.drawing, load_palette("plain")
-    canvas = Canvas(
-        str(path), pagesize=(plan.width * MM, plan.height * MM), invariant=1, pageCompression=0
-    )
-    canvas.setTitle(drawing.title.encode("cp1252", "replace").decode("cp1252"))
+    first, palette = plan.pages[0], load_palette("plain")
+    size = (first.width * MM, first.height * MM)
+    canvas = Canvas(str(path), pagesize=size, invariant=1, pageCompression=0)
+    canvas.setTitle(first.title.encode("cp1252", "replace").decode("cp1252"))
     canvas.setCreator("orishell")
-    canvas.translate((plan.width - drawing.width) / 2 * MM, (plan.height - drawing.height) / 2 * MM)
-    for layer in ORDER:
-        pen, (texts, circles, lines) = palette.pens[layer], drawing.of_layer(layer)
-        _pen(canvas, pen.colour, pen.width_mm, ())
-        canvas.setFillColor(pen.colour)
-        for line in lines:
-            drawn = canvas.beginPath()
-            add_line(drawn, line.points * MM, closed=line.closed)
-            canvas.drawPath(drawn)
-        for circle in circles:
-            canvas.circle(circle.x * MM, circle.y * MM, circle.radius * MM)
-        for text in texts:
-            _draw_text(canvas, text, np.zeros(2))
-    canvas.showPage()
+    for page in plan.pages:
+        for layer in ORDER:
+            pen, (texts, circles, lines) = palette.pens[layer], page.of_layer(layer)
+            _pen(canvas, pen.colour, pen.width_mm, ())
+            canvas.setFillColor(pen.colour)
+            for line in lines:
+                drawn = canvas.beginPath()
+                add_line(drawn, line.points * MM, closed=line.closed)
+                canvas.drawPath(drawn)
+            for circle in circles:
+                canvas.circle(circle.x * MM, circle.y * MM, circle.radius * MM)
+            for text in texts:
+                _draw_text(canvas, text, np.zeros(2))
+        canvas.showPage()
     canvas.save()
 
 

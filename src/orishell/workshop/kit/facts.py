@@ -31,6 +31,7 @@ class KitFacts:
     tied: Integers  # vertices (K, 2) that they join
     ties_early: bool  # whether they are fixed to the pack: all are proved slack until it is open
     feet: int  # how many vertices it stands on; 0 where it has no feet
+    footing: Integers  # vertices (K,) of its feet, as far as the plan of the ground has them
     apart: tuple[float, float] | None  # the least and largest distance of feet opposite each other
     pieces: tuple[Booleans, ...]  # panels (F,) of each piece
     diagonals: tuple[tuple[float, float], ...]  # of the flat sheet of each piece, corner to corner
@@ -73,6 +74,7 @@ def find_facts(document: Document) -> KitFacts:
         tied=tied,
         ties_early=packed and len(pieces) == 1 and all(tie.slack for tie in document.ties),
         feet=feet,
+        footing=_footing(document),
         apart=apart,
         pieces=pieces,
         diagonals=tuple(_diagonals(document, pieces)),
@@ -108,6 +110,14 @@ def _tied(document: Document) -> Integers:
     return np.asarray(across * ends[..., 0] + ends[..., 1])
 
 
+def _footing(document: Document) -> Integers:
+    """Numbers (K,) of the vertices that the plan of the ground has."""
+    feet = () if document.ground is None else document.ground.feet
+    at = np.array([foot.at for foot in feet], np.int64).reshape(-1, 2)
+    across = 0 if document.grid_shape is None else document.grid_shape[1]
+    return np.asarray(across * at[:, 0] + at[:, 1])
+
+
 def _tie_lengths(points: Array, tied: Integers) -> tuple[float, ...]:
     """How far vertices (K, 2) are apart, of ties between vertices themselves."""
     ends = points[tied]
@@ -129,21 +139,31 @@ def _pieces(document: Document) -> Iterator[Booleans]:
 
 def _diagonals(document: Document, pieces: Iterable[Booleans]) -> Iterator[tuple[float, float]]:
     """Both diagonals of every piece as it lies flat, from corner to corner of what is cut."""
+    if document.grid_shape is None:
+        return
+    for piece in pieces:
+        corners = [_corner(document, *each) for each in corner_panels(document, piece)]
+        one, other = (float(np.hypot(*(corners[k + 2] - corners[k]))) for k in (0, 1))
+        yield one, other
+
+
+def corner_panels(document: Document, piece: Booleans | None) -> Iterator[tuple[int, int]]:
+    """The panels at the four corners of a piece, or of all, in turn, each with its corner there.
+
+    None where panels are no grid.
+    """
     shape = document.grid_shape
     if shape is None:
         return
     across = shape[1] - 1
-    for piece in pieces:
-        of_grid = np.flatnonzero(piece[: (shape[0] - 1) * across])
-        first, last = int(of_grid[0]) // across, int(of_grid[-1]) // across
-        corners = (
-            _corner(document, first * across, 0),
-            _corner(document, last * across + across - 1, 2),
-            _corner(document, last * across, 1),
-            _corner(document, first * across + across - 1, 3),
-        )
-        one, other = (float(np.hypot(*(corners[k + 1] - corners[k]))) for k in (0, 2))
-        yield one, other
+    of_grid = np.arange((shape[0] - 1) * across)
+    if piece is not None:
+        of_grid = np.flatnonzero(piece[: len(of_grid)])
+    first, last = int(of_grid[0]) // across, int(of_grid[-1]) // across
+    yield first * across, 0
+    yield last * across, 1
+    yield last * across + across - 1, 2
+    yield first * across + across - 1, 3
 
 
 def _corner(document: Document, panel: int, corner: int) -> Array:

@@ -1,7 +1,7 @@
 """A state of a shell as panels to be drawn one over the other, farthest first.
 
 Panels are drawn without their thickness. The side that is up in the flat sheet is white, the other
-grey.
+grey, and what is clipped on is dark.
 """
 
 from __future__ import annotations
@@ -33,7 +33,9 @@ class LineDrawing:
 
     outlines: Array  # corners (F, 4, 2)
     fronts: Booleans  # whether each (F,) shows the side that is up in the flat sheet
-    lines: Array  # over them (K, 2, 2): ties, or diagonals
+    clipped: Booleans  # whether each (F,) is of what is clipped on
+    lines: Array  # over them (K, 2, 2): ties
+    points: Array  # over them (M, 2): feet
     every: int  # of so many rows and columns of the sheet one is drawn; 1 for all
 
     @property
@@ -48,6 +50,7 @@ def draw_lines(
     which: int | str,
     panels: Booleans | None = None,
     joined: Integers | None = None,
+    marked: Integers | None = None,
     *,
     plan: bool = False,
 ) -> LineDrawing:
@@ -55,17 +58,23 @@ def draw_lines(
 
     panels: Which (F,) are drawn; all if None.
     joined: Vertices (K, 2) between which lines are drawn over all; none if None.
+    marked: Vertices (M,) that are marked; none if None.
     plan: Whether it is seen from above, x to the right.
 
     Raises InputError if there is no such state.
     """
-    corners, every = _drawn_corners(document, which, panels)
+    corners, clipped, every = _drawn_corners(document, which, panels)
     axes = view_axes(0.0, ABOVE) if plan else view_axes(TURN_DEG, RISE_DEG)
     seen = corners @ axes.T
     order = _farthest_first(seen)
-    ends = np.zeros((0, 2), np.int64) if joined is None else joined
-    lines = (document.state(which).positions[ends] @ axes.T)[..., :2]
-    return LineDrawing(seen[order, :, :2], area_vectors(seen)[order, 2] > 0, lines, every)
+    positions = document.state(which).positions
+    ends, spots = (np.zeros(0, np.int64) if each is None else each for each in (joined, marked))
+    lines = (positions[ends.reshape(-1, 2)] @ axes.T)[..., :2]
+    points = (positions[spots] @ axes.T)[..., :2]
+    fronts = area_vectors(seen)[order, 2] > 0
+    return LineDrawing(
+        seen[order, :, :2], fronts, order >= len(seen) - clipped, lines, points, every
+    )
 
 
 def view_axes(turn_deg: float, rise_deg: float) -> Array:
@@ -79,8 +88,11 @@ def view_axes(turn_deg: float, rise_deg: float) -> Array:
 
 def _drawn_corners(
     document: Document, which: int | str, panels: Booleans | None
-) -> tuple[Array, int]:
-    """Corners (F, 4, 3) of what is drawn, and of how many rows and columns one is."""
+) -> tuple[Array, int, int]:
+    """Corners (F, 4, 3) of what is drawn, clipped panels last, how many these are.
+
+    And of how many rows and columns one is drawn.
+    """
     state = document.state(which)
     chosen = np.ones(len(document.mesh.faces), np.bool_) if panels is None else panels
     shape = document.grid_shape
@@ -90,11 +102,11 @@ def _drawn_corners(
         rows, columns = (_thinned(count, every) for count in shape)
         grid = grid[rows][:, columns]
         around = [grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]]
-        return np.stack(around, axis=2).reshape(-1, 4, 3), every
-    parts = [document.panel_corners(state)[chosen]]
+        return np.stack(around, axis=2).reshape(-1, 4, 3), 0, every
+    sheet, clipped = document.panel_corners(state)[chosen], []
     if panels is None:
-        parts += [each.panel_corners(each.shell) for each in document.clipped_at(which)]
-    return np.concatenate(parts), 1
+        clipped = [each.panel_corners(each.shell) for each in document.clipped_at(which)]
+    return np.concatenate([sheet, *clipped]), sum(map(len, clipped)), 1
 
 
 def _thinned(count: int, every: int) -> Integers:

@@ -14,7 +14,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import with_clipped
-from orishell.workshop.boards import SIDES, distinct_corners, seen_from_outside
+from orishell.workshop.boards import SIDES, distinct_corners, has_sheet, seen_from_outside
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.kit.facts import KitFacts
@@ -32,22 +32,29 @@ class KitPart:
     count: int
     values: Mapping[str, str]  # what its note says
     picture: tuple[Array, ...] = ()  # polylines (k, 2), closed where first and last coincide
+    note: str = ""  # the key of its note; its own name with "_note" where empty
 
 
 def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[KitPart, ...]:
     """All kinds of parts, in the order in which they are used; counts are those of the drawings."""
     everything, unit = with_clipped(document), document.unit
     parts: list[KitPart] = []
+    cut = CutCounts.of(document, workshop)
     if facts.construction in ("", "sandwich"):
-        cut = sheet_parts(document, workshop)
-        name = ("membrane" if facts.construction else "sheet") + ("" if cut == 1 else "_parts")
+        name = ("membrane" if facts.construction else "sheet") + (
+            "" if cut.sheet == 1 else "_parts"
+        )
         values = {
+            "last": str(cut.sheet),
             "size": box(facts.sheet, unit),
             "area": area(float(document.areas().sum()), unit),
             "panels": str(len(document.mesh.faces)),
         }
         rims = tuple(map(_closed, whole_sheet(document).outlines))
-        parts.append(KitPart(name, cut, values, rims))
+        note = "membrane_plain_note" if name == "membrane" and not facts.flaps else ""
+        parts.append(KitPart(name, cut.sheet, values, rims, note))
+    if cut.strips:
+        parts.append(KitPart("strip", cut.strips, {}, (_rectangle(-1.0, -0.2, 1.0, 0.2),)))
     if facts.construction:
         parts += _boards(everything)
     fittings = fittings_of(document)
@@ -61,15 +68,30 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
     if facts.flaps:
         flap = document.clipped[0]
         quads = flap.require_flat()[flap.mesh.faces]
-        values = {"panels": str(facts.clipped_panels)}
-        parts.append(KitPart("flap", facts.flaps, values, tuple(map(_closed, quads))))
+        values = {"panels": str(facts.clipped_panels), "cut": str(cut.flaps)}
+        values |= {"first": str(cut.sheet + 1), "last": str(cut.sheet + cut.flaps)}
+        note = f"flap{'' if facts.construction else '_plain'}{'_cut' if cut.flaps else ''}_note"
+        parts.append(KitPart("flap", facts.flaps, values, tuple(map(_closed, quads)), note))
     return tuple(parts)
 
 
-def sheet_parts(document: Document, workshop: Workshop) -> int:
-    """How many parts the sheet or the membrane is cut in, what is clipped on left out."""
-    count = len(document.mesh.faces)
-    return sum(bool((part.panels < count).any()) for part in lay_out(document, workshop).parts)
+@record
+class CutCounts:
+    """How many parts the sheet, or the membrane, is cut in."""
+
+    sheet: int  # of the sheet itself; 1 where it is not split, 0 where there is none
+    flaps: int  # of what is clipped on, numbered after those; 0 where parts have no numbers
+    strips: int  # glued under joints
+
+    @classmethod
+    def of(cls, document: Document, workshop: Workshop) -> CutCounts:
+        """Those of the layout that drawings have."""
+        if not has_sheet(document):
+            return cls(0, 0, 0)
+        count, parts = len(document.mesh.faces), lay_out(document, workshop).parts
+        sheet = sum(bool((part.panels < count).any()) for part in parts)
+        flaps = sum(part.number > 0 and bool((part.panels >= count).all()) for part in parts)
+        return cls(sheet, flaps, sum(not len(part.panels) for part in parts))
 
 
 def _boards(everything: Document) -> Iterator[KitPart]:
@@ -108,7 +130,8 @@ def _hinges(fittings: Fittings, unit: str) -> Iterator[KitPart]:
         outline = _rectangle(-half, -arm.foot, half, arm.height)
         bend = np.array([[-half, 0.0], [half, 0.0]])
         picture = (outline, bend) if arm.foot else (outline,)
-        yield KitPart("arm", sum(arm.count for arm in fittings.arms), values, picture)
+        name = "arm" if any(each.foot for each in fittings.arms) else "block"
+        yield KitPart(name, sum(each.count for each in fittings.arms), values, picture)
 
 
 def _closed(outline: Array) -> Array:
@@ -133,7 +156,7 @@ def kit_tools(
     if facts.construction in ("", "sandwich"):
         yield "knife", {}
     if facts.construction:
-        yield "saw", {}
+        yield "saw", next(there[side].values for side in LAYERS.values() if side in there)
     if facts.construction == "sandwich":
         glued = signed_areas(_faces(document)).sum()
         yield "glue", {"area": area(float(glued), document.unit)}

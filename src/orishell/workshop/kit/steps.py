@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from math import ceil
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from math import ceil, hypot
+from typing import Final
 
 from orishell.conventions.quantities import PERSON_KG, box, plain, size
 from orishell.conventions.record import record
 from orishell.document import FLAT, SHELL, Document
+from orishell.document.ground import GroundPlan
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.workshop.kit.facts import KitFacts, middle_state
+from orishell.workshop.kit.parts import KitPart
+from orishell.workshop.settings import Workshop
 
 SLIM = 0.03
 """A pack less high than this share of its length is flat."""
+
+
+CUT: Final = {"screw": "drill", "arm": "bend", "block": "blocks"}
+FIXED: Final = {"arm": "arms_first", "block": "arms_first", "screw": "loose"}
+"""What is said of parts where boards are cut, and where they are joined: keys of words."""
 
 
 @record
@@ -25,61 +35,115 @@ class Step:
     panels: Booleans | None = None  # the panels that are drawn; all if None
     plan: bool = False  # whether it is seen from above
     joined: Integers | None = None  # vertices (K, 2) between which lines are drawn
-    check: str = ""  # the key of the words that say what is checked; its own name where empty
+    marked: Integers | None = None  # vertices (M,) that are marked
+    check: str = ""  # the key of the words that say what is checked; empty where nothing is
+    more: tuple[str, ...] = ()  # keys of words that follow those of the step
 
 
-def kit_steps(document: Document, facts: KitFacts) -> tuple[Step, ...]:
+def kit_steps(
+    document: Document, workshop: Workshop, facts: KitFacts, parts: Sequence[KitPart]
+) -> tuple[Step, ...]:
     """The steps of a shell, those of a model without loads and anchors."""
-    return (*_making(document, facts), *_putting_up(document, facts))
+    making = _making(document, workshop, facts, {part.name for part in parts})
+    return (*making, *_putting_up(document, facts))
 
 
-def _making(document: Document, facts: KitFacts) -> Iterator[Step]:
-    piece = facts.pieces[0] if len(facts.pieces) > 1 else None
-    said = {"sheet": box(facts.sheet, document.unit), "pieces": plain(len(facts.pieces))}
+def _making(
+    document: Document, workshop: Workshop, facts: KitFacts, parts: set[str]
+) -> Iterator[Step]:
+    said = {"pieces": plain(len(facts.pieces))}
     if facts.diagonals:
-        measured = "; ".join(
+        said["diagonals"] = "; ".join(
             " / ".join(size(each, document.unit, digits=DIGITS) for each in pair)
             for pair in facts.diagonals
         )
-        said["diagonals"] = measured
-    joins = {"": "crease", "sandwich": "glue", "bevel": "hinge", "hinged": "screw"}
-    check = "diagonals" if facts.diagonals else "none"
-    yield Step("lay_out", said, FLAT, piece, plan=True, check="none")
-    yield Step(joins[facts.construction], said, FLAT, piece, plan=True, check=check)
+    check = f"diagonals_{facts.construction or 'sheet'}" if facts.diagonals else ""
+    split = bool(parts & {"sheet_parts", "membrane_parts"})
+    joined = ("strips" if "strip" in parts else "tabs",)
+    if not facts.construction:
+        scored = workshop.creases == "score"
+        first = Step("crease" if scored else "crease_cut", said, FLAT, plan=True)
+        yield replace(first, check="all_parts" if split else check)
+        if split:
+            yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
+        return
+    cut = ("chamfers",) if facts.construction == "bevel" else _also(parts, CUT)
+    yield Step(f"cut_{facts.construction}", said, check="all_parts", more=cut)
+    if split:
+        yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
+    if facts.construction == "sandwich":
+        yield Step("glue", said, FLAT, plan=True, check="" if split else check)
+        return
+    yield Step("lay_out", said, FLAT, plan=True)
+    joins = "hinge" if facts.construction == "bevel" else "screw"
+    piece = facts.pieces[0] if len(facts.pieces) > 1 else None
+    yield Step(joins, said, FLAT, piece, plan=True, check=check, more=_also(parts, FIXED))
+
+
+def _also(parts: set[str], words: Mapping[str, str]) -> tuple[str, ...]:
+    """Keys of words about parts that there are."""
+    return tuple(key for part, key in words.items() if part in parts)
 
 
 def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
     unit, piece = document.unit, facts.pieces[0] if len(facts.pieces) > 1 else None
-    opened = {"opened": box(facts.opened, unit), "pieces": plain(len(facts.pieces))}
-    standing = "shut" if facts.shuts else "none"
+    said = {"opened": box(facts.opened, unit), "pieces": plain(len(facts.pieces))}
+    standing = "shut" if facts.shuts else ""
     if facts.apart is not None:
-        opened["apart"] = _between(*facts.apart, unit)
+        said["apart"] = _between(*facts.apart, unit)
         standing = "apart_shut" if facts.shuts else "apart"
     elif facts.ties and facts.ties_early and not facts.shuts:
         standing = "taut"  # they are fixed before
     tie = [] if not facts.ties else [_tie(document, facts)]
+    mark = [] if document.ground is None else [_mark_out(document, document.ground)]
     if facts.starts_packed:
-        yield Step("fold_pack", opened, "pack", piece, check="none")
+        yield Step("fold_pack" if piece is None else "fold_pieces", said, "pack", piece)
         if facts.ties_early:
             yield from tie
-        if not facts.model:
+        loaded = bool(facts.packs) and not facts.model
+        if loaded:
             yield from _carrying(facts, piece, unit)
+        yield from mark
         half = middle_state(document, "pack")
-        yield Step(
-            "open", opened, half, piece, check="open_piece" if piece is not None else standing
-        )
-        if piece is not None:
-            yield Step("join", opened, SHELL, check=standing)
+        if piece is None:
+            name = "open" if loaded else "open_bare"
+            yield Step(name, said, half, check=standing)
+        else:
+            name = "open_pieces" if loaded else "open_pieces_bare"
+            yield Step(name, said, half, piece, check="open_piece")
+            yield Step("join", said, SHELL, check=standing)
     else:
-        yield Step("fold", opened, middle_state(document, FLAT), check=standing)
+        yield from mark
+        yield Step("fold", said, middle_state(document, FLAT), check=standing)
     if not facts.ties_early:
         yield from tie
     if facts.flaps:
         values = {"flaps": plain(facts.flaps), "panels": plain(facts.clipped_panels)}
-        yield Step("clip", values, SHELL)
+        yield Step("clip", values, SHELL, check="all_shut")
     if facts.feet and not facts.model:
-        check = "apart" if facts.apart is not None else "none"
-        yield Step("anchor", {**opened, "feet": plain(facts.feet)}, SHELL, check=check)
+        check = "apart" if facts.apart is not None else ""
+        values = {**said, "feet": plain(facts.feet)}
+        yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
+
+
+def _mark_out(document: Document, plan: GroundPlan) -> Step:
+    """Feet on the ground, and the ground that is needed, as far as it is known."""
+    unit, swept, feet = document.unit, plan.swept, plan.feet
+    values, check = {"feet": plain(len(feet))}, ""
+    if swept is not None:
+        values["ground"] = " x ".join(
+            size(each, unit, bound=True) for each in (swept.width, swept.depth)
+        )
+        values["height"] = size(swept.height, unit, bound=True)
+    row = [foot for foot in feet if foot.at[0] == feet[0].at[0]]
+    if 1 < len(row) < len(feet) - 1:
+        corners = (feet[0], feet[-1]), (row[-1], feet[len(row)])
+        values["crossed"] = "; ".join(
+            f"{a.number} - {b.number}: {size(hypot(a.x - b.x, a.y - b.y), unit, digits=DIGITS)}"
+            for a, b in corners
+        )
+        check = "crossed"
+    return Step("mark_out", values, more=("ground",) * (swept is not None), check=check)
 
 
 def _tie(document: Document, facts: KitFacts) -> Step:
@@ -92,16 +156,15 @@ def _tie(document: Document, facts: KitFacts) -> Step:
 
 
 def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[Step]:
-    if not facts.packs:
-        return
     values = {"packs": pack_words(facts, unit), "layers": plain(facts.layers)}
+    values["pieces"] = plain(len(facts.pieces))
     name = "load" if facts.construction else "load_bare"
-    yield Step(name, values, "pack", piece)
+    yield Step(name, values, "pack", piece, check="straps")
     if facts.mass is not None:
         values["mass"] = f"{plain(facts.mass, 3)} kg"
         values["people"] = str(ceil(facts.mass / PERSON_KG))
         values["each"] = f"{plain(PERSON_KG)} kg"
-        yield Step("carry", values, "pack", piece, check="none")
+        yield Step("carry", values)
 
 
 def pack_words(facts: KitFacts, unit: str) -> str:

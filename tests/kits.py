@@ -1,0 +1,72 @@
+"""Examples as shells whose kits are written, and what is read back of a kit."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import ezdxf
+from ezdxf.document import Drawing
+from ezdxf.entities.lwpolyline import LWPolyline
+from pypdf import PdfReader
+
+from documents import EXAMPLES
+from orishell.design_file import read_design_file
+from orishell.shell import Shell, make_shell
+from orishell.shell.steps import MEASURES
+
+CARD_SHELL = "figure1_card"
+"""48 panels of card on paper, with flaps that are clipped on; four seconds."""
+
+
+@cache
+def shell_of(name: str) -> Shell:
+    """An example, with its pack and quantities; distances from its target are not measured."""
+    skip = {*MEASURES} - {"pack", "weight", "stock"}
+    return make_shell(read_design_file(EXAMPLES / f"{name}.toml"), skip=skip)
+
+
+def rows_of(file: Path) -> list[dict[str, str]]:
+    """Rows of a table; none if there is no such table."""
+    if not file.exists():
+        return []
+    with file.open(newline="") as stream:
+        return [*csv.DictReader(stream)]
+
+
+def read_sound(file: Path) -> Drawing:
+    """A drawing in which ezdxf's audit finds nothing."""
+    drawing = ezdxf.readfile(file)
+    auditor = drawing.audit()
+    assert not auditor.errors
+    assert not auditor.fixes
+    return drawing
+
+
+def names_in(files: Iterable[Path], layer: str = "ENGRAVE") -> Counter[str]:
+    """How often each name is written in drawings, on what is cut."""
+    return Counter(
+        text.dxf.text
+        for file in files
+        for text in read_sound(file).modelspace().query(f'TEXT[layer=="{layer}"]')
+    )
+
+
+def outlines_in(files: Iterable[Path]) -> int:
+    """How many closed lines are cut in drawings."""
+    return sum(
+        entity.closed
+        for file in files
+        for entity in read_sound(file).modelspace().query('LWPOLYLINE[layer=="CUT"]')
+        if isinstance(entity, LWPolyline)
+    )
+
+
+def booklet_counts(file: Path) -> dict[str, int]:
+    """What the page of parts says: counts by the name that stands below each."""
+    text = PdfReader(file).pages[1].extract_text()
+    return {name: int(count) for count, name in re.findall(r"(\d+) x\n(.+)", text)}

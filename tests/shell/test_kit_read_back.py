@@ -1,0 +1,141 @@
+"""Kits are read back: every part is counted once in drawings, tables, booklet, README and STEP."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from ezdxf.entities.circle import Circle
+from pypdf import PdfReader
+
+from cad_tools import require_build123d
+from kits import CARD_SHELL, booklet_counts, names_in, outlines_in, read_sound, rows_of, shell_of
+from orishell.conventions.quantities import plain
+from orishell.io import Settings
+from orishell.io.formats import find_formats
+from orishell.shell import write_format, write_kit
+from samples import thorough
+
+KITS = ["shelter", "shelter_boards", "shelter_hinged", "dome", "dome_locked", "tunnel"]
+KIT = pytest.mark.parametrize(
+    "name", [CARD_SHELL, *(pytest.param(name, marks=thorough) for name in KITS)]
+)
+SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
+"""What the booklet calls boards, and the tables their side."""
+SHEETS = ("Sheet with creases", "Parts of the sheet", "Membrane", "Parts of the membrane")
+
+
+@KIT
+def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> None:
+    # Counted anew in each: names in drawings, rows of tables, words of the booklet.
+    kit = tmp_path / "kit"
+    write_kit(shell_of(name), kit)
+    counts = booklet_counts(kit / "booklet/booklet.pdf")
+    assert counts
+    _require_boards(kit, counts)
+    _require_fittings(kit, counts)
+    _require_sheet(kit, counts)
+    ties = rows_of(kit / "ground/ties.csv")
+    assert counts.get("Ties", 0) == len({row["tie"] for row in ties}) == len(ties)
+    creases = rows_of(kit / "hinges/schedule.csv")
+    numbers = [row["crease"] for row in creases]
+    assert len(numbers) == len({*numbers})
+    assert {row["crease"] for row in rows_of(kit / "hinges/creases.csv")} <= {*numbers}
+    feet = rows_of(kit / "ground/ground.csv")
+    assert len(feet) == names_in([kit / "ground/ground.dxf"], "CUT").total()
+    readme = (kit / "README.md").read_text()
+    listed = dict(re.findall(r"^\| ([a-z ]+) \| (\d+) \|$", readme, re.MULTILINE))
+    assert listed == {part.lower(): str(count) for part, count in counts.items()}
+
+
+def _require_boards(kit: Path, counts: dict[str, int]) -> None:
+    boards = rows_of(kit / "cut/boards.csv")
+    sides = Counter(row["side"] for row in boards)
+    assert {SIDES[key]: count for key, count in counts.items() if key in SIDES} == sides
+    drawings = names_in(
+        file for file in (kit / "cut").glob("pattern-*.dxf") if "arms" not in file.stem
+    )
+    parts = [row["part"] for row in boards]
+    assert {part: drawings[part] for part in parts} == dict.fromkeys(parts, 1)
+
+
+def _require_fittings(kit: Path, counts: dict[str, int]) -> None:
+    hinges, arms = rows_of(kit / "hinges/hinges.csv"), rows_of(kit / "cut/arms.csv")
+    assert counts.get("Hinges", 0) == len(hinges) == len({row["hinge"] for row in hinges})
+    kinds = Counter(row[key] for row in hinges for key in ("kind_1", "kind_2") if row[key])
+    assert kinds == {row["kind"]: int(row["count"]) for row in arms}
+    assert counts.get("Arms", 0) == kinds.total()
+    in_boards = sum(2 * int(row["holes"]) for row in hinges)
+    in_fins = sum(int(row["count"]) * int(row["holes_in_fin"]) for row in arms)
+    assert counts.get("Screws", 0) == in_boards + in_fins
+    drilled = [
+        each
+        for file in (kit / "cut").glob("pattern-panels*.dxf")
+        for each in read_sound(file).modelspace().query("CIRCLE")
+    ]
+    assert all(isinstance(each, Circle) for each in drilled)
+    assert len(drilled) == in_boards
+    plan = names_in((kit / "hinges").glob("pattern.dxf"))
+    names = [row["hinge"] for row in hinges]
+    assert {name: plan[name] for name in names} == dict.fromkeys(names, 1)
+
+
+def _require_sheet(kit: Path, counts: dict[str, int]) -> None:
+    """Numbers on parts that are cut, or their outlines where they have no numbers."""
+    sheet = sum(counts.get(key, 0) for key in SHEETS)
+    cut = [*(kit / "fabric").glob("pattern-[0-9]*.dxf")]
+    numbers = {name: n for name, n in names_in(cut).items() if name.isdecimal()}
+    if not cut:
+        flaps = counts.get("Flaps to clip on", 0) if sheet else 0
+        assert outlines_in((kit / "fabric").glob("pattern.dxf")) == sheet + flaps
+        return
+    said = PdfReader(kit / "booklet/booklet.pdf").pages[1].extract_text()
+    last = max([sheet, *map(int, re.findall(r"numbers \d+ to\s+(\d+)", said))])
+    assert numbers == dict.fromkeys(map(str, range(1, last + 1)), 1)
+
+
+@KIT
+def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
+    shell = shell_of(name)
+    write_kit(shell, tmp_path)
+    found = shell.report.quantities
+    whole = found.mass_kg if found.built is None else found.built.mass_kg.total
+    rows = [row for row in rows_of(tmp_path / "order.csv") if row["item"] != "ties"]
+    text = PdfReader(tmp_path / "booklet/booklet.pdf").pages[0].extract_text()
+    readme = (tmp_path / "README.md").read_text()
+    if whole is None:
+        assert not all(row["mass_kg"] for row in rows)
+        assert "Mass" not in text + readme
+        return
+    assert sum(float(row["mass_kg"]) for row in rows) == pytest.approx(whole, rel=1e-9)
+    assert f"Mass: {plain(whole, 3)} kg" in text
+    assert f"- Mass: {plain(whole, 3)} kg" in readme
+    ordered = {row["item"]: float(row["mass_kg"]) for row in rows}
+    for item, table in (("boards", "cut/boards.csv"), ("hinges", "hinges/hinges.csv")):
+        weighed = [float(row["mass_kg"]) for row in rows_of(tmp_path / table)]
+        of_item = sum(mass for key, mass in ordered.items() if key.endswith(item))
+        assert sum(weighed) == pytest.approx(of_item, rel=1e-9)
+    of_arms = sum(
+        int(row["count"]) * float(row["mass_kg"]) for row in rows_of(tmp_path / "cut/arms.csv")
+    )
+    assert of_arms == pytest.approx(ordered.get("arms", 0.0), rel=1e-9)
+
+
+@thorough
+@pytest.mark.parametrize("name", [CARD_SHELL, "shelter_boards", "shelter_hinged", "dome"])
+def test_the_solids_of_step_are_the_parts_of_the_tables(name: str, tmp_path: Path) -> None:
+    require_build123d()
+    write_kit(shell_of(name), tmp_path / "kit")
+    (step,) = find_formats(["step"])
+    write_format(shell_of(name), step, tmp_path, Settings())
+    text = (tmp_path / step.file).read_text()
+    _, *solids = re.findall(r"PRODUCT\('([^']*)'", text)  # the first is all of them
+    assert text.count("MANIFOLD_SOLID_BREP(") == len(solids) == len({*solids})
+    arms = [solid for solid in solids if " arm" in solid]
+    assert len(arms) == sum(int(row["count"]) for row in rows_of(tmp_path / "kit/cut/arms.csv"))
+    boards = rows_of(tmp_path / "kit/cut/boards.csv")
+    names = {f"{row['panel']} {row['side']}".removesuffix(" panel") for row in boards}
+    assert {*solids} - {*arms} == names
+    assert len(names) == len(boards)
