@@ -67,8 +67,8 @@ def find_order(
     Raises
     ------
     InputError
-        If a hinge or a tie is longer than what it is cut from, or a kind of hinge does not go with
-        the construction.
+        If a tie is longer than a coil, or a hinge than twenty bars; or a kind of hinge does not go
+        with the construction.
     """
     return tuple(_rows(document, workshop, nested))
 
@@ -229,12 +229,18 @@ def _long_row(
     )
 
 
+END_TO_END = 20
+"""Bars that a hinge may be made of; more of them are a mistake."""
+
+
 def cut_hinges(lengths: Array, kind: str, workshop: Workshop) -> CutBars | None:
     """The bars that hinges of lengths (H,) are cut from; None where nobody says, and of tape."""
     if workshop.hinge_stock is None or kind == "tape":
         return None
     key = "workshop.hinge_stock"
-    return cut_bars(lengths, workshop.hinge_stock, workshop.spacing, key, "a hinge")
+    return cut_bars(
+        lengths, workshop.hinge_stock, workshop.spacing, key, "a hinge", most=END_TO_END
+    )
 
 
 def cut_ties(lengths: Array, workshop: Workshop) -> CutBars | None:
