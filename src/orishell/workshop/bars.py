@@ -1,10 +1,10 @@
 """Bars and coils cut to length: one-dimensional nesting, and how few there could be.
 
 Pieces go, the longest first, to the bar that they fill best; a saw takes its cut between two of
-them. A piece that is longer than a bar is made of whole bars, end to end, and a rest. How few there are at least is known from Martello and Toth's bound (Knapsack Problems, 1990,
-section 8.3.2): pieces longer than half a bar have one each, and what those leave room for is taken
-off the sum of the others. Pieces that are longer than a bar may be divided anywhere, so that of
-them only the sum counts.
+them. A piece that is longer than a bar is made of whole bars, end to end, and a rest. How few there
+are at least is known from Martello and Toth's bound (Knapsack Problems, 1990, section 8.3.2):
+pieces longer than half a bar have one each, and what those leave room for is taken off the sum of
+the others. Pieces that are longer than a bar may be divided anywhere: of them only the sum counts.
 """
 
 from __future__ import annotations
