@@ -17,6 +17,7 @@ from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.motion import FoldingMotion
+from orishell.shell.board_limits import require_boards
 from orishell.shell.designed import designed, ended
 from orishell.shell.fit.proved import fit_size
 from orishell.shell.fit.report import FittedSize
@@ -74,6 +75,8 @@ def find_candidate(
             file, choice = meet_tolerance(file, file.tolerance, progress)
             clock.lap("choose")
         found = _proved(file, progress, clash, skip, clock)
+    if choice is not None:
+        require_boards(choice.limits, found.design, found.lock)
     return replace(found, turned=turned, choice=choice, fitted=fitted)
 
 
