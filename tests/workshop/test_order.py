@@ -20,7 +20,8 @@ from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import STEPS
 from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import nest_boards
-from orishell.workshop.layout import lay_out
+from orishell.workshop.fitting import OversizeError
+from orishell.workshop.layout import lay_out, require_stock
 from orishell.workshop.order import OrderRow, find_order
 from orishell.workshop.quantities import measure_quantities
 from samples import led_by
@@ -175,3 +176,21 @@ def test_order_csv_has_the_rows_of_the_report(tmp_path: Path) -> None:
         assert row["mass_kg"] == ("" if of.mass_kg is None else repr(of.mass_kg))
         assert int(row["count"]) == of.count
         assert row["price"] == ""
+
+
+def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> None:
+    """The refusal names the panels; the roll that it offers is enough, and one narrower is not."""
+    document = boarded_document("sandwich")
+    narrow = Workshop(stock=(300.0, 200.0), roll=(12.0, 2000.0), margin=1.0)
+    with pytest.raises(OversizeError, match=r"panels do not fit the roll: 0,0; ") as refused:
+        require_stock(document, narrow)
+    width, length = refused.value.needed
+    assert length == 2000.0
+    assert f"at least {width:g} x 2000" in str(refused.value)
+    assert lay_out(document, narrow.having(roll=(width, length))).sheets >= 1
+    with pytest.raises(OversizeError):
+        require_stock(document, narrow.having(roll=(0.98 * width, length)))
+    turned = narrow.having(roll=(2000.0, 12.0))
+    with pytest.raises(OversizeError) as refused:
+        require_stock(document, turned)
+    assert refused.value.needed == (length, width)
