@@ -11,6 +11,7 @@ import pytest
 from boarded import BUILDS, boarded_document
 from design_tables import Tables, formula, tables
 from documents import EXAMPLES, demo_document
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import GRAVITY
 from orishell.design_file import check_design, read_design_file
 from orishell.document import Document
@@ -194,3 +195,13 @@ def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> No
     with pytest.raises(OversizeError) as refused:
         require_stock(document, turned)
     assert refused.value.needed == (length, width)
+
+
+def test_hinges_of_whole_boards_have_one_density() -> None:
+    """That in [panel.hinge]: another one is refused, and says where to write it."""
+    design = tables(
+        "parallel-repeating", formula("-x**2", -1, 1), formula("0*x", 0, 3), rows=3, columns=3
+    )
+    design |= {"panel": PANELS[2], "workshop": {"hinge_linear_density": 0.4}}
+    with pytest.raises(InputError, match=r"hinge_linear_density: .*in \[panel\.hinge\]"):
+        check_design(design, Path("shell.toml"))
