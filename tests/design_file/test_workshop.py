@@ -44,6 +44,8 @@ def test_all_keys(tmp_path: Path) -> None:
     roll_price = 180
     hinge_price = 12
     tie_price = 40
+    hinge_linear_density = 0.6
+    tie_linear_density = 0.2
     margin = 0.01
     spacing = 0.005
     joint = "strips"
@@ -80,6 +82,8 @@ def test_all_keys(tmp_path: Path) -> None:
         ("tie_end = -0.1", "[workshop] tie_end"),
         ('row_hinge = "screws"', "[workshop] row_hinge"),
         ("tie_price = -1", "[workshop] tie_price"),
+        ("tie_linear_density = -1", "[workshop] tie_linear_density"),
+        ('hinge_linear_density = "light"', "[workshop] hinge_linear_density"),
         ("margin = -1", "[workshop] margin"),
         ("areal_density = 1e308", "at most 1e+12"),
         ("areal_density = 5e-324", "got 5e-324, expected 0, or a value of at least 1e-15"),

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.families.tolerance import Tolerance, Variants
+from orishell.shell.board_limits import BoardFit
 from orishell.shell.size_search import choose
 from orishell.shell.size_trials import MOST, Sizes, Trial
 
@@ -152,16 +153,45 @@ def test_panels_have_the_sizes_asked_for(least: float, most: float) -> None:
 
 
 def test_panels_fit_the_boards() -> None:
-    def oversize(rows: int, columns: int) -> float:
-        return 20 / columns / 1.5
+    def boards(rows: int, columns: int) -> BoardFit:
+        return BoardFit(20 / columns / 1.5)
 
-    asked = sizes(ERRORS["rows"], oversize=oversize)
+    asked = sizes(ERRORS["rows"], boards=boards)
     trial = choose(asked, Tolerance(surface=0.3))[1].trial
     # Columns are of no use to the distance, but these make panels as long as the boards.
     assert trial.columns == 14
     with pytest.raises(DesignError, match="no shell of this family") as caught:
-        choose(replace(asked, oversize=lambda *_: 2.0), Tolerance(surface=0.3))
+        choose(replace(asked, boards=lambda *_: BoardFit(2.0)), Tolerance(surface=0.3))
     assert not list(caught.value.candidates)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.7, 0.78])
+def test_boards_cover_as_much_as_is_asked(share: float) -> None:
+    """Set-backs take the more of a panel the more of them there are; all sheets are tried."""
+
+    def boards(rows: int, columns: int) -> BoardFit:
+        return BoardFit(least_share=1 - 0.01 * rows - 0.004 * columns)
+
+    tolerance = Tolerance(surface=0.3, least_share=share)
+    trial = choose(sizes(ERRORS["sum"], boards=boards), tolerance)[1].trial
+    does = [
+        (m + 1) * (n - 1)
+        for m in range(1, MOST + 1, 2)
+        for n in range(2, MOST + 1)
+        if ERRORS["sum"](m, n) <= 0.3 and boards(m, n).bare(tolerance) <= 1
+    ]
+    assert trial.panels == min(does)
+    with pytest.raises(DesignError, match=r"cover at least 0\.95") as caught:
+        choose(sizes(ERRORS["sum"], boards=boards), Tolerance(surface=0.3, least_share=0.95))
+    offered = float(str(next(iter(caught.value.candidates)).changes["tolerance.least_share"]))
+    assert offered == pytest.approx(max(1 - 0.01 * m - 0.004 * n for m, n in WITHIN), abs=0.02)
+    nearest = Tolerance(surface=0.3, least_share=offered)
+    assert choose(sizes(ERRORS["sum"], boards=boards), nearest)[1].trial.error <= 0.3
+
+
+WITHIN = [
+    (m, n) for m in range(1, MOST + 1, 2) for n in range(2, MOST + 1) if ERRORS["sum"](m, n) <= 0.3
+]
 
 
 def test_long_panels_do_where_square_ones_are_too_small() -> None:

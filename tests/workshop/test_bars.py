@@ -58,6 +58,47 @@ def test_the_bound_is_below_the_best_of_all_ways(lengths: list[int], bar: int) -
     assert found.least <= fewest <= found.count <= 11 * fewest / 9 + 1
 
 
+def in_lengths(lengths: list[float], bar: float, kerf: float = 0.0) -> CutBars:
+    return cut_bars(np.array(lengths), bar, kerf, "workshop.hinge_stock", "a hinge", most=20)
+
+
+def test_a_hinge_that_is_longer_than_its_bar_is_made_of_several() -> None:
+    """By hand: 5 m of bars of 2 m are two bars and 1 m, beside which 0.9 m fit; 4 m are two."""
+    found = in_lengths([0.9, 5.0, 4.0], 2.0)
+    assert (found.count, found.least) == (5, 5)
+    assert list(found.names()) == ["5", "1 to 2, 5", "3, 4"]
+    assert list(in_lengths([1.0, 3.0], 2.0, 0.01).names()) == ["2", "1, 3"]
+    with pytest.raises(InputError, match=r"longer than 20 times .* at least 0\.1001") as caught:
+        in_lengths([2.00101], 0.1)
+    assert caught.value.keys == ("workshop.hinge_stock",)
+    assert in_lengths([2.00101], 0.1001).count == 20
+
+
+@settings(max_examples=examples(100), deadline=None)
+@given(
+    st.lists(st.integers(1, 200), min_size=1, max_size=30),
+    st.integers(10, 90),
+    st.integers(0, 3),
+)
+def test_lengths_end_to_end_are_the_hinges(lengths: list[int], bar: int, kerf: int) -> None:
+    """Exact in whole numbers: every bar once whole, or cut; their sum bounds how few there are."""
+    found = in_lengths(list(map(float, lengths)), float(bar), float(kerf))
+    whole = {
+        number
+        for first, many in zip(found.first.tolist(), found.whole.tolist(), strict=True)
+        for number in range(first, first + many)
+    }
+    assert len(whole) == found.whole.sum()
+    rests = np.array(lengths) - bar * found.whole
+    assert ((rests > 0) & (rests <= bar)).all()
+    for number in set(found.of.tolist()):
+        assert number not in whole
+        mine = rests[found.of == number]
+        assert mine.sum() + kerf * (len(mine) - 1) <= bar
+    assert whole | set(found.of.tolist()) == set(range(found.count))
+    assert -(-sum(lengths) // bar) <= found.least <= found.count
+
+
 def test_a_size_that_is_offered_is_enough() -> None:
     with pytest.raises(InputError, match=r"at least 2\.346") as caught:
         cut([2.34511, 0.5], 2.0)

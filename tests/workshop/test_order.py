@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 
 from boarded import BUILDS, boarded_document
+from design_tables import Tables, formula, tables
 from documents import EXAMPLES, demo_document
-from orishell.design_file import read_design_file
+from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import GRAVITY
+from orishell.design_file import check_design, read_design_file
 from orishell.document import Document
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
@@ -18,7 +21,8 @@ from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import STEPS
 from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import nest_boards
-from orishell.workshop.layout import lay_out
+from orishell.workshop.fitting import OversizeError
+from orishell.workshop.layout import lay_out, require_stock
 from orishell.workshop.order import OrderRow, find_order
 from orishell.workshop.quantities import measure_quantities
 from samples import led_by
@@ -50,8 +54,66 @@ def test_masses_of_the_order_are_the_mass_of_the_report(
     found = shell_of(name, changes).report.quantities
     total = found.mass_kg if found.built is None else found.built.mass_kg.total
     assert total is not None
-    masses = [row.mass_kg for row in found.order if row.item != "ties"]
-    assert sum(mass or 0.0 for mass in masses) == pytest.approx(total, rel=1e-12)
+    assert sum(row.mass_kg or 0.0 for row in found.order) == pytest.approx(total, rel=1e-12)
+
+
+PANELS: list[Tables] = [
+    {"construction": "bevel", "thickness": 0.01, "gap": 0.002, "density": 500},
+    {"thickness": 0.01, "membrane": 0.001, "density": 500, "membrane_density": 900},
+    {"construction": "hinged", "thickness": 0.006, "gap": 0.002, "density": 500},
+    {},
+]
+
+
+@pytest.mark.parametrize("panel", led_by(PANELS, 2))
+def test_hinges_and_ties_weigh_by_their_length(panel: Tables) -> None:
+    """Lengths from the rows of the order; what folds weighs the sum of all rows but ties.
+
+    Weight is density times area of a sheet whose ties lie on the ground: to rounding.
+    """
+    whole = panel.get("construction") == "hinged"
+    design = tables(
+        "parallel-repeating",
+        formula("-x**2", -1, 1),
+        formula("0.3*sin(pi*x/2)", 0, 3),
+        **{"rows": 5, "columns": 5, "flap": 0, **({"plane": "bisector"} if whole else {})},
+    )
+    workshop: Tables = {"tie_linear_density": 0.5, "tie_end": 0.1}
+    if whole:
+        panel = {**panel, "hinge": {"linear_density": 0.4}, "arm_density": 2700}
+    else:
+        workshop |= {"hinge_linear_density": 0.4, "row_hinge": "piano hinge"}
+    workshop |= {} if panel else {"areal_density": 5.0}
+    design |= {"deployment": {"from": "pack", "ties": "feet"}, "workshop": workshop}
+    design["motion"] = {"frames": 3}
+    design |= {"panel": panel} if panel else {}
+    shell = make_shell(
+        check_design(design, Path("shell.toml")),
+        clash="unexamined",
+        skip=[step for step in STEPS if step != "weight"],
+    )
+    found = shell.report.quantities
+    rows = {row.item: row for row in found.order}
+    assert rows["ties"].mass_kg == pytest.approx(0.5 * rows["ties"].used)
+    hinges = [rows[item] for item in ("hinges", "piano hinges") if item in rows]
+    assert hinges
+    assert all(row.mass_kg == pytest.approx(0.4 * row.used) for row in hinges)
+    total = found.mass_kg if found.built is None else found.built.mass_kg.total
+    masses = {item: row.mass_kg or 0.0 for item, row in rows.items()}
+    assert sum(masses.values()) == pytest.approx(total, rel=1e-12)
+    weight = shell.report.deployment.weight
+    assert weight is not None
+    folding = sum(masses.values()) - masses["ties"]
+    assert weight.total == pytest.approx(GRAVITY * folding, rel=1e-9)
+
+
+def test_hinges_and_ties_that_nobody_weighs_have_no_mass() -> None:
+    """Null, not 0; a membrane alone has no hinges, and their mass is 0."""
+    for build in BUILDS:
+        found = measure_quantities(boarded_document(build), Workshop()).built
+        assert found is not None
+        assert found.mass_kg.hinges == (None if build == "bevel" else 0.0)
+        assert found.mass_kg.ties == 0.0
 
 
 @pytest.mark.parametrize("construction", BUILDS)
@@ -115,3 +177,31 @@ def test_order_csv_has_the_rows_of_the_report(tmp_path: Path) -> None:
         assert row["mass_kg"] == ("" if of.mass_kg is None else repr(of.mass_kg))
         assert int(row["count"]) == of.count
         assert row["price"] == ""
+
+
+def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> None:
+    """The refusal names the panels; the roll that it offers is enough, and one narrower is not."""
+    document = boarded_document("sandwich")
+    narrow = Workshop(stock=(300.0, 200.0), roll=(12.0, 2000.0), margin=1.0)
+    with pytest.raises(OversizeError, match=r"panels do not fit the roll: 0,0; ") as refused:
+        require_stock(document, narrow)
+    width, length = refused.value.needed
+    assert length == 2000.0
+    assert f"at least {width:g} x 2000" in str(refused.value)
+    assert lay_out(document, narrow.having(roll=(width, length))).sheets >= 1
+    with pytest.raises(OversizeError):
+        require_stock(document, narrow.having(roll=(0.98 * width, length)))
+    turned = narrow.having(roll=(2000.0, 12.0))
+    with pytest.raises(OversizeError) as refused:
+        require_stock(document, turned)
+    assert refused.value.needed == (length, width)
+
+
+def test_hinges_of_whole_boards_have_one_density() -> None:
+    """That in [panel.hinge]: another one is refused, and says where to write it."""
+    design = tables(
+        "parallel-repeating", formula("-x**2", -1, 1), formula("0*x", 0, 3), rows=3, columns=3
+    )
+    design |= {"panel": PANELS[2], "workshop": {"hinge_linear_density": 0.4}}
+    with pytest.raises(InputError, match=r"hinge_linear_density: .*in \[panel\.hinge\]"):
+        check_design(design, Path("shell.toml"))

@@ -145,6 +145,10 @@ export interface Choice {
   panel_min: number;
   /** The longest edge that was asked for; None if edges may have any length. */
   panel_max: number | null;
+  /**  */
+  least_share: number;
+  /**  */
+  steepest_chamfer_deg: number | null;
   /** Inner vertices. */
   rows: number;
   /** Inner vertices. */
@@ -819,7 +823,7 @@ export interface KeyWords {
   /** One line on what it does. */
   help: string;
   /** Of its values: "length" is the design's unit. */
-  unit: "length" | "deg" | "kg/m\u00b2" | "";
+  unit: "length" | "deg" | "kg/m" | "kg/m\u00b2" | "";
   /** Its values and their labels, the default first; empty where they are not listed. */
   choices: Record<string, string>;
 }
@@ -1014,7 +1018,7 @@ export interface OrderRow {
   price: number | null;
 }
 
-/** A shell under its own weight, from flat to packed, flaps that are clipped on left out. */
+/** A shell under its own weight, from flat to packed, without ties and flaps clipped on. */
 export interface OwnWeight {
   /** Newtons, or the shell's weight if its mass is not known. */
   force_unit: "N" | "weight";
@@ -1112,12 +1116,14 @@ export interface PanelMass {
   boards: number | null;
   /** Of the membrane; None if its density is not known, 0 if there is none. */
   membrane: number | null;
-  /** Of boards, membrane, and arms and hinges where these are known; None if one of the first is not known. */
+  /** Of boards, membrane, and arms, hinges and ties where these are known; None if one of the first is not known. */
   total: number | null;
   /** Of arms and their feet; None if their density is not known. */
   arms: number | null;
-  /** Of hinges; None if it is not known. */
+  /** Of hinges, tape left out; None if it is not known. */
   hinges: number | null;
+  /** Of ties; None if it is not known. */
+  ties: number | null;
 }
 
 /** Panels as they are built. */
@@ -1171,7 +1177,7 @@ export interface Parameter {
   help: string;
   kind: "integer" | "number" | "choice" | "angles4" | "switch" | "size";
   auto: boolean;
-  unit: "length" | "deg" | "kg/m\u00b2" | "";
+  unit: "length" | "deg" | "kg/m" | "kg/m\u00b2" | "";
   choices: string[];
   /** Null: the design must give it. */
   default: number | string | boolean | null;
@@ -1259,7 +1265,7 @@ export interface Quantities {
   outline_length: number;
   /** Sheets of stock for the sheet, or for panels that are solid, and what of them is not used; None if that was not asked for. */
   stock: Waste | null;
-  /** Mass of the panels; None if the areal density is not known. */
+  /** Mass by the areal density, and of hinges and ties where these are weighed by their length; None if the areal density is not known. */
   mass_kg: number | null;
   /** Boards, membrane and hinges; None if panels have no thickness. */
   built: PanelBill | null;

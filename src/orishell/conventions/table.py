@@ -65,7 +65,7 @@ class Table(BaseModel):
 
 
 Kind = Literal["integer", "number", "choice", "angles4", "switch", "size"]
-Measure = Literal["length", "deg", "kg/m²", ""]
+Measure = Literal["length", "deg", "kg/m", "kg/m²", ""]
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,6 +49,7 @@ def find_site(
     *,
     unit: str,
     areal_density: float | None = None,
+    hinges_kg: float = 0.0,
 ) -> Site:
     """Return where a shell stands, what ties it, and what it weighs.
 
@@ -62,6 +63,8 @@ def find_site(
         The unit of lengths of the design, such as "mm".
     areal_density
         Mass per area that is given instead (kg/m^2).
+    hinges_kg
+        Mass of hinges in the creases, spread over the sheet where that of its panels is known (kg).
 
     Raises
     ------
@@ -69,6 +72,8 @@ def find_site(
         If its feet are to be tied, and there are none.
     """
     density = areal_density or (0.0 if built is None else _weighed(design, built, unit))
+    if density:
+        density += hinges_kg / (area_of(design.mechanism) * conversion(unit, "m") ** 2)
     return Site(unit, feet, _ties(design, deployment, feet), density)
 
 

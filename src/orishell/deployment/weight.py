@@ -52,7 +52,7 @@ STATIONARY = 1e-6
 
 @record
 class OwnWeight:
-    """A shell under its own weight, from flat to packed, flaps that are clipped on left out."""
+    """A shell under its own weight, from flat to packed, without ties and flaps clipped on."""
 
     WRITTEN = (
         "force_unit",

@@ -16,6 +16,7 @@ from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec, PiecedSurface
+from orishell.design_file.constructions import require_boards, require_one_hinge_density
 from orishell.design_file.faults import explain
 from orishell.design_file.fit import FitTable
 from orishell.design_file.memory import require_memory
@@ -204,6 +205,8 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         unit = file.shell.unit
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
+        require_one_hinge_density(panel, workshop)
+        require_boards(file.tolerance, panel)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
         if file.target is not None and file.target.fit is not None:
             file.target.fit.require_headroom(unit)

@@ -17,6 +17,7 @@ from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
+from orishell.design_file.constructions import require_one_thickness
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
 from orishell.design_file.targets import Targets
@@ -113,7 +114,7 @@ def structure_of(
                 remedy="add the table [structure], or remove the load cases",
             )
         return None
-    _require_one_thickness(table, panel)
+    require_one_thickness(table, panel)
     _require_names(cases)
     structure = table.filled(unit).under(cases or (OWN_WEIGHT,))
     _require_one_name_each(structure)
@@ -170,46 +171,6 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
                     got=repr(name),
                     expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
                     remedy="" if loaded else "add the cases that are to be combined",
-                )
-
-
-ONLY_WITH = (
-    (
-        "sandwich",
-        ("membrane_modulus", "membrane_strength"),
-        "there is no membrane between boards",
-    ),
-    ("hinged", ("arm_modulus", "arm_strength"), "there are no arms that hinges stand on"),
-)
-"""Constructions, the keys of [structure] that go with them alone, and what others lack."""
-
-
-def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
-    if panel is None and table.thickness is None:
-        raise InputError(
-            "the thickness of panels is not known",
-            keys=("structure.thickness",),
-            remedy="write it here, or in [panel] if the motion is to leave room for it",
-        )
-    if panel is not None and table.thickness is not None:
-        raise InputError(
-            "panels have a thickness already",
-            keys=("structure.thickness",),
-            got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
-            remedy="remove it here",
-        )
-    for construction, keys, problem in ONLY_WITH:
-        if panel is not None and panel.construction == construction:
-            continue
-        for key in keys:
-            if value := getattr(table, key):
-                raise InputError(
-                    problem,
-                    keys=(f"structure.{key}",),
-                    got=f"{value:g}",
-                    expected="a table [panel] with a thickness and construction = "
-                    f'"{construction}"',
-                    remedy="remove it",
                 )
 
 

@@ -23,12 +23,16 @@ class Tolerance(Table):
     """The table [tolerance]: how near the shell must come to the surface it is asked for.
 
     ``surface`` is the largest allowed distance, ``panel_min`` and ``panel_max`` the shortest and
-    the longest edge that a panel may have, flaps left out (lengths).
+    the longest edge that a panel may have, flaps left out (lengths). ``least_share`` is the least
+    share of a panel that a board covers, ``steepest_chamfer_deg`` how far a chamfer leans from a
+    square cut at most, in the report's sense.
     """
 
     surface: Annotated[Number, Field(gt=0)]
     panel_min: Annotated[Number, Field(ge=0)] = 0.0
     panel_max: Annotated[float, Field(gt=0)] = math.inf
+    least_share: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    steepest_chamfer_deg: Annotated[Number, Field(gt=0, lt=90)] | None = None
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -44,6 +48,11 @@ class Tolerance(Table):
     def limits_edges(self) -> bool:
         """Whether edges may not have any length."""
         return self.panel_min > 0 or self.panel_max < float("inf")
+
+    @property
+    def limits_boards(self) -> bool:
+        """Whether boards may not take any share of panels, or have any chamfers."""
+        return self.least_share > 0 or self.steepest_chamfer_deg is not None
 
 
 @record

@@ -49,14 +49,15 @@ def _known(values: Array) -> Iterable[object]:
 
 
 def _bars(found: Schedule, workshop: Workshop) -> Iterable[object]:
-    """The bar (C,) that every hinge is cut from, from 1 for each kind."""
-    numbers = np.zeros(len(found.edges), np.int64)
+    """The bars (C,) that every hinge is cut from, from 1 for each kind; empty where not known."""
+    names = [""] * len(found.edges)
     for kind in BY_LENGTH:
-        mine = found.kinds == kind
+        mine = np.flatnonzero(found.kinds == kind)
         bars = cut_hinges(found.hinge_lengths[mine], kind, workshop)
         if bars is not None:
-            numbers[mine] = 1 + bars.of
-    return (number or "" for number in numbers.tolist())
+            for crease, name in zip(mine.tolist(), bars.names(), strict=True):
+                names[crease] = name
+    return names
 
 
 def _forces(document: Document, found: Schedule) -> tuple[Array, list[str], list[str]]:

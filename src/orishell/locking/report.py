@@ -128,8 +128,8 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         set_back_for=built.limit,
         largest_fold=float(sides.largest.max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
-        least_share=_least_share(design.mechanism, built.boards),
-        steepest_chamfer=_steepest_chamfer(built),
+        least_share=least_share(design.mechanism, built.boards),
+        steepest_chamfer=steepest_chamfer(built),
         boards=sum(
             int((~each.arms).sum()) for each in (built.boards, built.flaps) if each is not None
         ),
@@ -141,7 +141,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     )
 
 
-def _least_share(mechanism: Mechanism, boards: Boards) -> float:
+def least_share(mechanism: Mechanism, boards: Boards) -> float:
     """The least share of a panel that a board covers, at the height at which that is least."""
     boards = boards.chosen(~boards.arms)
     flat = points_of(mechanism, 0.0)[:, :2]
@@ -149,7 +149,7 @@ def _least_share(mechanism: Mechanism, boards: Boards) -> float:
     return float((signed_areas(boards.outlines[..., :2]).min(axis=1) / panels).min())
 
 
-def _steepest_chamfer(built: BuiltPanels) -> float | None:
+def steepest_chamfer(built: BuiltPanels) -> float | None:
     """How far a chamfer leans from a square cut at most (radians); None if there is none."""
     if built.build.construction != "bevel":
         return None

@@ -14,8 +14,10 @@ from orishell.deployment.report import DeploymentReport, describe_deployment
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
+from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.motion import FoldingMotion
+from orishell.shell.board_limits import require_boards
 from orishell.shell.designed import designed, ended
 from orishell.shell.fit.proved import fit_size
 from orishell.shell.fit.report import FittedSize
@@ -23,6 +25,7 @@ from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Step
 from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.turn_search import TurnChoice, choose_turn
+from orishell.workshop.masses import mass_of_hinges
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """What becomes of a shell whose panels meet before its target: it is refused, or made and said to
@@ -72,6 +75,8 @@ def find_candidate(
             file, choice = meet_tolerance(file, file.tolerance, progress)
             clock.lap("choose")
         found = _proved(file, progress, clash, skip, clock)
+    if choice is not None:
+        require_boards(choice.limits, found.design, found.lock)
     return replace(found, turned=turned, choice=choice, fitted=fitted)
 
 
@@ -100,6 +105,7 @@ def _proved(
         lock.built,
         unit=file.unit,
         areal_density=file.workshop.areal_density,
+        hinges_kg=_in_creases(file, design, lock),
     )
     deviation = describe_deviation(design, measured="deviation" not in skip)
     clock.lap("deviation")
@@ -117,6 +123,15 @@ def _proved(
         deviation=deviation,
         deployment=describe_deployment(design, lock, site, file.deployment.start),
     )
+
+
+def _in_creases(file: DesignFile, design: Design, lock: Lock) -> float:
+    """Mass of the hinges in the creases of what folds; 0 if nobody says how heavy they are (kg)."""
+    if not file.workshop.hinge_linear_density:
+        return 0.0
+    boards = None if lock.built is None else lock.built.boards
+    sheet = document_of_design(replace(design, clipped=None), file.unit, boards=boards)
+    return mass_of_hinges(sheet, file.workshop) or 0.0
 
 
 def _ended(

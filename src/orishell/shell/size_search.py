@@ -20,6 +20,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
+from orishell.shell.board_limits import refuse_boards
 from orishell.shell.size_trials import (
     CHOOSING,
     GIVEN_UP,
@@ -39,11 +40,13 @@ STALE = 3
 NEARLY = 1.5
 """Sheets off by so much are worth trying unlike rows and columns for."""
 FEW = 40
-"""Where none is found, all sizes of up to so many panels are tried."""
+"""Where none is found, all sizes of up to so many panels are tried at least."""
 REFUSALS, CROSSED = 12, 60
 """Refused designs in a row, and designs in all, after which long and short panels are given up."""
 CALM = 10
 """From so many columns on errors rise and fall the less with their number, the more there are."""
+ALMOST = 1.02
+"""Boards that are off by this factor more than the best, of fewer panels, are offered instead."""
 NEARER, FARTHER, MANY = 1.1, 5.0, 5_000
 """Tolerances that may be met where one is not, relative to the smallest error found; the second
 where that takes so many panels, so that trying it takes less than the search that failed."""
@@ -76,6 +79,7 @@ class SizeSearch(Generic[V]):
     # what is known of numbers of rows and columns with all variants
     known: dict[tuple[int, int], Tried[V]] = field(default_factory=dict)
     impossible: list[int] = field(default_factory=list)  # numbers of rows without any sheet
+    few: int = FEW  # panels up to which all sizes are tried while none is found
     least: float = math.inf  # smallest factor by which a sheet of the ladders is off
 
     def run(self) -> tuple[V, Choice]:
@@ -89,6 +93,8 @@ class SizeSearch(Generic[V]):
                 trials.bounded = False  # f or g rule out all that fit: how near do these come?
                 self._look()
                 trials.bounded = not trials.found
+            # Coarser sheets than the first whose boards are not as asked may have more board.
+            self.few = max(FEW, min((each.panels for _, each, _ in trials.bare), default=0))
             self.impossible.clear()
             for rows in self._rows():
                 self._fewest_columns(rows)
@@ -102,13 +108,13 @@ class SizeSearch(Generic[V]):
             self.known.pop((quick.rows, quick.columns), None)
             trials.careful = True
         trials.progress(1.0, CHOOSING)
-        fitting = [trial if each is quick else each for _, each in trials.made if trials.fits(each)]
+        fitting = [trial if each is quick else each for each in trials.fitting()]
         return variant, Choice(trial, unbeaten(fitting), len(trials.made), trials.tolerance)
 
     @property
     def below(self) -> int:
         """Sheets with fewer panels than this are looked for."""
-        return self._best()[1].panels if self.trials.found else FEW + 1
+        return self._best()[1].panels if self.trials.found else self.few + 1
 
     def _best(self) -> tuple[V, Trial]:
         return min(self.trials.found, key=lambda each: each[1].panels)
@@ -231,6 +237,10 @@ class SizeSearch(Generic[V]):
             assert trials.refusal is not None
             return trials.refusal
         limits = trials.tolerance
+        least = ALMOST * min((each.misses(limits) for *_, each in trials.bare), default=0.0)
+        for variant, trial, boards in sorted(trials.bare, key=lambda each: each[1].panels):
+            if boards.misses(limits) <= least and trials.does(trials.carefully(variant, trial)):
+                return refuse_boards(trial.rows, trial.columns, limits, boards)
         allowed = [
             each for each in trials.made if trials.fits(each[1]) and each[1] not in trials.large
         ]

@@ -12,6 +12,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
 from orishell.families.tolerance import Tolerance, Variants
+from orishell.shell.board_limits import BoardFit
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,8 @@ class Choice:
     """The design with the fewest panels, and the others that were looked at."""
 
     WRITTEN = (
-        "tolerance", "limits.panel_min", "panel_max", "trial.rows", "trial.columns", "trial.panels",
+        "tolerance", "limits.panel_min", "panel_max", "limits.least_share",
+        "limits.steepest_chamfer_deg", "trial.rows", "trial.columns", "trial.panels",
         "trial.error", "trial.shortest", "trial.longest", "designs_tried", "tradeoff",
     )  # fmt: skip
 
@@ -86,6 +88,8 @@ CHOOSING = "choosing rows and columns"
 USUAL = 60
 """Designs that a search tries, about: for its progress."""
 
+NO_BOARDS = BoardFit()
+
 V = TypeVar("V")
 
 
@@ -97,8 +101,8 @@ class Sizes(Generic[V]):
     distance_from_f: Callable[[V], float]  # of column 1, at least
     distance_from_g: Callable[[int], float]  # of the middle row of so many columns, at least
     measure: Callable[[V, int, bool], Trial]  # with so many columns, carefully or quickly
-    # how much larger than the boards the largest panel is: 1 or less if all fit
-    oversize: Callable[[V, int], float] = lambda _variant, _columns: 0.0
+    # what its boards are like, of one that does in all else
+    boards: Callable[[V, int], BoardFit] = lambda _variant, _columns: NO_BOARDS
     most: int = MOST  # rows and columns
     step: int = 2  # from one number of rows to the next
     # by which factor a shell may be farther from its surface than one with fewer columns
@@ -114,7 +118,7 @@ class Tried(Generic[V]):
     # of its distance from the surface and of edges or panels that are too long, which more columns
     # may mend; infinite where all variants are refused
     off: float
-    small: float  # of edges that are too short
+    small: float  # of edges that are too short, and boards that cover too little
     variant: V | None = None  # one that does
 
 
@@ -126,7 +130,9 @@ class Trials(Generic[V]):
     tolerance: Tolerance
     progress: Progress
     made: list[tuple[V, Trial]] = field(default_factory=list)
-    large: list[Trial] = field(default_factory=list)  # those whose panels do not fit the boards
+    large: list[Trial] = field(default_factory=list)  # those whose parts do not fit the stock
+    # those that do, but for the share or the chamfers of their boards
+    bare: list[tuple[V, Trial, BoardFit]] = field(default_factory=list)
     found: list[tuple[V, Trial]] = field(default_factory=list)  # those that meet the tolerance
     refusal: DesignError | None = None  # the first
     bounded: bool = True  # whether sheets that f or g rule out are left out
@@ -170,24 +176,28 @@ class Trials(Generic[V]):
                 if self.sizes.orderly and least > too_far:
                     continue
                 trial = self._measured(variant, columns)
-                oversize = self.sizes.oversize(variant, columns) if self.does(trial) else 0.0
+                does = self.does(trial)
+                boards = self.sizes.boards(variant, columns) if does else NO_BOARDS
             except DesignError as error:
                 self.refusal = self.refusal or error
                 self.refused[number] += 1
                 continue
             self.possible.add(number)
-            if oversize > 1:
-                self.large.append(trial)
-            limits = self.tolerance
+            limits, oversize = self.tolerance, boards.oversize
             excess = max(trial.error / limits.surface, trial.longest / limits.panel_max, oversize)
-            short = limits.panel_min / trial.shortest
-            if max(excess, short) <= 1:
+            short = max(limits.panel_min / trial.shortest, boards.bare(limits))
+            worst = max(excess, short, boards.steep(limits))
+            if worst <= 1:
                 self.found.append((variant, trial))
                 return Tried(1.0, 1.0, variant)
+            if oversize > 1:
+                self.large.append(trial)
+            elif does:
+                self.bare.append((variant, trial, boards))
             if trial.error > limits.surface:
                 too_far = min(too_far, least)
             off, small = min(off, excess), min(small, short)
-            excesses.append(max(excess, short))
+            excesses.append(worst)
         return Tried(off, small if small < math.inf else 0.0)
 
     def carefully(self, variant: V, quick: Trial) -> Trial:
@@ -195,12 +205,17 @@ class Trials(Generic[V]):
         return self.sizes.measure(variant, quick.columns, True)
 
     def does(self, trial: Trial) -> bool:
-        """Whether it meets the tolerance, boards aside."""
+        """Whether it meets the tolerance, stock and boards aside."""
         return self.fits(trial) and trial.error <= self.tolerance.surface
 
     def fits(self, trial: Trial) -> bool:
         """Whether its edges have the lengths asked for."""
         return self.tolerance.allows(trial.shortest, trial.longest)
+
+    def fitting(self) -> list[Trial]:
+        """Trials of which nothing is known but their distance that speaks against them."""
+        barred = [*self.large, *(trial for _, trial, _ in self.bare)]
+        return [each for _, each in self.made if self.fits(each) and each not in barred]
 
     def _measured(self, variant: V, columns: int) -> Trial:
         """A quick measure of a design, and a careful one if quick ones were too kind before."""

@@ -16,6 +16,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
+from orishell.shell.board_limits import BoardFit, refuse_boards
 from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
 
 FIRST, FEWEST, MOST = 8, 4, 32
@@ -27,8 +28,8 @@ GROWTH = 1.5
 SAFE = 1.05
 """An error that is allowed in a remedy, relative to the smallest found."""
 
-Measure = Callable[[int, int, Progress], tuple[Trial, float]]
-"""A trial of so many rows and columns, and how much too large its largest panel is for boards."""
+Measure = Callable[[int, int, Progress], tuple[Trial, BoardFit]]
+"""A trial of so many rows and columns, and what its boards are like."""
 
 
 @dataclass(slots=True, eq=False)
@@ -40,6 +41,8 @@ class SurfaceSearch:
     tolerance: Tolerance
     progress: Progress
     made: list[Trial] = field(default_factory=list)
+    # those that do, but for the share or the chamfers of their boards
+    bare: list[tuple[Trial, BoardFit]] = field(default_factory=list)
     refusal: DesignError | None = None  # the first
 
     def run(self) -> Choice:
@@ -51,11 +54,13 @@ class SurfaceSearch:
         chosen: Trial | None = None
         for number in range(FITS):
             told = stretch(self.progress, number / FITS, (number + 1) / FITS)
-            trial, excess = self._tried(count, told)
-            if excess <= 1:
-                chosen, high = trial, count
-            else:
+            trial, excess, small = self._tried(count, told)
+            if excess > 1:
                 low = max(low, count)
+            if small > 1 or excess <= 1:  # panels of finer sheets are smaller still
+                high = count
+            if max(excess, small) <= 1:
+                chosen = trial
             if high - low <= 1:
                 break
             wanted = count * (excess if math.isfinite(excess) else GROWTH)
@@ -64,7 +69,12 @@ class SurfaceSearch:
             raise self._refused()
         self.progress(1.0, CHOOSING)
         limits = self.tolerance
-        fitting = [each for each in self.made if limits.allows(each.shortest, each.longest)]
+        bare = [trial for trial, _ in self.bare]
+        fitting = [
+            each
+            for each in self.made
+            if limits.allows(each.shortest, each.longest) and each not in bare
+        ]
         return Choice(chosen, unbeaten(fitting), len(self.made), limits)
 
     def shape(self, count: int) -> tuple[int, int]:
@@ -74,24 +84,34 @@ class SurfaceSearch:
         rows, columns = (max(FEWEST, round(count * each / longer)) - 1 for each in (up, right))
         return rows, columns
 
-    def _tried(self, count: int, progress: Progress) -> tuple[Trial | None, float]:
-        """A trial, and the factor by which it is off; infinite where it is refused."""
+    def _tried(self, count: int, progress: Progress) -> tuple[Trial | None, float, float]:
+        """A trial, and the factors by which it is off and its panels are too small.
+
+        The first is infinite where it is refused.
+        """
         try:
-            trial, oversize = self.measure(*self.shape(count), progress)
+            trial, boards = self.measure(*self.shape(count), progress)
         except DesignError as error:
             self.refusal = self.refusal or error
-            return None, math.inf
+            return None, math.inf, 0.0
         self.made.append(trial)
         limits = self.tolerance
-        excess = max(trial.error / limits.surface, trial.longest / limits.panel_max, oversize)
-        short = trial.shortest < limits.panel_min
-        return trial, math.inf if short and excess <= 1 else excess
+        short = limits.panel_min / trial.shortest
+        excess = max(
+            trial.error / limits.surface, trial.longest / limits.panel_max, boards.oversize
+        )
+        if max(excess, short) <= 1 < boards.misses(limits):
+            self.bare.append((trial, boards))
+        return trial, max(excess, boards.steep(limits)), max(short, boards.bare(limits))
 
     def _refused(self) -> DesignError:
         if not self.made:
             assert self.refusal is not None
             return self.refusal
         limits = self.tolerance
+        if self.bare:
+            nearest, boards = min(self.bare, key=lambda each: each[1].misses(limits))
+            return refuse_boards(nearest.rows, nearest.columns, limits, boards)
         nearest = min(self.made, key=lambda each: each.error)
         edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         return DesignError(

@@ -22,9 +22,10 @@ from orishell.document.from_design import document_of_design
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.quads import lengths
+from orishell.shell.board_limits import BoardFit, fit_boards
 from orishell.shell.designed import completed, designed
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import Choice, Sizes, Trial
+from orishell.shell.size_trials import NO_BOARDS, Choice, Sizes, Trial
 from orishell.shell.surface_search import SurfaceSearch
 from orishell.solids import build_panels
 from orishell.workshop.fitting import SLACK, OversizeError
@@ -96,13 +97,13 @@ def _sized_on_surface(
     surface = file.surface
     assert surface is not None
 
-    def measured(rows: int, columns: int, told: Progress) -> tuple[Trial, float]:
+    def measured(rows: int, columns: int, told: Progress) -> tuple[Trial, BoardFit]:
         design = file.pattern.sized(rows, columns).design_on(surface, told)
         trial = measure(design, True, limits)
         trial = replace(trial, rows=rows, columns=columns)
         if file.panel is None and not _on_stock(file):
-            return trial, 0.0
-        return trial, _oversize(file, completed(file, design))
+            return trial, NO_BOARDS
+        return trial, _boards(file, completed(file, design), limits)
 
     choice = SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
     sized = file.pattern.sized(choice.trial.rows, choice.trial.columns)
@@ -115,9 +116,10 @@ def _on_stock(file: DesignFile) -> bool:
     return file.workshop.stock is not None or file.workshop.roll is not None
 
 
-def _oversize(file: DesignFile, design: Design) -> float:
-    """How much larger than its stock a part of a design is; 0 where there is no stock."""
-    return find_oversize(_document(design, file.unit), file.workshop) if _on_stock(file) else 0.0
+def _boards(file: DesignFile, design: Design, limits: Tolerance) -> BoardFit:
+    """What boards of a design are like, and how much larger than its stock a part is."""
+    large = find_oversize(_document(design, file.unit), file.workshop) if _on_stock(file) else 0.0
+    return fit_boards(design, limits, large)
 
 
 def _document(design: Design, unit: str) -> Document:
@@ -188,18 +190,18 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
     def distance_from_g(columns: int) -> float:
         return in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
 
-    def oversize(variant: FamilyPattern, columns: int) -> float:
+    def boards(variant: FamilyPattern, columns: int) -> BoardFit:
         if file.panel is None and not _on_stock(file):
-            return 0.0
+            return NO_BOARDS
         sized = variant.sized(variant.rows, columns)
-        return _oversize(file, designed(replace(file, pattern=sized)))
+        return _boards(file, designed(replace(file, pattern=sized)), limits)
 
     return Sizes(
         variants=in_rows,
         distance_from_f=lambda variant: variant.distance_from_f(file.f),
         distance_from_g=distance_from_g,
         measure=measured,
-        oversize=oversize,
+        boards=boards,
         most=own.most,
         step=own.row_step,
         ripple=own.ripple,

@@ -132,7 +132,8 @@ class OversizeError(InputError):
     factor
         By how much the largest of them is larger (more than 1).
     needed
-        Sides of stock, margins included, that all panels fit, the longer one first (length).
+        Sides of stock or a roll, margins included, that all panels fit; of stock the longer one is
+        first (length).
     """
 
     def __init__(self, what: str, factor: float, needed: tuple[float, float], **facts: Any) -> None:
@@ -177,23 +178,37 @@ def require_panels_fit(
     short, long = sides[wrong].max(axis=0).tolist()
     count = len(document.mesh.faces)
     largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))] % count)
-    many = len({k % count for k in wrong})
+    names = [document.panel_name(k) for k in sorted({k % count for k in wrong})]
     stock = sorted((sheet.width, sheet.height))
     # Those that fit the stock as it is must fit what is offered, too.
     low, high = (above(side + 2 * margin) for side in sides.max(axis=0).tolist())
+    sold, larger, needed = "stock", "larger stock", (high, low)
+    if key.endswith("roll"):  # it stays as long as it is, if that is enough
+        sold, larger = "roll", "larger rolls"
+        least = (low, high) if sheet.width <= sheet.height else (high, low)
+        given = (above(side + 2 * margin) for side in (sheet.width, sheet.height))
+        needed = max(next(given), least[0]), max(next(given), least[1])
     rim = f", with its margins of {plain(margin)}" if margin else ""
     raise OversizeError(
-        f"{many} of {count} panels do not fit the {'roll' if key.endswith('roll') else 'stock'}",
+        f"{len(names)} of {count} panels do not fit the {sold}: {_listed(names)}",
         max(short / stock[0], long / stock[1], 1 + SLACK),
-        (high, low),
+        needed,
         keys=(key,),
         got=f"{sheet.width + 2 * margin:.6g} x {sheet.height + 2 * margin:.6g}{rim}",
-        expected=f"at least {plain(high)} x {plain(low)}{rim}, in which each of them fits; "
+        expected=f"at least {' x '.join(map(plain, needed))}{rim}, in which each of them fits; "
         f"the longest is panel {largest}, with its tabs if it has any",
-        remedy=f"larger {'rolls' if key.endswith('roll') else 'stock'}, or more rows or columns",
+        remedy=f"{larger}, or more rows or columns",
     )
 
 
+def _listed(names: list[str]) -> str:
+    """Names of panels, the first few of many."""
+    more = len(names) - NAMED
+    return "; ".join(names[:NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+NAMED = 4
+"""Panels that a message names at most."""
 POLYGON = 3
 """The type of a polygon, as shapely numbers them."""
 

@@ -19,7 +19,7 @@ from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.boards import has_membrane, has_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll
-from orishell.workshop.schedule import BY_LENGTH, Schedule, find_schedule
+from orishell.workshop.schedule import BY_LENGTH, WEIGHED, Schedule, find_schedule
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
 
@@ -67,8 +67,8 @@ def find_order(
     Raises
     ------
     InputError
-        If a hinge or a tie is longer than what it is cut from, or a kind of hinge does not go with
-        the construction.
+        If a tie is longer than a coil, or a hinge than twenty bars; or a kind of hinge does not go
+        with the construction.
     """
     return tuple(_rows(document, workshop, nested))
 
@@ -185,11 +185,19 @@ def _arms(document: Document) -> Iterator[OrderRow]:
 def _hinges(document: Document, workshop: Workshop, schedule: Schedule, kind: str) -> OrderRow:
     lengths = schedule.hinge_lengths[schedule.kinds == kind]
     bars = cut_hinges(lengths, kind, workshop)
-    density = 0.0 if document.panel is None else document.panel.hinge.linear_density
+    density = hinge_density(document, workshop) if kind in WEIGHED else 0.0
     mass = _metres(document.unit) * float(lengths.sum()) * density
     name = "length" if kind == "tape" else "bar"
     cut = _long_row(document.unit, _CALLED.get(kind, kind), name, lengths, bars)
     return replace(cut, mass_kg=mass or None, price=_priced(bars, workshop.hinge_price))
+
+
+def hinge_density(document: Document, workshop: Workshop) -> float:
+    """Mass of hinges per length (kg/m), as [panel.hinge] has that of whole boards; 0 if unknown."""
+    panel = document.panel
+    if panel is not None and panel.construction == "hinged":
+        return panel.hinge.linear_density
+    return workshop.hinge_linear_density
 
 
 _CALLED = {"hinge": "hinges", "piano hinge": "piano hinges"}
@@ -199,7 +207,8 @@ def _ties(document: Document, workshop: Workshop) -> OrderRow:
     lengths = tie_lengths(document, workshop)
     coils = cut_ties(lengths, workshop)
     cut = _long_row(document.unit, "ties", "coil", lengths, coils)
-    return replace(cut, price=_priced(coils, workshop.tie_price))
+    mass = _metres(document.unit) * float(lengths.sum()) * workshop.tie_linear_density
+    return replace(cut, mass_kg=mass or None, price=_priced(coils, workshop.tie_price))
 
 
 def _priced(bars: CutBars | None, price: float) -> float | None:
@@ -229,12 +238,18 @@ def _long_row(
     )
 
 
+END_TO_END = 20
+"""Bars that a hinge may be made of; more of them are a mistake."""
+
+
 def cut_hinges(lengths: Array, kind: str, workshop: Workshop) -> CutBars | None:
     """The bars that hinges of lengths (H,) are cut from; None where nobody says, and of tape."""
     if workshop.hinge_stock is None or kind == "tape":
         return None
     key = "workshop.hinge_stock"
-    return cut_bars(lengths, workshop.hinge_stock, workshop.spacing, key, "a hinge")
+    return cut_bars(
+        lengths, workshop.hinge_stock, workshop.spacing, key, "a hinge", most=END_TO_END
+    )
 
 
 def cut_ties(lengths: Array, workshop: Workshop) -> CutBars | None:

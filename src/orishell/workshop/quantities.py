@@ -11,12 +11,16 @@ from orishell.conventions.quantities import PERSON_KG, conversion
 from orishell.conventions.record import record
 from orishell.design.fittings import Fittings
 from orishell.document import Document
-from orishell.motion.quads import unit_normals
-from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll, require_stock
+from orishell.workshop.masses import (
+    centre_of_mass,
+    mass_by_area,
+    mass_of_hinges,
+    mass_of_ties,
+)
 from orishell.workshop.order import OrderRow, find_order
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
@@ -38,11 +42,12 @@ class PanelMass:
 
     boards: float | None  # of boards, or of solid panels; None if their density is not known
     membrane: float | None  # of the membrane; None if its density is not known, 0 if there is none
-    # of boards, membrane, and arms and hinges where these are known; None if one of the first is
-    # not known
+    # of boards, membrane, and arms, hinges and ties where these are known; None if one of the first
+    # is not known
     total: float | None
     arms: float | None = 0.0  # of arms and their feet; None if their density is not known
-    hinges: float | None = 0.0  # of hinges; None if it is not known
+    hinges: float | None = 0.0  # of hinges, tape left out; None if it is not known
+    ties: float | None = 0.0  # of ties; None if it is not known
 
 
 @record
@@ -99,25 +104,24 @@ def measure_panels(
         membrane_mass = 0.0
     fittings = fittings_of(everything)
     arm_mass: float | None = 0.0
-    hinge_mass: float | None = 0.0
     hinge_length = float(length[np.isin(everything.assignment, ("M", "V"))].sum())
     if fittings is not None:
-        in_metres = conversion(document.unit, "m")
-        hinge_mass = in_metres * fittings.hinge_mass(build) or None
         if fittings.arms:
             arm_mass = cubic * fittings.arm_mass(build) or None
         hinge_length = float(fittings.lengths.sum())
+    hinge_mass, tied = mass_of_hinges(document, workshop), mass_of_ties(document, workshop)
     total = None
     if board_mass is not None and membrane_mass is not None:
-        total = board_mass + membrane_mass + (arm_mass or 0.0) + (hinge_mass or 0.0)
+        others = arm_mass, hinge_mass, tied
+        total = board_mass + membrane_mass + sum(each or 0.0 for each in others)
     return PanelBill(
         boards=BoardCount(*(int((boards.sides == side).sum()) for side in (1, -1, 0))),
         board_area=float(areas.sum()),
         membrane_area=membrane,
         glue_area=float(areas[boards.sides != 0].sum()),
         hinge_length=hinge_length,
-        mass_kg=PanelMass(board_mass, membrane_mass, total, arm_mass, hinge_mass),
-        centre_of_mass=None if total is None else _centre_of_mass(document),
+        mass_kg=PanelMass(board_mass, membrane_mass, total, arm_mass, hinge_mass, tied),
+        centre_of_mass=None if total is None else centre_of_mass(document, workshop),
         stock_sheets=count_board_sheets(document, workshop) if nested else None,
         hinges=None if fittings is None else _count_hinges(fittings),
     )
@@ -133,81 +137,6 @@ def _count_hinges(fittings: Fittings) -> HingeBill:
         arm_kinds=len(fittings.arms),
         arm_area=sum(arm.count * arm.area for arm in fittings.arms),
     )
-
-
-def _centre_of_mass(document: Document) -> tuple[float, float, float]:
-    """Centre of mass at the target, in the world, what is clipped on included."""
-    middle = document.shell.positions.mean(axis=0)
-    mass, moment = 0.0, np.zeros(3)
-    for piece in (document, *document.clipped):
-        weighed = _weighed_boards(piece), _weighed_membrane(piece), _weighed_hinges(piece)
-        for weight, centres in weighed:
-            mass += float(weight.sum())
-            moment += weight @ (centres - middle)
-    x, y, z = document.in_world(middle + moment / mass).tolist()
-    return x, y, z
-
-
-def _weighed_boards(piece: Document) -> tuple[Array, Array]:
-    """Weight (B,), in the document's unit cubed by density, and centre (B, 3) of every board."""
-    assert piece.panel is not None
-    if piece.boards is None or not len(piece.boards):
-        return np.zeros(0), np.zeros((0, 3))
-    corners = piece.boards_in(piece.shell)[~piece.boards.arms]
-    places = corners.reshape(len(corners), -1, 3)
-    start = places.mean(axis=1, keepdims=True)
-    triangles, present = piece.boards.chosen(~piece.boards.arms).triangles()
-    board = np.arange(len(corners))[:, None, None]
-    sides = (places - start)[board, triangles]
-    # A board is the sum of the tetrahedra from a point to the triangles of its surface.
-    volume = np.linalg.det(sides) / 6 * present
-    centre = (volume[..., None] * sides.sum(axis=2) / 4).sum(axis=1)
-    centre /= volume.sum(axis=1, keepdims=True)
-    return volume.sum(axis=1) * piece.panel.density, centre + start[:, 0]
-
-
-def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
-    """Weight (F,) and centre (F, 3) of the membrane in every panel."""
-    assert piece.panel is not None
-    corners = piece.shell.positions[piece.mesh.faces]
-    halves = corners[:, [[0, 1, 2], [0, 2, 3]]]
-    run, rise = halves[:, :, 1] - halves[:, :, 0], halves[:, :, 2] - halves[:, :, 0]
-    area = 0.5 * np.linalg.norm(np.cross(run, rise), axis=-1)
-    centre = (area[..., None] * halves.mean(axis=2)).sum(axis=1) / area.sum(axis=1, keepdims=True)
-    weight = area.sum(axis=1) * piece.panel.membrane * piece.panel.membrane_density
-    return weight, centre
-
-
-def _weighed_hinges(piece: Document) -> tuple[Array, Array]:
-    """Weight (3 H,) and centre (3 H, 3) of hinges and of arms on either side.
-
-    In units of a metre for both; arms are taken half way up their fins.
-    """
-    fittings, build = fittings_of(piece), piece.panel
-    if fittings is None or build is None:
-        return np.zeros(0), np.zeros((0, 3))
-    assert piece.boards is not None
-    hinges = piece.boards.hinges
-    assert hinges is not None
-    corners = piece.panel_corners(piece.shell)
-    normals = unit_normals(corners)
-    heights = hinges.heights.on_edges()[fittings.edges]
-
-    def over_crease(side: int, height: Array) -> Array:
-        """Points (H, 3) so high over the middle of the crease, as the panel on a side has it."""
-        panel, edge = fittings.panels[:, side], fittings.at[:, side]
-        middle = 0.5 * (corners[panel, edge] + corners[panel, (edge + 1) % 4])
-        return np.asarray(middle + height[:, None] * normals[panel])
-
-    square = conversion(piece.unit, "m") ** 2
-    weights = [fittings.lengths * build.hinge.linear_density / square]
-    places = [over_crease(0, heights)]
-    for side in (0, 1):
-        fin = fittings.fins[:, side]
-        area = np.where(fin > 0, fittings.lengths * (fin + fittings.feet), 0.0)
-        weights.append(area * build.fin * build.arm_density)
-        places.append(over_crease(side, heights - fittings.sides * (hinges.knuckle + 0.5 * fin)))
-    return np.concatenate(weights), np.concatenate(places)
 
 
 @record
@@ -236,7 +165,9 @@ class Quantities:
     # sheets of stock for the sheet, or for panels that are solid, and what of them is not used;
     # None if that was not asked for
     stock: Waste | None
-    mass_kg: float | None  # mass of the panels; None if the areal density is not known
+    # mass by the areal density, and of hinges and ties where these are weighed by their length;
+    # None if the areal density is not known
+    mass_kg: float | None
     built: PanelBill | None = None  # boards, membrane and hinges; None if panels have no thickness
     order: tuple[OrderRow, ...] = ()  # what to order
 
@@ -267,7 +198,6 @@ def measure_quantities(
     if nested or on_its_roll(document, workshop).stock is None:
         stock = measure_waste(document, workshop)
     area = float(everything.areas().sum())
-    in_metres = conversion(document.unit, "m")
     return Quantities(
         panels=len(everything.mesh.faces),
         clipped=len(everything.mesh.faces) - len(document.mesh.faces),
@@ -275,7 +205,7 @@ def measure_quantities(
         crease_length=CreaseLength(total("M"), total("V"), total("F", "U", "J")),
         outline_length=total("B", "C"),
         stock=stock,
-        mass_kg=area * in_metres**2 * workshop.areal_density or None,
+        mass_kg=mass_by_area(document, workshop),
         built=measure_panels(document, workshop, nested=nested),
         order=find_order(document, workshop, nested=nested),
     )

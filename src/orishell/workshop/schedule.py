@@ -22,6 +22,8 @@ HINGE, UNFOLDED, GLUED = "hinge", "none", "joint"
 which are joined at the target."""
 BY_LENGTH: Final = (HINGE, "piano hinge", "tape")
 """Kinds that are bought by length; tape is not sold in bars."""
+WEIGHED: Final = (HINGE, "piano hinge")
+"""Those that have a mass."""
 
 
 @record

@@ -133,6 +133,18 @@ class Workshop(Table):
     roll_price: Annotated[NoLength, _price("Roll price", "Of one roll")] = 0.0
     hinge_price: Annotated[NoLength, _price("Hinge price", "Of one bar of hinge")] = 0.0
     tie_price: Annotated[NoLength, _price("Tie price", "Of one coil")] = 0.0
+    hinge_linear_density: Annotated[
+        NoLength,
+        Knob(
+            "Hinge mass",
+            "Of hinges by their length, but of whole boards; 0 if not known",
+            "number",
+            unit="kg/m",
+        ),
+    ] = 0.0
+    tie_linear_density: Annotated[
+        NoLength, Knob("Tie mass", "Of ties by their length; 0 if not known", "number", unit="kg/m")
+    ] = 0.0
     margin: Annotated[NoLength, _length("Margin", "Rim of stock and rolls that is not cut")] = 0.0
     spacing: Annotated[
         NoLength, _length("Spacing", "Least distance between parts, and the saw's cut in bars")

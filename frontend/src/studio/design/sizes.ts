@@ -14,7 +14,8 @@ import type { Tolerance } from "../state/types.ts";
 /** The tolerance that is offered first and what takes its place are one step of the history. */
 const OFFER = "offer!";
 type Mode = "sizes" | "tolerance";
-const KEYS = ["surface", "panel_min", "panel_max"] as const;
+const LENGTHS = ["surface", "panel_min", "panel_max"] as const;
+const OF_BOARDS = ["least_share", "steepest_chamfer_deg"] as const;
 
 export class Sizes {
   readonly element: HTMLElement;
@@ -27,6 +28,7 @@ export class Sizes {
     (mode) => (mode === "tolerance" ? this.toTolerance() : this.toSizes()),
   );
   private readonly boxes = new Map<keyof Tolerance, HTMLInputElement>();
+  private readonly labelled = new Map<keyof Tolerance, HTMLElement>();
   private readonly units: HTMLElement[] = [];
   private readonly chosen = h("p", { class: "note" });
   private readonly choose = button({
@@ -56,7 +58,8 @@ export class Sizes {
     this.fields = h(
       "div",
       { class: "tolerance" },
-      ...KEYS.map((key) => this.field(key)),
+      ...LENGTHS.map((key) => this.field(key)),
+      ...OF_BOARDS.map((key) => this.field(key)),
       h("div", { class: "actions" }, this.choose, this.keep),
       this.chosen,
     );
@@ -80,9 +83,11 @@ export class Sizes {
       if (!box.value && key !== "surface") this.set(key, undefined);
     });
     this.boxes.set(key, box);
-    const unit = h("span", { class: "unit" });
-    this.units.push(unit);
-    return h("label", { class: "parameter-head", title: help }, h("span", {}, label), box, unit);
+    const unit = h("span", { class: "unit" }, key === "steepest_chamfer_deg" ? "°" : "");
+    if (LENGTHS.some((each) => each === key)) this.units.push(unit);
+    const field = h("label", { class: "parameter-head", title: help }, h("span", {}, label), box, unit);
+    this.labelled.set(key, field);
+    return field;
   }
 
   private set(key: keyof Tolerance, value: number | undefined): void {
@@ -132,6 +137,10 @@ export class Sizes {
       const value = tolerance[key];
       setNumber(box, value === undefined ? "" : short(value, 8));
     }
+    // What is asked of boards stays in sight where panels have none any more, or it could not be removed.
+    const { thickness, construction } = design.value.panel ?? {};
+    const idle = { least_share: !thickness, steepest_chamfer_deg: !thickness || construction !== "bevel" };
+    for (const key of OF_BOARDS) this.labelled.get(key)!.hidden = idle[key] && tolerance[key] === undefined;
     for (const unit of this.units) unit.textContent = design.value.shell.unit;
     const current = freshness.value === "current";
     this.choose.textContent = busy.value ? "Stop" : "Choose";

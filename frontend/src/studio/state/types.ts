@@ -74,6 +74,8 @@ export interface Tolerance {
   surface: number;
   panel_min?: number;
   panel_max?: number;
+  least_share?: number;
+  steepest_chamfer_deg?: number;
 }
 
 /** What a key may be in a search: all from one number to another, or one of a list. */

@@ -1,0 +1,106 @@
+"""Limits of boards in a tolerance: how little of a panel may be board, how steep chamfers may be.
+
+Boards are set back for the whole motion, which other panels or boards may end earlier: then they
+are larger and their chamfers less steep. Only where boards meet at their corners, or flaps are made
+narrower, less of a panel is board; so a shell is looked at again once its motion is proved.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.errors import DesignError, Remedy, Value
+from orishell.conventions.formatting import rounded_down
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.design import Design
+from orishell.families.tolerance import Tolerance
+from orishell.locking import Lock, lock_without_clash
+from orishell.locking.report import least_share, steepest_chamfer
+from orishell.workshop.fitting import above
+
+ROUNDING = 1e-9
+"""By such a share boards of the same shell may differ from those that were tried."""
+
+
+@record
+class BoardFit:
+    """What matters of the boards of a design, as far as it is asked for."""
+
+    oversize: float = 0.0  # how much larger than its stock a part is, as a factor
+    least_share: float = 1.0  # the least share of a panel that a board covers
+    steepest_chamfer: float = 0.0  # how far a chamfer leans from a square cut at most (degrees)
+
+    @classmethod
+    def of(cls, design: Design, lock: Lock, oversize: float = 0.0) -> BoardFit:
+        """Of the boards of a design whose motion ends so."""
+        built = lock.built
+        if built is None:
+            return cls(oversize)
+        share = least_share(design.mechanism, built.boards)
+        return cls(oversize, share, float(np.rad2deg(steepest_chamfer(built) or 0.0)))
+
+    def bare(self, limits: Tolerance) -> float:
+        """By which factor the share of a panel that is board is too small."""
+        return limits.least_share / self.least_share
+
+    def steep(self, limits: Tolerance) -> float:
+        """By which factor a chamfer is too steep."""
+        most = limits.steepest_chamfer_deg
+        return 0.0 if most is None else self.steepest_chamfer / most
+
+    def misses(self, limits: Tolerance) -> float:
+        """By which factor boards are off; 1 or less where they are as asked."""
+        return max(self.bare(limits), self.steep(limits))
+
+
+def fit_boards(design: Design, limits: Tolerance, oversize: float) -> BoardFit:
+    """The boards of a design, set back for its whole motion, if they are limited."""
+    if not limits.limits_boards:
+        return BoardFit(oversize)
+    return BoardFit.of(design, lock_without_clash(design), oversize)
+
+
+def require_boards(limits: Tolerance, design: Design, lock: Lock) -> None:
+    """Refuse a shell whose boards, once its motion is proved, are not as a tolerance asks.
+
+    Raises DesignError with limits that they keep.
+    """
+    if not limits.limits_boards or lock.built is None:
+        return
+    found = BoardFit.of(design, lock)
+    if found.misses(limits) > 1 + ROUNDING:
+        what = "a shell was chosen whose boards, once its motion was proved, do not"
+        raise _refusal(what, "as corners are cut off and flaps narrowed", limits, found)
+
+
+def refuse_boards(rows: int, columns: int, limits: Tolerance, found: BoardFit) -> DesignError:
+    """The error where no shell was found whose boards are as asked, of the nearest that was."""
+    near = (
+        f"no shell of this family was found within {limits.surface:g} of the surface whose boards"
+    )
+    return _refusal(near, f"the nearest is {rows} x {columns}", limits, found)
+
+
+def _refusal(whose: str, where: str, limits: Tolerance, found: BoardFit) -> DesignError:
+    """The error for boards that are not as asked, with limits that they keep."""
+    changes: dict[str, Value | None] = {}
+    asked, got = [], []
+    if found.bare(limits) > 1:
+        share = rounded_down(found.least_share)
+        changes["tolerance.least_share"] = share
+        asked.append(f"cover at least {plain(limits.least_share)} of every panel")
+        got.append(f"boards cover at least {plain(share)}")
+    if limits.steepest_chamfer_deg is not None and found.steep(limits) > 1:
+        steepest = above(found.steepest_chamfer)
+        changes["tolerance.steepest_chamfer_deg"] = steepest
+        asked.append(f"have chamfers of at most {plain(limits.steepest_chamfer_deg)} degrees")
+        got.append(f"chamfers lean by up to {plain(steepest)} degrees")
+    return DesignError(
+        f"{whose} {' and '.join(asked)}",
+        place=where,
+        keys=tuple(changes),
+        size=" and ".join(got),
+        candidates=[Remedy(changes)],
+        excess=found.misses(limits) - 1,
+    )
