@@ -9,6 +9,7 @@ import pytest
 from command_line import orishell, orishell_process
 from orishell import __version__
 from orishell.families.registry import FAMILIES
+from samples import led_by
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
@@ -162,7 +163,7 @@ def test_warnings_go_to_standard_error(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "out" / "report.json").read_text())["warnings"]
 
 
-@pytest.mark.parametrize("example", ["figure1", "figure2"])
+@pytest.mark.parametrize("example", led_by(["figure1", "figure2"]))
 @pytest.mark.parametrize("columns", [2, 12])
 def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
     text = EXAMPLE.with_name(f"{example}.toml").read_text()

@@ -9,13 +9,14 @@ import pytest
 
 from orishell.design_file.file import check_design
 from orishell.shell.designed import designed
+from samples import led_by
 
 SURFACES = ["(x**2 - y**2)/4", "(x**2 - y**2)*0.15", "x**2/5 - y**2/10", "x**2/5 - cos(4*y)/20"]
 """The nearest convex cylinders bend little at their ends; through 21 points, splines turned back
 over the first, by 49 degrees."""
 
 
-@pytest.mark.parametrize("formula", SURFACES)
+@pytest.mark.parametrize("formula", led_by(SURFACES, 2))
 def test_the_f_nearest_to_a_surface_is_convex(formula: str) -> None:
     tables = {
         "shell": {"family": "longitudinal-linear-repeating", "unit": "m"},

@@ -22,6 +22,7 @@ from orishell.families.parallel_repeating.pattern import ParallelRepeatingPatter
 from orishell.families.pattern import Pattern
 from orishell.families.shared.sweep_fit import SweepLimits, fit_leaning, fit_upright
 from orishell.numerics.arrays import Array
+from samples import led_by
 
 Height = Callable[[Array, Array], Array]
 
@@ -53,21 +54,24 @@ def turned(piece: Piece, angle: float) -> Piece:
 
 @pytest.mark.parametrize(
     ("height", "ax", "ay", "floor"),
-    [
-        (sphere, 0.5, 0.5, 0.76),
-        (
-            lambda x, y: 0.8 * (np.sqrt(1 - x * x / 1.5**2 - y * y) - 1),
-            0.825,
-            0.55,
-            0.73,
-        ),
-        (lambda x, y: 0.5 * (x * x - y * y) / 2, 1, 1, 3.2),
-        (lambda x, y: 0.5 * x * y, 1, 1, 3.1),
-        (lambda x, y: (x * x - y * y) / 2, 1, 1, 7.8),
-        (lambda x, y: 0.2 * (x**3 - 3 * x * y * y), 1, 1, 7.5),
-        (lambda x, y: 0.25 * np.sin(np.pi * x) * np.cos(np.pi * y / 2), 1, 1, 6.0),
-        (barrel, 1, 1, 0.02),
-    ],
+    led_by(
+        [
+            (sphere, 0.5, 0.5, 0.76),
+            (
+                lambda x, y: 0.8 * (np.sqrt(1 - x * x / 1.5**2 - y * y) - 1),
+                0.825,
+                0.55,
+                0.73,
+            ),
+            (lambda x, y: 0.5 * (x * x - y * y) / 2, 1, 1, 3.2),
+            (lambda x, y: 0.5 * x * y, 1, 1, 3.1),
+            (lambda x, y: (x * x - y * y) / 2, 1, 1, 7.8),
+            (lambda x, y: 0.2 * (x**3 - 3 * x * y * y), 1, 1, 7.5),
+            (lambda x, y: 0.25 * np.sin(np.pi * x) * np.cos(np.pi * y / 2), 1, 1, 6.0),
+            (barrel, 1, 1, 0.02),
+        ],
+        4,
+    ),
     ids=["cap", "ellipsoid", "saddle .5", "hypar", "saddle 1", "monkey", "free-form", "barrel"],
 )
 def test_floors_of_moulding_surfaces(height: Height, ax: float, ay: float, floor: float) -> None:

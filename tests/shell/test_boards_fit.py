@@ -142,7 +142,7 @@ BAD: list[Any] = [
 ]
 
 
-@pytest.mark.parametrize(("keys", "where", "says"), led_by(BAD, 10))
+@pytest.mark.parametrize(("keys", "where", "says"), led_by(BAD, 4))
 def test_bad_inputs_are_refused_in_one_message(
     keys: str, where: str, says: str, tmp_path: Path
 ) -> None:

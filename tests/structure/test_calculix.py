@@ -107,7 +107,7 @@ def test_calculix_agrees(name: str, cells: tuple[int, int], tmp_path: Path) -> N
     assert case.buckling == pytest.approx(wanted[-1], rel=0.07)
 
 
-@pytest.mark.slow
+@thorough
 def test_ties_hold_feet_that_slide(tmp_path: Path) -> None:
     """All ties together, the one that pulls most, and how far the crown sinks: within 3 %."""
     ties, cells = '\n[deployment]\nties = "feet"\n', (3, 5)

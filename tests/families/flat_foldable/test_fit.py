@@ -17,6 +17,7 @@ from orishell.families.flat_foldable.fit.unknowns import Unknowns
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.locking import find_lock
 from orishell.numerics.arrays import Array
+from samples import led_by
 
 
 def cap(cells: int = 64) -> Piece:
@@ -44,7 +45,7 @@ def test_derivatives_are_those_of_differences() -> None:
     assert np.abs(of.slopes(unknowns, placed) - differences).max() < 1e-7
 
 
-@pytest.mark.parametrize("part", [*range(8), 9, 10])
+@pytest.mark.parametrize("part", led_by([0, 3, 7, 10, 1, 2, 4, 5, 6, 9], 4))
 def test_derivatives_of_residuals_are_those_of_differences(part: int) -> None:
     """All but those of edge limits (below), some corners and folds beyond where they begin."""
     of = Unknowns.covering(cap(), 7, 6, 1.1, 1.6)
