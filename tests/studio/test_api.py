@@ -58,6 +58,7 @@ MESSAGES: tuple[Any, ...] = (
     api.Result,
     api.TradeoffResult,
     api.SheetsResult,
+    api.BookletResult,
     api.SearchFound,
     api.SearchAnswer,
     api.Refusal,

@@ -58,6 +58,16 @@ export interface ApproachReport {
   rms: number | null;
 }
 
+/** Files of several formats in one archive. */
+export interface Archive {
+  name: string;
+  file: string;
+  what: string;
+  needs: "" | "thickness" | "loads";
+  /** The keys of the table [workshop] that matter to it. */
+  settings: string[];
+}
+
 /** Where an array of the view begins, in bytes behind the header. */
 export interface ArrayPlace {
   type: "float32" | "uint32" | "uint8";
@@ -95,6 +105,22 @@ export interface BoardCount {
   bottom: number;
   /** Solid panels. */
   solid: number;
+}
+
+/** The booklet of a kit. */
+export interface Booklet {
+  pages: BookletPicture[];
+}
+
+/** A page of the booklet: what its first line says, and all of it. */
+export interface BookletPicture {
+  title: string;
+  svg: string;
+}
+
+/** The last line of the answer: the booklet. */
+export interface BookletResult {
+  result: Booklet;
 }
 
 /** Bounding box of a state. */
@@ -477,6 +503,8 @@ export interface ExportTask {
   label: string;
   /** What is written, in a sentence. */
   what: string;
+  /** They come before its formats. */
+  archives: Archive[];
   /** The names of its formats. */
   formats: string[];
   /** The keys of the table [workshop] that matter to it. */
@@ -484,7 +512,7 @@ export interface ExportTask {
   /** Whether its files show one state, which is chosen. */
   state: boolean;
   /** What is shown of it before it is written. */
-  preview: "sheets" | "paper" | "shell";
+  preview: "sheets" | "paper" | "booklet" | "shell";
 }
 
 /** A line of the answer: what the families make of the target that were tried so far. */

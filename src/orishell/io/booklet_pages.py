@@ -41,6 +41,10 @@ NAMES = 26.0
 """Room beside a plan for names of panels."""
 PART = 56.0
 """Height of a part in the list."""
+THIN, TIE = 0.45, 1.1
+"""Widths of lines, and of those that are dashed."""
+DASHES = (4.0, 2.5)
+"""Their dashes and gaps."""
 
 
 @record

@@ -18,6 +18,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
+from orishell.io.booklet_pages import BookletPage, booklet_pages
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
 from orishell.io.output import replacing_all
@@ -125,17 +126,10 @@ def write_kit(
         If the directory cannot be written to, a README is there that is not of a kit, or a setting
         does not fit the sheet.
     """
-    require_shell(shell)
     directory = path_of(directory, "write_kit: directory")
+    require_shell(shell)
     require_kit_place(directory)
-    document, workshop, scale = shell.document, shell.file.workshop, 1.0
-    document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
-    if paper:
-        try:
-            model = make_card_model(document, workshop)
-        except InputError as error:
-            raise error.located(f"{shell.file.path}:") from None
-        document, workshop, scale = model.document, model.workshop, model.scale
+    document, workshop, scale = _subject(shell, paper, progress)
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
@@ -152,6 +146,39 @@ def write_kit(
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, directory))
     return Kit(written, scale)
+
+
+def booklet_of_kit(
+    shell: Shell, *, paper: bool = False, progress: Progress = no_progress
+) -> tuple[BookletPage, ...]:
+    """The pages of the booklet in the kit that :func:`write_kit` writes.
+
+    Parameters
+    ----------
+    paper
+        Whether it is the kit of a card model.
+
+    Raises
+    ------
+    InputError
+        If a setting does not fit the sheet.
+    """
+    document, workshop, _ = _subject(shell, paper, progress)
+    return booklet_pages(document, workshop)
+
+
+def _subject(shell: Shell, paper: bool, progress: Progress) -> tuple[Document, Workshop, float]:
+    """What a kit is of: the shell, or a card model of it; and its size relative to the shell."""
+    require_shell(shell)
+    document, workshop = shell.document, shell.file.workshop
+    document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
+    if not paper:
+        return document, workshop, 1.0
+    try:
+        model = make_card_model(document, workshop)
+    except InputError as error:
+        raise error.located(f"{shell.file.path}:") from None
+    return model.document, model.workshop, model.scale
 
 
 def _formats(paper: bool) -> Iterable[Format]:

@@ -180,6 +180,19 @@ class Sheets(TypedDict):
     paper: PaperPages
 
 
+class BookletPicture(TypedDict):
+    """A page of the booklet: what its first line says, and all of it."""
+
+    title: str
+    svg: str
+
+
+class Booklet(TypedDict):
+    """The booklet of a kit."""
+
+    pages: list[BookletPicture]
+
+
 class Advance(TypedDict):
     """The share of the work that is done, from 0 to 1, and what the work is."""
 
@@ -227,6 +240,12 @@ class SheetsResult(TypedDict):
     """The last line of the answer: the drawings."""
 
     result: Sheets
+
+
+class BookletResult(TypedDict):
+    """The last line of the answer: the booklet."""
+
+    result: Booklet
 
 
 class SearchedDesign(TypedDict):

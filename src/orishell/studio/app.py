@@ -126,7 +126,7 @@ def make_app(
         headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
-    for task in ("families", "fit", "verify", "tradeoff", "sheets"):
+    for task in ("families", "fit", "verify", "tradeoff", "sheets", "booklet"):
         _add_stream(app, task, slow, kept)
     _add_stream(app, "search", search, Kept(most=0))
     _add_task(app, "ranges", slow)

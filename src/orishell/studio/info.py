@@ -83,16 +83,23 @@ class FileFormat(TypedDict):
     needs: Literal["", "thickness", "loads"]
 
 
+class Archive(FileFormat):
+    """Files of several formats in one archive."""
+
+    settings: list[str]  # the keys of the table [workshop] that matter to it
+
+
 class ExportTask(TypedDict):
     """What one writes files for."""
 
     name: str
     label: str
     what: str  # what is written, in a sentence
+    archives: list[Archive]  # they come before its formats
     formats: list[str]  # the names of its formats
     settings: list[str]  # the keys of the table [workshop] that matter to it
     state: bool  # whether its files show one state, which is chosen
-    preview: Literal["sheets", "paper", "shell"]  # what is shown of it before it is written
+    preview: Literal["sheets", "paper", "booklet", "shell"]  # what is shown of it before it is written
 
 
 class Largest(TypedDict):

@@ -40,15 +40,17 @@ ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 def zipped(files: Mapping[str, Path]) -> bytes:
     """A zip archive of files by their names in it, the same bytes at any time."""
     archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+    with zipfile.ZipFile(archive, "w") as packed:
         for name, path in files.items():
-            packed.writestr(zipfile.ZipInfo(name, ZIP_DATE), path.read_bytes())
+            packed.writestr(
+                zipfile.ZipInfo(name, ZIP_DATE), path.read_bytes(), zipfile.ZIP_DEFLATED
+            )
     return archive.getvalue()
 
 
 HASHED: Final = "assets/"
 """Where files are whose names change with their content."""
-PLAIN: Final = {"/api/verify", "/api/tradeoff", "/api/sheets", "/api/design", "/api/export"}
+PLAIN: Final = {"/api/verify", "/api/tradeoff", "/api/sheets", "/api/booklet", "/api/design", "/api/export"}
 """Answers that are not compressed: lines that would wait for each other, numbers that would not
 become smaller."""
 LEVEL: Final = 6

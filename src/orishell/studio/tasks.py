@@ -33,6 +33,7 @@ from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
+    Booklet,
     DrawnSheetFacts,
     DrawnSurface,
     DroppedCurve,
@@ -47,6 +48,7 @@ from orishell.studio.api import (
 )
 from orishell.studio.drawings import describe_drawing, read_dropped_pattern
 from orishell.studio.dropped import read_dropped, sampled
+from orishell.studio.kits import KITS, pack_kit, preview_booklet
 from orishell.studio.pages import design_name, file_name, zipped
 from orishell.studio.processes import Send, ignore, require_small
 from orishell.studio.ranges import find_ranges
@@ -57,6 +59,8 @@ from orishell.studio.surfaces import coarser, draw_surface, read_dropped_mesh
 
 COARSE = 0.1
 """Of the work of a fit, what a coarser one first is, about."""
+OF_FILES = ("language", "paper", "paper_scale")
+"""Settings of the workshop on which files depend, but no shell."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
 NO_CURVES: Curves = {"f": [], "g": []}
 
@@ -257,17 +261,23 @@ class Task:
         """The drawings that a workshop gets."""
         return preview_sheets(self._design(), self._name(), self.progress)
 
+    def draw_booklet(self) -> Booklet:
+        """The booklet of the kit, or of that of a card model."""
+        paper = KITS.get(str(self.payload.get("format")), False)
+        return preview_booklet(self._proved(), paper=paper, progress=self.progress)
+
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several."""
         name = self.payload.get("format")
+        if name in KITS:
+            archive = pack_kit(self._proved(), paper=KITS[name], progress=self.progress)
+            return f"{self._name()}-{name}.zip", archive
         formats = find_formats([str(name)])
         if len(formats) != 1:
             raise InputError("exactly one format must be named", where="format", got=repr(name))
         (format_,) = formats
-        file = self._design()
-        shell = LATEST.find(self._key()) or make_shell(file, self.progress, clash="allowed")
-        LATEST.keep(self._key(), shell)
-        settings = Settings.showing(_state(self.payload.get("state")), file.workshop)
+        shell = self._proved()
+        settings = Settings.showing(_state(self.payload.get("state")), shell.file.workshop)
         with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
             write_format(shell, format_, Path(directory), settings)
             paths = sorted(Path(directory).iterdir())
@@ -281,9 +291,19 @@ class Task:
             archive = zipped(dict(zip(names, paths, strict=True)))
             return f"{self._name()}-{format_.name}.zip", archive
 
+    def _proved(self) -> Shell:
+        """The shell of the design, which files are written of, whether or not panels meet."""
+        file = self._design()
+        shell = LATEST.find(self._key()) or make_shell(file, self.progress, clash="allowed")
+        LATEST.keep(self._key(), shell)
+        return replace(shell, file=replace(shell.file, workshop=file.workshop))
+
     def _key(self) -> str:
         """What the shell of the design depends on: its tables, and the name that files show."""
-        return key_of("shell", self._name(), repr(self.payload.get("design")))
+        design = dict(self.payload["design"])
+        workshop = design.get("workshop", {})
+        design["workshop"] = {key: each for key, each in workshop.items() if key not in OF_FILES}
+        return key_of("shell", self._name(), repr(design))
 
     def _name(self) -> str:
         return design_name(str(self.payload.get("name", NAME)))
@@ -322,6 +342,7 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "export": Task.export,
     "tradeoff": Task.find_tradeoff,
     "sheets": Task.draw_sheets,
+    "booklet": Task.draw_booklet,
     "search": Task.search,
 }
 

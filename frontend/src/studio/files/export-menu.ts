@@ -78,7 +78,7 @@ export class ExportMenu {
     this.choices = new Map(
       tasks
         .filter(({ name }) => name !== ALL)
-        .map((task) => [task.name, new FormatChoice(task, formats.filter(({ name }) => task.formats.includes(name)), () => this.explain())]),
+        .map((task) => [task.name, new FormatChoice(task, [...task.archives, ...formats.filter(({ name }) => task.formats.includes(name))], () => this.explain())]),
     );
     this.list = h("div", { class: "formats" }, ...formats.map((format) => this.entry(format)));
     this.stateRow = h("div", { class: "menu-head" }, h("span", { class: "quiet" }, "State"), this.states.element);
@@ -134,14 +134,12 @@ export class ExportMenu {
     this.list.hidden = task.name !== ALL;
     this.go.hidden = task.name === ALL;
     this.stateRow.hidden = !task.state;
-    this.settings.only(task.settings);
     const drawn = task.preview !== "shell";
     this.sheets.element.hidden = !drawn;
-    this.sheets.of(task.preview === "paper" ? "paper" : "sheets");
-    this.sheets.shown(drawn);
     this.shell.hidden = drawn;
     if (!drawn) this.shell.replaceChildren(this.picture(WIDTH, HEIGHT));
     this.explain();
+    this.sheets.shown(drawn);
   }
 
   private offerPack(): void {
@@ -173,6 +171,9 @@ export class ExportMenu {
     choice?.offer(this.store.design.value);
     const format = choice?.chosen;
     if (format) this.go.textContent = `Write ${format.name.toUpperCase()}`;
+    this.settings.only(this.task.archives.find((each) => each === format)?.settings ?? this.task.settings);
+    const { preview } = this.task;
+    if (preview !== "shell") this.sheets.of(preview === "booklet" && format?.name === "card" ? "card" : preview);
     const words: Record<State, string> = {
       target: "Formats with one state show the shell at its target.",
       pack: "Formats with one state show the pack.",

@@ -1,38 +1,37 @@
-// The drawings that a workshop gets, as pictures to leaf through, with what they come to.
+// What is to be written, as pictures to leaf through: drawings for a workshop with what they come to, a paper
+// model on its pages, or the booklet of a kit.
 
-import type { Sheets } from "../../shared/api-types.ts";
+import type { Booklet, LayerPen, Sheets } from "../../shared/api-types.ts";
 import { length } from "../../shared/quantities.ts";
 import { sentence } from "../../shared/words.ts";
-import { drawSheets } from "../server/api.ts";
-import { button } from "../parts/controls.ts";
+import { drawBooklet, drawSheets } from "../server/api.ts";
 import { h } from "../parts/dom.ts";
 import { faultOf } from "../state/faults.ts";
 import { isAuto } from "../state/aims.ts";
 import { settled } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
+import type { Design } from "../state/types.ts";
 import { WorkBar } from "../parts/work-bar.ts";
+import { type Leaf, Leaves } from "./leaves.ts";
 import { percent } from "./workshop-words.ts";
 
-/** Rest of the settings after which the sheets are drawn anew, in milliseconds. */
+/** Rest of the settings after which all is drawn anew, in milliseconds. */
 const REST = 300;
+
+/** Drawings, a paper model, the booklet of a kit, or that of the kit of a card model. */
+export type Subject = "sheets" | "paper" | "booklet" | "card";
+type Drawn = { sheets: Sheets } | { booklet: Booklet };
 
 export class SheetPreview {
   readonly element: HTMLElement;
-  private readonly picture = h("img", { class: "sheet-picture", alt: "", "data-testid": "sheet-picture" });
-  private readonly paper = h("div", { class: "sheet-paper", tabindex: 0, role: "group", "aria-label": "Sheet" }, this.picture);
-  private readonly place = h("span", { class: "sheet-place", "data-testid": "sheet-place" });
-  private readonly back = button({ label: "Sheet before", text: "‹", testid: "sheet-back", act: () => this.leaf(-1) });
-  private readonly next = button({ label: "Next sheet", text: "›", testid: "sheet-next", act: () => this.leaf(1) });
-  private readonly leaves = h("div", { class: "sheet-leaves" }, this.back, this.place, this.next);
+  private readonly leaves = new Leaves();
   private readonly facts = h("dl", { class: "sheet-facts", "data-testid": "sheet-facts" });
   private readonly legend = h("ul", { class: "sheet-legend", "aria-label": "Layers" });
   private readonly note = h("p", { class: "note", role: "status", "data-testid": "sheet-note" });
-  private readonly work = new WorkBar("Drawing of sheets", () => this.stop(), "sheet-work");
-  private sheets: Sheets | null = null;
-  private at = 0;
-  private url = "";
+  private readonly work = new WorkBar("Drawing of pages", () => this.stop(), "sheet-work");
+  private drawn: Drawn | null = null;
   private open = false;
-  private subject: "sheets" | "paper" = "sheets";
+  private subject: Subject = "sheets";
   private timer = 0;
   private stopping = new AbortController();
 
@@ -40,33 +39,35 @@ export class SheetPreview {
     this.element = h(
       "div",
       { class: "sheet-preview", "data-testid": "sheet-preview" },
-      this.paper, this.leaves, this.note, this.work.element, this.facts, this.legend,
+      this.leaves.paper, this.leaves.turner, this.note, this.work.element, this.facts, this.legend,
     );
-    this.paper.addEventListener("keydown", (event) => {
-      const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      event.stopPropagation();
-      this.leaf(step);
-    });
     store.design.watch(() => this.later(REST));
     store.name.watch(() => this.later(REST));
     store.freshness.watch((now) => now === "current" && this.later(REST));
     this.state = "none";
   }
 
-  /** What is shown: the drawings to leaf through, or a paper model on its pages. */
-  of(subject: "sheets" | "paper"): void {
+  /** What is shown. */
+  of(subject: Subject): void {
+    if (subject === this.subject) return;
     this.subject = subject;
-    if (this.sheets) this.take(this.sheets);
+    this.element.dataset["subject"] = subject;
+    if (this.drawn && "sheets" in this.drawn && !this.isBooklet) return this.take(this.drawn, true);
+    this.leaves.show([]);
+    this.clear();
+    this.later(0);
   }
 
-  /** The window is open or closed: sheets are drawn for those who look. */
+  /** The window is open or closed: all is drawn for those who look. */
   shown(open: boolean): void {
     this.open = open;
     if (open) return this.later(0);
     this.stopping.abort();
     clearTimeout(this.timer);
+  }
+
+  private get isBooklet(): boolean {
+    return this.subject === "booklet" || this.subject === "card";
   }
 
   private later(rest: number): void {
@@ -88,12 +89,10 @@ export class SheetPreview {
     }
     this.stopping = new AbortController();
     const { signal } = this.stopping;
-    this.work.begin("drawing the sheets");
+    this.work.begin(this.isBooklet ? "drawing the booklet" : "drawing the sheets");
     try {
-      const sheets = await drawSheets(settled(this.store.info, design.value, report.value), name.value, signal, (share, what) => {
-        if (!signal.aborted) this.work.show(share, what);
-      });
-      if (!signal.aborted) this.take(sheets);
+      const drawn = await this.ask(settled(this.store.info, design.value, report.value), name.value, signal);
+      if (!signal.aborted) this.take(drawn);
     } catch (error) {
       if (signal.aborted) return;
       const { what, got, expected, remedy, message, kind } = faultOf(error);
@@ -102,76 +101,68 @@ export class SheetPreview {
     }
   }
 
+  private async ask(design: Design, name: string, signal: AbortSignal): Promise<Drawn> {
+    const progressed = (share: number, what: string): void => {
+      if (!signal.aborted) this.work.show(share, what);
+    };
+    return this.isBooklet
+      ? { booklet: await drawBooklet(design, name, this.subject, signal, progressed) }
+      : { sheets: await drawSheets(design, name, signal, progressed) };
+  }
+
   private stop(): void {
     clearTimeout(this.timer);
     this.stopping.abort();
-    this.refuse("Stopped. The sheets are drawn again when a setting changes.");
+    this.refuse(`Stopped. The ${this.isBooklet ? "booklet is" : "sheets are"} drawn again when a setting changes.`);
   }
 
   private refuse(words: string): void {
     this.work.hide();
-    this.sheets = null;
-    this.show("");
-    this.facts.replaceChildren();
-    this.legend.replaceChildren();
+    this.drawn = null;
+    this.leaves.show([]);
+    this.clear();
     this.note.textContent = words;
     this.note.classList.add("error");
-    this.leaves.hidden = true;
-    this.paper.hidden = true;
     this.state = "refused";
   }
 
-  private take(sheets: Sheets): void {
-    this.work.hide();
-    this.sheets = sheets;
-    const paper = this.subject === "paper";
-    this.at = paper ? 0 : Math.min(this.at, sheets.sheets.length - 1);
+  private clear(): void {
+    this.facts.replaceChildren();
+    this.legend.replaceChildren();
+    this.note.textContent = "";
     this.note.classList.remove("error");
-    this.note.textContent = sheets.palette && `${sheets.palette}. Lines are wider here than in the files.`;
-    this.paper.hidden = false;
-    this.leaves.hidden = paper || sheets.sheets.length < 2;
-    const facts = paper ? [["Model", sheets.paper.says] as const] : factsOf(sheets);
-    this.facts.replaceChildren(...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
-    this.legend.replaceChildren(
-      ...[...sheets.layers].reverse().map(({ label, colour }) => h("li", {}, swatch(colour), label)),
-    );
-    this.turn();
+  }
+
+  private take(drawn: Drawn, fromFirst = false): void {
+    this.work.hide();
+    this.drawn = drawn;
+    this.clear();
+    if ("booklet" in drawn) {
+      const pages = drawn.booklet.pages.map(({ svg, title }) => ({ svg, name: "", says: `Page of the booklet: ${title}` }));
+      this.leaves.show(pages, "Page ", fromFirst);
+    } else {
+      const { sheets } = drawn;
+      const paper = this.subject === "paper";
+      this.leaves.show(paper ? pagesOf(sheets) : sheets.sheets.map(({ svg, file, title }) => ({ svg, name: file, says: title })), "", fromFirst);
+      this.note.textContent = sheets.palette && `${sheets.palette}. Lines are wider here than in the files.`;
+      this.describe(paper ? [["Model", sheets.paper.says]] : factsOf(sheets), sheets.layers);
+    }
     this.state = "shown";
   }
 
-  private leaf(step: number): void {
-    if (!this.sheets) return;
-    const last = this.sheets.sheets.length - 1;
-    this.at = Math.min(Math.max(this.at + step, 0), last);
-    this.turn();
-  }
-
-  private turn(): void {
-    const { sheets, paper } = this.sheets!;
-    if (this.subject === "paper") {
-      this.picture.alt = `Pages of the paper model: ${paper.says}`;
-      this.paper.hidden = !paper.svg;
-      return this.show(paper.svg);
-    }
-    const sheet = sheets[this.at]!;
-    this.place.textContent = `${this.at + 1} of ${sheets.length}: ${sheet.file}`;
-    this.back.setAttribute("aria-disabled", String(this.at === 0));
-    this.next.setAttribute("aria-disabled", String(this.at === sheets.length - 1));
-    this.picture.alt = sheet.title;
-    this.show(sheet.svg);
-  }
-
-  /** A picture runs nothing, whatever is in it. */
-  private show(svg: string): void {
-    if (this.url) URL.revokeObjectURL(this.url);
-    this.url = svg && URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
-    if (this.url) this.picture.src = this.url;
-    else this.picture.removeAttribute("src");
+  private describe(facts: [string, string][], layers: LayerPen[]): void {
+    this.facts.replaceChildren(...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
+    this.legend.replaceChildren(...[...layers].reverse().map(({ label, colour }) => h("li", {}, swatch(colour), label)));
   }
 
   private set state(state: "none" | "waiting" | "shown" | "refused") {
     this.element.dataset["state"] = state;
   }
+}
+
+/** The paper model with the frames of its pages; none where that takes too many. */
+function pagesOf({ paper }: Sheets): Leaf[] {
+  return paper.svg ? [{ svg: paper.svg, name: "", says: `Pages of the paper model: ${paper.says}` }] : [];
 }
 
 /** What the sheets come to. */

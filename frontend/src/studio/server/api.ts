@@ -150,6 +150,11 @@ export function drawSheets(design: Design, name: string, signal: AbortSignal, pr
   return streamed("sheets", { design, name }, signal, progressed);
 }
 
+/** The booklet of a kit, or of that of a card model; aborting stops the work. */
+export function drawBooklet(design: Design, name: string, format: string, signal: AbortSignal, progressed: Progressed): Promise<Api.Booklet> {
+  return streamed("booklet", { design, name, format }, signal, progressed);
+}
+
 /** Search the variants of a design; what is found is told as it is, aborting stops the search. */
 export function searchDesigns(design: Design, name: string, signal: AbortSignal, found: (state: Api.SearchState) => void): Promise<Api.SearchState> {
   return streamed("search", { design, name }, signal, () => undefined, found);

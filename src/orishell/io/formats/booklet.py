@@ -12,16 +12,20 @@ from typing import TYPE_CHECKING
 
 from orishell.document import Document
 from orishell.io.booklet_drawing import Drawn
-from orishell.io.booklet_pages import HIGH, WIDE, BookletPage, booklet_pages
+from orishell.io.booklet_pages import (
+    DASHES,
+    HIGH,
+    THIN,
+    TIE,
+    WIDE,
+    BookletPage,
+    booklet_pages,
+)
 from orishell.io.format import Format, Settings
 from orishell.io.pdf_lines import add_line
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
-
-THIN = 0.45
-"""Width of lines (points)."""
-TIE, DASHES = 1.1, (4.0, 2.5)
 
 
 def write_booklet(path: Path, document: Document, settings: Settings) -> None:
