@@ -133,6 +133,15 @@ export interface BoxReport {
   height: number;
 }
 
+/** How large a shell is, by the keys of the table [target.fit] (lengths). */
+export interface BuiltSizes {
+  outside: Record<string, number>;
+  /** Clear width and depth, and headroom, 0 where there is none; null: it does not stand. */
+  inside: Record<string, number> | null;
+  /** Up to which width and depth are clear. */
+  head_height: number;
+}
+
 /** A load case with one stiffness of creases. */
 export interface CaseResult {
   /** The case. */
@@ -1752,6 +1761,8 @@ export interface Verified {
   distance: string;
   /** Why the design is refused although its shell can be shown: panels meet before it locks. */
   refusal: Fault | null;
+  /** Why the design is refused although its shell can be shown: panels meet before it locks. */
+  sizes: BuiltSizes;
   /** A view in base64 that takes the place of the one shown; null: that one stays. */
   view: string | null;
 }

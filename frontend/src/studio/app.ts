@@ -2,6 +2,7 @@
 
 import { blankCover, blankDesign } from "./curves/blank.ts";
 import { Banner } from "./page/banner.ts";
+import { BuiltSizes } from "./design/built-sizes.ts";
 import { CurveEditor } from "./curves/curve-editor.ts";
 import { h } from "./parts/dom.ts";
 import { StructureControls } from "./structure/structure.ts";
@@ -117,7 +118,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         { class: "inputs", role: "region", "aria-label": "Design" },
         tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element, familyTrials(store)),
-        targetSection(store, editors, surface, drawing),
+        targetSection(store, editors, surface, drawing, new BuiltSizes(store).element),
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,

@@ -69,4 +69,9 @@ class FitTable(Table):
 
     def head(self, unit: str) -> float:
         """Height up to which a room is clear, in ``unit``."""
-        return self.head_height or HEAD * conversion("m", unit)
+        return self.head_height or usual_head(unit)
+
+
+def usual_head(unit: str) -> float:
+    """Height up to which a room is clear if no other is asked for, in ``unit``."""
+    return HEAD * conversion("m", unit)

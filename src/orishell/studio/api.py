@@ -133,6 +133,15 @@ class DrawnSheetFacts(TypedDict):
     rows: list[Row]
 
 
+class BuiltSizes(TypedDict):
+    """How large a shell is, by the keys of the table [target.fit] (lengths)."""
+
+    outside: dict[str, float]
+    # clear width and depth, and headroom, 0 where there is none; null: it does not stand
+    inside: dict[str, float] | None
+    head_height: float  # up to which width and depth are clear
+
+
 class Verified(TypedDict):
     """A shell that has been verified: its report, contact and distances."""
 
@@ -142,6 +151,7 @@ class Verified(TypedDict):
     distance: str
     # why the design is refused although its shell can be shown: panels meet before it locks
     refusal: Fault | None
+    sizes: BuiltSizes
     view: str | None  # A view in base64 that takes the place of the one shown; null: that one stays
 
 

@@ -55,6 +55,7 @@ from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
 from orishell.studio.searches import search_variants
 from orishell.studio.sheets import preview_sheets
+from orishell.studio.sizes import head_of, measure_sizes
 from orishell.studio.surfaces import coarser, draw_surface, read_dropped_mesh
 
 COARSE = 0.1
@@ -151,6 +152,7 @@ class Task:
             "contact": document.contact,
             "distance": _text(distances.astype("<f4").tobytes()),
             "refusal": refusal,
+            "sizes": measure_sizes(shell, head_of(file)),
             "view": _text(dump_view(document)) if other else None,
         }
 
@@ -205,7 +207,7 @@ class Task:
     def find_ranges(self) -> Ranges:
         """Values of the numeric parameters that work."""
         file = self._design()
-        if file.surface is not None:
+        if file.surface is not None or file.fit is not None:
             return {"ranges": {}}  # every value that is tried would be a fit
         begin = time.perf_counter()
         try:

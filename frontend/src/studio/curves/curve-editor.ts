@@ -13,6 +13,7 @@ import { faultOf, isAbout } from "../state/faults.ts";
 import { FormulaFields } from "./formula-fields.ts";
 import { headOf, profileGround } from "./ground.ts";
 import { Note } from "../parts/note.ts";
+import { scaledNote } from "../parts/scaled-note.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
 import type { Store } from "../state/store.ts";
@@ -174,6 +175,7 @@ export class CurveEditor {
       this.plot.element,
       this.fields.element,
       this.formula.element,
+      scaledNote(this.store, name),
       this.note.element,
     );
   }

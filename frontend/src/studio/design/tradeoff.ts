@@ -127,9 +127,10 @@ export class TradeoffCard {
     const { unit } = this.store.design.value.shell;
     this.plot.draw(found, unit, this.store.design.value.tolerance?.surface);
     const refused = found.refused ? `, ${found.refused} have no shell` : "";
+    const scaled = this.store.design.value.target?.fit ? " Of the target as in the file, before it is scaled for its sizes." : "";
     this.note.textContent =
       `${found.tried.length + found.refused} sizes tried${refused}. Faint: another has fewer panels and is nearer. ` +
-      "Dashed: the tolerance. Ring: the shell on the screen.";
+      `Dashed: the tolerance. Ring: the shell on the screen.${scaled}`;
   }
 
   private choose(trial: Trial): void {

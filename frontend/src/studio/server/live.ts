@@ -373,8 +373,8 @@ export class Live {
         await this.draw();
         if (signal.aborted) return;
       }
-      const { refusal } = result;
-      store.proof.set({ state: "done", refusal: refusal && { ...refusal, searching: false } });
+      const { refusal, sizes } = result;
+      store.proof.set({ state: "done", sizes, refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
       const fault = faultOf(error);

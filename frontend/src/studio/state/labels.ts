@@ -69,10 +69,12 @@ export class Labels {
     for (const [place, value] of Object.entries(changes)) {
       const [table = "", ...rest] = place.split(".");
       const key = rest.at(-1) ?? table;
-      const curve = table === "target" ? ofTarget(rest[0]!) : "";
-      const label = `${small(this.at(table, key) ?? key.replaceAll("_", " "))}${curve}`;
+      const within = [table, ...rest.slice(0, -1)].join(".");
+      const words = within in this.tables ? within : table;
+      const curve = table === "target" && words === table ? ofTarget(rest[0]!) : "";
+      const label = `${small(this.at(words, key) ?? key.replaceAll("_", " "))}${curve}`;
       if (value === null) without.push(label);
-      else given.push(`${label} = ${written(value as Value)}${typeof value === "number" ? this.unit(table, key) : ""}`);
+      else given.push(`${label} = ${written(value as Value)}${typeof value === "number" ? this.unit(words, key) : ""}`);
     }
     return given.join(" with ") + (without.length ? ` without ${without.join(", ")}` : "");
   }
@@ -109,7 +111,8 @@ function small(label: string): string {
 
 /** The curve that something is of, or the surface. */
 function ofTarget(name: string): string {
-  return name === "surface" ? " of the surface" : ` of ${name}`;
+  const whole: Record<string, string> = { surface: " of the surface", fit: " of the built shell" };
+  return whole[name] ?? ` of ${name}`;
 }
 
 function isPlace(name: string): boolean {

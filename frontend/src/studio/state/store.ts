@@ -1,6 +1,6 @@
 // The state of the studio: the design with its history, and what is known of it.
 
-import type { FamilyTrial } from "../../shared/api-types.ts";
+import type { BuiltSizes, FamilyTrial } from "../../shared/api-types.ts";
 import type { View } from "../../shared/view.ts";
 import type { DrawnSurface } from "../surface/drawn-surface.ts";
 import { Left } from "./aims.ts";
@@ -17,7 +17,7 @@ export type Proof =
   | { state: "waiting" }
   | { state: "running"; share: number; what: string }
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
-  | { state: "done"; refusal: Fault | null }
+  | { state: "done"; refusal: Fault | null; sizes: BuiltSizes }
   | { state: "failed"; fault: Fault }
   | { state: "stopped" };
 

@@ -3,12 +3,13 @@
 import type { CurveEditor } from "../curves/curve-editor.ts";
 import { segmented } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
+import { scaledNote } from "../parts/scaled-note.ts";
 import { type Aim, aimOf, designFor } from "../state/aims.ts";
 import type { Store } from "../state/store.ts";
 import type { DrawingForm } from "./drawing-form.ts";
 import type { SurfaceEditor } from "./surface-editor.ts";
 
-export function targetSection(store: Store, editors: CurveEditor[], surface: SurfaceEditor, drawing: DrawingForm): HTMLElement {
+export function targetSection(store: Store, editors: CurveEditor[], surface: SurfaceEditor, drawing: DrawingForm, sizes: HTMLElement): HTMLElement {
   const aims: { value: Aim; text: string; testid: string; title: string }[] = [
     { value: "curves", text: "Curves", testid: "aim-curves", title: "the curve f, swept along g" },
     { value: "surface", text: "Surface", testid: "aim-surface", title: "any surface, by formulas or as a mesh" },
@@ -33,7 +34,10 @@ export function targetSection(store: Store, editors: CurveEditor[], surface: Sur
     ...editors.map(({ element }) => element),
     surface.element,
     drawing.element,
+    scaledNote(store, "surface"),
+    scaledNote(store, "pattern"),
     none,
+    sizes,
   );
 }
 

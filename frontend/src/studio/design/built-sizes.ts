@@ -1,0 +1,149 @@
+// Sizes that the built shell is to have: the table [target.fit] of the design file. Each is optional, and beside
+// it is what the shell measures.
+
+import { type Segmented, numberBox, segmented, setNumber } from "../parts/controls.ts";
+import { h } from "../parts/dom.ts";
+import { Note } from "../parts/note.ts";
+import { pretty, short } from "../parts/numbers.ts";
+import { aimOf } from "../state/aims.ts";
+import { tableOf } from "../state/changed.ts";
+import type { Store } from "../state/store.ts";
+
+type Side = "outside" | "inside";
+const SIZES = ["width", "depth", "height"] as const;
+const KEYS = [...SIZES, "head_height"] as const;
+type Key = (typeof KEYS)[number];
+
+interface Row {
+  element: HTMLElement;
+  box: HTMLInputElement;
+  measured: HTMLElement;
+  unit: HTMLElement;
+}
+
+export class BuiltSizes {
+  readonly element: HTMLDetailsElement;
+  private readonly rows: Record<Key, Row>;
+  private readonly sides: Segmented<Side>;
+  private readonly words = h("p", { class: "note" });
+  private readonly note = new Note();
+  /** Of what sizes are: chosen before any is asked for, too. */
+  private side: Side = "outside";
+  private asked = false;
+
+  constructor(private readonly store: Store) {
+    const { keys } = store.info.tables["target.fit"]!;
+    const of = keys["of"]!;
+    this.sides = segmented<Side>(
+      of.label,
+      Object.entries(of.choices).map(([value, text]) => ({ value: value as Side, text, testid: `fit-${value}` })),
+      (side) => this.turnTo(side),
+    );
+    this.rows = Object.fromEntries(KEYS.map((key) => [key, this.row(key)])) as Record<Key, Row>;
+    this.element = h(
+      "details",
+      { class: "more built-sizes" },
+      h("summary", { "data-testid": "built-sizes" }, "Sizes of the built shell"),
+      h(
+        "div",
+        { class: "parameter-list" },
+        h("div", { class: "parameter-head", title: of.help }, h("span", {}, of.label), this.sides.element),
+        ...KEYS.map((key) => this.rows[key].element),
+        this.words,
+        this.note.element,
+      ),
+    );
+    store.design.bind(() => this.show());
+    store.fault.bind(() => this.showFault());
+    for (const signal of [store.report, store.proof, store.freshness]) {
+      (signal as { watch(listener: () => void): void }).watch(() => this.measure());
+    }
+  }
+
+  private get table(): Record<string, number | string> {
+    return this.store.design.value.target?.fit ?? {};
+  }
+
+  private row(key: Key): Row {
+    const { label, help } = this.store.info.tables["target.fit"]!.keys[key]!;
+    const id = `fit-${key}`;
+    // Read when it is left or Enter is pressed: every size is a search.
+    const box = numberBox({ min: 0, step: "any", id, "data-testid": id }, () => undefined);
+    box.addEventListener("change", () => this.set(key, box.value ? box.valueAsNumber : undefined));
+    const measured = h("span", { class: "measured", "data-testid": `${id}-measured` });
+    const unit = h("span", { class: "unit" });
+    const element = h("div", { class: "parameter-head", title: help }, h("label", { for: id }, label), measured, box, unit);
+    return { element, box, measured, unit };
+  }
+
+  private turnTo(side: Side): void {
+    this.side = side;
+    if (this.isAsked(this.table)) return this.write(this.table, "sizes");
+    this.show();
+  }
+
+  private set(key: Key, value: number | undefined): void {
+    this.write({ ...this.table, [key]: value }, this.store.labels.of(key), `type-fit-${key}`);
+  }
+
+  /** A table has a size; the room is clear up to a height only where it has a width or depth. */
+  private write(given: Record<string, unknown>, what: string, gesture = ""): void {
+    const inside = this.side === "inside";
+    const { head_height: head, ...sizes } = given;
+    const clear = inside && (sizes["width"] ?? sizes["depth"]) !== undefined;
+    const table = tableOf({ ...sizes, of: inside ? this.side : undefined, head_height: clear ? head : undefined });
+    this.store.set({ "target.fit": this.isAsked(sizes) ? table : null }, what, gesture);
+  }
+
+  private isAsked(table: Record<string, unknown>): boolean {
+    return SIZES.some((key) => table[key] !== undefined);
+  }
+
+  private show(): void {
+    const { table } = this;
+    const { design } = this.store;
+    this.element.hidden = aimOf(design.value) === "none";
+    const asked = this.isAsked(table);
+    if (asked) this.side = table["of"] === "inside" ? "inside" : "outside";
+    if (asked && !this.asked) this.element.open = true;
+    this.asked = asked;
+    this.sides.set(this.side);
+    for (const key of KEYS) {
+      setNumber(this.rows[key].box, short(Number(table[key] ?? NaN), 8));
+      this.rows[key].unit.textContent = design.value.shell.unit;
+    }
+    const clear = this.side === "inside" && (table["width"] ?? table["depth"]) !== undefined;
+    this.rows.head_height.element.hidden = !clear;
+    this.measure();
+  }
+
+  /** What the shell on the screen measures, as far as that is known. */
+  private measure(): void {
+    const { report, proof, freshness, design } = this.store;
+    const { unit } = design.value.shell;
+    const sizes = proof.value.state === "done" ? proof.value.sizes : null;
+    const fitted = report.value?.fitted;
+    const early = fitted?.of === this.side ? fitted.found : {};
+    const known: Record<string, number> = freshness.value === "outdated" ? {} : (sizes?.[this.side] ?? early);
+    for (const key of SIZES) {
+      const value = known[key];
+      this.rows[key].measured.textContent = value === undefined ? "" : value ? `is ${pretty(value, 4)} ${unit}` : "none";
+    }
+    this.rows.head_height.box.placeholder = sizes ? short(sizes.head_height, 4) : "";
+    const standing = this.side === "outside" || !sizes || sizes.inside;
+    this.words.textContent = !standing
+      ? "The shell does not stand on the ground: it has no room within."
+      : this.side === "inside"
+        ? `Clear through the whole shell${sizes ? ` up to ${short(sizes.head_height, 4)} ${unit}` : ""}; height is the headroom.`
+        : "Of all that is built: the target is scaled until the shell measures what is asked for.";
+  }
+
+  private showFault(): void {
+    const fault = this.store.fault.value;
+    const keys = fault?.keys ?? [];
+    const mine = keys.some((key) => `${key}.`.startsWith("target.fit."));
+    for (const key of KEYS) this.rows[key].element.classList.toggle("faulty", keys.includes(`target.fit.${key}`));
+    if (mine) this.element.open = true;
+    this.note.showFault(mine ? this.store.labels.said(fault!.what) : null);
+  }
+}
