@@ -12,6 +12,7 @@ const TABLES: Info["tables"] = {
   pattern: { label: "Pattern", keys: {} },
   deployment: { label: "Deployment", keys: { flap_attachment: key("Flaps"), largest_fold_deg: key("Hinges close to") } },
   motion: { label: "", keys: { frames: key("Frames") } },
+  "target.fit": { label: "", keys: { width: { ...key("Width"), unit: "length" }, head_height: key("Head height") } },
 };
 const LABELS = new Labels(
   { one: family({ xi_deg: "Crease angle ξ", flap: "Flap", rows: "Rows" }), two: family({ flap: "Border", stage_deg: "Stage" }) },
@@ -44,6 +45,7 @@ test.each([
   ["structure.tie_stiffness", "Tie stiffness", "Structure"],
   ["target.f.range.1", "Range 2 of f", "Target"],
   ["target.surface.x.0", "X 1 of the surface", "Target"],
+  ["target.fit.width", "Width of the built shell", "Target"],
 ])("%s", (place, label, section) => {
   expect([LABELS.place(place), LABELS.section(place)]).toEqual([label, section]);
 });
@@ -53,6 +55,7 @@ test("a remedy is said by the labels of what it changes", () => {
   expect(remedy({ "pattern.xi_deg": 53.08 })).toBe("crease angle ξ = 53.08°");
   expect(remedy({ "pattern.flap": 0.2, "deployment.flap_attachment": null })).toBe("flap = 0.2 m without flaps");
   expect(remedy({ "target.g.range": [0, 6.1] })).toBe("range of g = 0, 6.1");
+  expect(remedy({ "target.fit.width": 4.2, "target.fit.head_height": null })).toBe("width = 4.2 m without head height");
   expect(LABELS.of("xi_deg")).toBe("Crease angle ξ");
   expect(LABELS.of("couplings")).toBe("couplings");
 });

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
+import zipfile
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -176,7 +178,7 @@ def test_files_by_what_they_are_for(page: Page) -> None:
     for said, format_, setting, other in (
         ("Write DXF", "svg", "stock-width", "paper"),
         ("Write PDF", "pdf", "paper", "stock-width"),
-        ("Write BOOKLET", "booklet", "language", "paper"),
+        ("Write KIT", "booklet", "language", "paper"),
         ("Write 3DM", "obj", None, "paper"),
         ("Write CSV", "vtu", "areal_density", "paper"),
     ):
@@ -198,6 +200,57 @@ def test_files_by_what_they_are_for(page: Page) -> None:
     assert page.locator(".export-window button.format:visible").count() == 17
     assert not write.is_visible()
     page.keyboard.press("ArrowRight")  # round to the first
+    page.keyboard.press("Escape")
+
+
+@thorough
+def test_a_booklet_is_leafed_through_and_its_kit_is_one_download(
+    page: Page, tmp_path: Path
+) -> None:
+    choose(page, "orthodiagonal")
+    page.get_by_test_id("export").click()
+    page.locator("label:has([data-testid=task-kit])").click()
+    await_sheets(page)
+    place, picture = page.get_by_test_id("sheet-place"), page.get_by_test_id("sheet-picture")
+    first, last = re.findall(r"\d+", place.inner_text())
+    assert first == "1"
+    assert picture.get_attribute("alt") == "Page of the booklet: orthodiagonal"
+    page.get_by_test_id("sheet-next").click()
+    picture.locator("..").press("ArrowRight")
+    assert place.inner_text() == f"Page 3 of {last}"
+    wait_until(page, "document.querySelector('[data-testid=sheet-picture]').naturalWidth > 0")
+    # On white paper, whatever the page's own colours are, in letters that can be read.
+    page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    assert picture.evaluate("each => getComputedStyle(each).backgroundColor") == "rgb(255, 255, 255)"
+    page.evaluate("delete document.documentElement.dataset.theme")
+    assert picture.evaluate("each => each.clientWidth") >= 520
+    said = picture.get_attribute("alt")
+    page.get_by_test_id("workshop-language").select_option("de")
+    wait_until(page, f"{SHEETS} !== 'shown'")
+    await_sheets(page)
+    assert place.inner_text() == f"Page 3 of {last}"  # the same one
+    assert picture.get_attribute("alt") != said
+
+    page.locator("label:has([data-testid=format-card])").click()
+    assert page.get_by_test_id("workshop-paper").is_visible()
+    await_sheets(page)
+    say(page, "paper_scale", "1")
+    await_sheets(page, "refused")
+    assert "needs more than" in page.get_by_test_id("sheet-note").inner_text()
+    say(page, "paper_scale", "")
+    await_sheets(page)
+    page.locator("label:has([data-testid=format-kit])").click()
+    for name, table in (("kit", True), ("card", False)):
+        page.locator(f"label:has([data-testid=format-{name}])").click()
+        with page.expect_download() as download:
+            page.get_by_test_id("export-write").click()
+        assert download.value.suggested_filename == f"orthodiagonal-{name}.zip"
+        download.value.save_as(tmp_path / "kit.zip")
+        with zipfile.ZipFile(tmp_path / "kit.zip") as archive:
+            names = set(archive.namelist())
+        assert {"README.md", "booklet/booklet.pdf", "fabric/pattern.dxf"} <= names
+        assert ("hinges/creases.csv" in names) is table
+    page.get_by_test_id("workshop-language").select_option("en")
     page.keyboard.press("Escape")
 
 
@@ -224,8 +277,13 @@ def test_the_window_lies_within_the_page(browser: Browser, address: str, size: s
         assert window.evaluate("window => window.scrollWidth <= window.clientWidth")
         # However far it is scrolled, it can be closed.
         assert page.get_by_test_id("export-close").is_visible()
-        for task, theme in product(("cut", "paper", "cad", "all"), ("light", "dark")):
+        for task, theme in product(
+            ("cut", "paper", "kit", "cad", "all"), ("light", "dark")
+        ):
             page.locator(f"label:has([data-testid=task-{task}])").click()
+            if task == "kit":
+                await_sheets(page)
+                assert window.evaluate("window => window.scrollWidth <= window.clientWidth")
             page.evaluate("theme => { document.documentElement.dataset.theme = theme; }", theme)
             found = page.evaluate(
                 "axe.run('.export-window').then((result) => result.violations.filter("

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from string import Formatter
 from typing import Any, get_args
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -26,6 +28,7 @@ from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.io import write_fold
 from orishell.io.booklet_drawing import CLIPPED, width_of
 from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages
+from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Settings
 from orishell.io.formats.booklet import write_booklet
 from orishell.motion import FoldingMotion
@@ -286,3 +289,45 @@ def test_a_file_of_another_program_is_refused(tmp_path: Path) -> None:
 def test_folded_states_alone_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no flat sheet"):
         write_booklet(tmp_path / "booklet.pdf", folded_only(demo_document()), Settings())
+
+
+@pytest.mark.parametrize("name", ["held", "sandwich"])
+def test_a_picture_of_a_page_is_the_page_of_the_pdf(name: str, tmp_path: Path) -> None:
+    # Read back from both files: words with size and place, and corners of what is drawn.
+    document = DOCUMENTS[name]()
+    write_booklet(tmp_path / "booklet.pdf", document, Settings())
+    pages = PdfReader(tmp_path / "booklet.pdf").pages
+    pictures = [dump_page(page) for page in booklet_pages(document, Workshop())]
+    assert len(pages) == len(pictures)
+    for page, picture in zip(pages, pictures, strict=True):
+        root = ElementTree.fromstring(picture)
+        svg = "{http://www.w3.org/2000/svg}"
+        texts = [*root.iter(f"{svg}text")]
+        said = page.extract_text().split("\n")
+        assert Counter(text.text for text in texts) == Counter(filter(None, said))
+        content = page.get_contents()
+        assert content is not None
+        drawing = content.get_data().decode("latin-1")
+        places, size = [], 0.0
+        for font, x, y in re.findall(r"/F\d+ ([\d.]+) Tf|([\d.]+) ([\d.]+) Tm", drawing):
+            if font:
+                size = float(font)
+            else:
+                places.append((float(x), float(y), size))
+        assert [
+            (
+                float(text.attrib["x"]) - (float(text.attrib["textLength"]) if number else 0.0),
+                HIGH - float(text.attrib["y"]),
+                float(text.attrib["font-size"]),
+            )
+            for text in texts
+            for number in ["text-anchor" in text.attrib]
+        ] == [pytest.approx(place, abs=0.02) for place in places]
+        drawn = [path.attrib["d"] for path in root.iter(f"{svg}path")]
+        corners = [
+            (float(x), HIGH - float(y))
+            for each in drawn
+            for x, y in re.findall(r"([\d.]+) ([\d.]+)", each)
+        ]
+        paths = re.findall(r"([\d.]+) ([\d.]+) [ml]\b", drawing)
+        assert corners == [pytest.approx(tuple(map(float, each)), abs=0.006) for each in paths]
