@@ -221,7 +221,9 @@ def test_a_booklet_is_leafed_through_and_its_kit_is_one_download(
     wait_until(page, "document.querySelector('[data-testid=sheet-picture]').naturalWidth > 0")
     # On white paper, whatever the page's own colours are, in letters that can be read.
     page.evaluate("document.documentElement.dataset.theme = 'dark'")
-    assert picture.evaluate("each => getComputedStyle(each).backgroundColor") == "rgb(255, 255, 255)"
+    assert (
+        picture.evaluate("each => getComputedStyle(each).backgroundColor") == "rgb(255, 255, 255)"
+    )
     page.evaluate("delete document.documentElement.dataset.theme")
     assert picture.evaluate("each => each.clientWidth") >= 520
     said = picture.get_attribute("alt")
@@ -277,9 +279,7 @@ def test_the_window_lies_within_the_page(browser: Browser, address: str, size: s
         assert window.evaluate("window => window.scrollWidth <= window.clientWidth")
         # However far it is scrolled, it can be closed.
         assert page.get_by_test_id("export-close").is_visible()
-        for task, theme in product(
-            ("cut", "paper", "kit", "cad", "all"), ("light", "dark")
-        ):
+        for task, theme in product(("cut", "paper", "kit", "cad", "all"), ("light", "dark")):
             page.locator(f"label:has([data-testid=task-{task}])").click()
             if task == "kit":
                 await_sheets(page)
