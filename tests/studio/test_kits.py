@@ -18,6 +18,7 @@ from orishell.design_file import check_design, starter_file
 from orishell.shell import make_shell, write_kit
 from orishell.studio import tasks
 from orishell.studio.tasks import answer
+from orishell.workshop import tiling
 
 
 def asked(task: str, workshop: dict[str, Any] | None = None, **more: Any) -> Any:
@@ -76,8 +77,9 @@ def test_another_language_or_paper_takes_no_second_proof(monkeypatch: pytest.Mon
         assert f"Card model, 1:{1 / scale:g} of the shell" in words_of(card["svg"])
 
 
-def test_a_card_model_of_too_many_pages_is_refused() -> None:
+def test_a_card_model_of_too_many_pages_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tiling, "MOST", 10)
     for task in ("booklet", "export"):
-        with pytest.raises(InputError) as caught:
-            asked(task, {"paper_scale": 10}, format="card")
+        with pytest.raises(InputError, match="needs more than 10 pages") as caught:
+            asked(task, {"paper_scale": 1.0}, format="card")
         assert caught.value.keys == ("workshop.paper_scale",)

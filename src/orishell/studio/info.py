@@ -99,7 +99,8 @@ class ExportTask(TypedDict):
     formats: list[str]  # the names of its formats
     settings: list[str]  # the keys of the table [workshop] that matter to it
     state: bool  # whether its files show one state, which is chosen
-    preview: Literal["sheets", "paper", "booklet", "shell"]  # what is shown of it before it is written
+    # what is shown of it before it is written
+    preview: Literal["sheets", "paper", "booklet", "shell"]
 
 
 class Largest(TypedDict):

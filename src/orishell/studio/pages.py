@@ -50,7 +50,14 @@ def zipped(files: Mapping[str, Path]) -> bytes:
 
 HASHED: Final = "assets/"
 """Where files are whose names change with their content."""
-PLAIN: Final = {"/api/verify", "/api/tradeoff", "/api/sheets", "/api/booklet", "/api/design", "/api/export"}
+PLAIN: Final = {
+    "/api/verify",
+    "/api/tradeoff",
+    "/api/sheets",
+    "/api/booklet",
+    "/api/design",
+    "/api/export",
+}
 """Answers that are not compressed: lines that would wait for each other, numbers that would not
 become smaller."""
 LEVEL: Final = 6
