@@ -89,5 +89,6 @@ def test_every_format_and_setting_has_its_place_among_the_tasks() -> None:
     assert {each.task for each in all_formats()} == {"", *tasks} - {"all"}
     assert all(each["formats"] for each in tasks.values())
     assert tasks["all"]["formats"] == [each.name for each in all_formats()]
-    settings = [key for each in tasks.values() for key in each["settings"]]
+    shown = [part for each in tasks.values() for part in (each, *each["archives"])]
+    settings = [key for each in shown for key in each["settings"]]
     assert set(settings) == {each["key"] for each in describe_workshop()}

@@ -90,7 +90,16 @@ def describe_tasks() -> list[ExportTask]:
             "name": name,
             "label": words["label"],
             "what": words["what"],
-            "archives": [{**each, "needs": ""} for each in words.get("archives", ())],
+            "archives": [
+                {
+                    "name": each["name"],
+                    "file": each["file"],
+                    "what": each["what"],
+                    "needs": "",
+                    "settings": each["settings"],
+                }
+                for each in words.get("archives", ())
+            ],
             "formats": [each.name for each in all_formats() if name in (each.task, "all")],
             "settings": words["settings"],
             "state": words["state"],

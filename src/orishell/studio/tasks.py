@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -21,11 +20,9 @@ from orishell.conventions.record import as_table
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
-from orishell.io import Settings
-from orishell.io.formats import all_formats, find_formats
+from orishell.io.formats import all_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.designed import design_of
-from orishell.shell.export import write_format
 from orishell.shell.families import FamilyTrial, choose_family
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.pictures import lay_surface
@@ -48,8 +45,8 @@ from orishell.studio.api import (
 )
 from orishell.studio.drawings import describe_drawing, read_dropped_pattern
 from orishell.studio.dropped import read_dropped, sampled
-from orishell.studio.kits import KITS, pack_kit, preview_booklet
-from orishell.studio.pages import design_name, file_name, zipped
+from orishell.studio.exports import export_shell, preview_booklet, require_exported
+from orishell.studio.pages import design_name
 from orishell.studio.processes import Send, ignore, require_small
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
@@ -265,33 +262,12 @@ class Task:
 
     def draw_booklet(self) -> Booklet:
         """The booklet of the kit, or of that of a card model."""
-        paper = KITS.get(str(self.payload.get("format")), False)
-        return preview_booklet(self._proved(), paper=paper, progress=self.progress)
+        return preview_booklet(self._proved(), self.payload.get("format"), self.progress)
 
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several."""
-        name = self.payload.get("format")
-        if name in KITS:
-            archive = pack_kit(self._proved(), paper=KITS[name], progress=self.progress)
-            return f"{self._name()}-{name}.zip", archive
-        formats = find_formats([str(name)])
-        if len(formats) != 1:
-            raise InputError("exactly one format must be named", where="format", got=repr(name))
-        (format_,) = formats
-        shell = self._proved()
-        settings = Settings.showing(_state(self.payload.get("state")), shell.file.workshop)
-        with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-            write_format(shell, format_, Path(directory), settings)
-            paths = sorted(Path(directory).iterdir())
-            if len(paths) == 1:
-                return file_name(paths[0].name, self._name()), paths[0].read_bytes()
-            # Drawings have the design's name; other files may name each other.
-            names = [
-                file_name(path.name, self._name()) if path.stem.startswith("pattern") else path.name
-                for path in paths
-            ]
-            archive = zipped(dict(zip(names, paths, strict=True)))
-            return f"{self._name()}-{format_.name}.zip", archive
+        require_exported(self.payload)
+        return export_shell(self._proved(), self.payload, self._name(), self.progress)
 
     def _proved(self) -> Shell:
         """The shell of the design, which files are written of, whether or not panels meet."""
@@ -356,9 +332,3 @@ def answer(name: str, payload: dict[str, Any], progress: Progress, send: Send = 
 
 def _text(content: bytes) -> str:
     return base64.b64encode(content).decode()
-
-
-def _state(value: object) -> int | str | None:
-    if value is None or (isinstance(value, int | str) and not isinstance(value, bool)):
-        return value
-    raise InputError("there is no such state", where="state", got=repr(value))
