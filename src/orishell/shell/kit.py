@@ -129,7 +129,7 @@ def write_kit(
     directory = path_of(directory, "write_kit: directory")
     require_shell(shell)
     require_kit_place(directory)
-    document, workshop, scale = _subject(shell, paper, progress)
+    document, workshop, scale = _subject(shell, paper, progress, "writing the kit")
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
@@ -163,15 +163,20 @@ def booklet_of_kit(
     InputError
         If a setting does not fit the sheet.
     """
-    document, workshop, _ = _subject(shell, paper, progress)
+    document, workshop, _ = _subject(shell, paper, progress, "drawing the booklet")
     return booklet_pages(document, workshop)
 
 
-def _subject(shell: Shell, paper: bool, progress: Progress) -> tuple[Document, Workshop, float]:
-    """What a kit is of: the shell, or a card model of it; and its size relative to the shell."""
+def _subject(
+    shell: Shell, paper: bool, progress: Progress, what: str
+) -> tuple[Document, Workshop, float]:
+    """What a kit is of: the shell, or a card model of it; and its size relative to the shell.
+
+    Its states are made for ``what`` the progress is told.
+    """
     require_shell(shell)
     document, workshop = shell.document, shell.file.workshop
-    document = replace(document, states=states_of(shell.motion, progress, "writing the kit"))
+    document = replace(document, states=states_of(shell.motion, progress, what))
     if not paper:
         return document, workshop, 1.0
     try:

@@ -28,6 +28,8 @@ export class WorkshopSettings {
 
   /** Show the settings with these keys, in this order, and no others. */
   only(keys: readonly string[]): void {
+    // What is put in anew loses the focus.
+    if (keys === this.keys) return;
     this.keys = keys;
     this.element.append(...keys.map((key) => this.rows.find(({ parameter }) => parameter.key === key)!.element));
     this.show();
