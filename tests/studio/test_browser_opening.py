@@ -95,8 +95,7 @@ def test_nothing_is_left_of_the_design_before(browser: Browser, address: str) ->
         # While one is typed, what means the same is left as it is typed.
         end = page.get_by_test_id("range-g-high")
         end.fill("3.0")
-        drawn(page)
-        assert page.evaluate(f"{STORE}.design.value.target.g.range[1]") == 3
+        wait_until(page, f"{STORE}.design.value.target.g.range[1] === 3")  # when typing rests
         assert end.input_value() == "3.0"
         length = page.get_by_test_id("length-g")
         length.fill("4")
