@@ -83,3 +83,13 @@ def test_a_card_model_of_too_many_pages_is_refused(monkeypatch: pytest.MonkeyPat
         with pytest.raises(InputError, match="needs more than 10 pages") as caught:
             asked(task, {"paper_scale": 1.0}, format="card")
         assert caught.value.keys == ("workshop.paper_scale",)
+
+
+def test_the_booklet_that_is_shown_alone_is_the_one_that_is_written_alone() -> None:
+    title, content = asked("export", format="booklet")
+    assert title == "awning-booklet.pdf"
+    pages = PdfReader(io.BytesIO(content)).pages
+    shown = asked("booklet", format="booklet")["pages"]
+    assert [sorted(page.extract_text().split()) for page in pages] == [
+        sorted(" ".join(words_of(page["svg"])).split()) for page in shown
+    ]

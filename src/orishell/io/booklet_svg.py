@@ -7,17 +7,8 @@ from __future__ import annotations
 
 from html import escape
 
-from orishell.io.booklet_pages import (
-    DASHES,
-    HIGH,
-    THIN,
-    TIE,
-    WIDE,
-    BookletPage,
-    Drawn,
-    Said,
-    width_of,
-)
+from orishell.io.booklet_drawing import Drawn, Said, width_of
+from orishell.io.booklet_pages import DASHES, HIGH, THIN, TIE, WIDE, BookletPage
 from orishell.io.format import plain_line
 
 FONT = "Helvetica, Arial, sans-serif"

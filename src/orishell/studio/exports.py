@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
+from orishell.document.from_design import states_of
 from orishell.io import Settings
 from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Format
 from orishell.io.formats import find_formats
+from orishell.io.formats.booklet import pages_of_booklet
 from orishell.shell.export import write_format
 from orishell.shell.kit import booklet_of_kit, write_kit
 from orishell.shell.make import Shell
@@ -23,12 +26,17 @@ KITS: Final = {"kit": False, "card": True}
 """Archives of kits by their names, and whether each is that of a card model."""
 
 
-def preview_booklet(shell: Shell, kit: object, progress: Progress) -> Booklet:
-    """The pages of the booklet in a kit, or in the shell's own, as pictures.
+def preview_booklet(shell: Shell, kit: str, progress: Progress) -> Booklet:
+    """The pages of the booklet in a kit, or of the one that is written alone, as pictures.
 
     Raises InputError if a setting does not fit the sheet.
     """
-    pages = booklet_of_kit(shell, paper=KITS.get(str(kit), False), progress=progress)
+    if kit in KITS:
+        pages = booklet_of_kit(shell, paper=KITS[kit], progress=progress)
+    else:
+        states = states_of(shell.motion, progress, "drawing the booklet")
+        document = replace(shell.document, states=states)
+        pages = pages_of_booklet(document, Settings(workshop=shell.file.workshop))
     return {"pages": [{"title": page.said[0].words, "svg": dump_page(page)} for page in pages]}
 
 

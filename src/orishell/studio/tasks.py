@@ -261,8 +261,8 @@ class Task:
         return preview_sheets(self._design(), self._name(), self.progress)
 
     def draw_booklet(self) -> Booklet:
-        """The booklet of the kit, or of that of a card model."""
-        return preview_booklet(self._proved(), self.payload.get("format"), self.progress)
+        """The booklet of a kit, or the one that is written alone."""
+        return preview_booklet(self._proved(), str(self.payload.get("format")), self.progress)
 
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several."""

@@ -304,7 +304,7 @@ def test_a_picture_of_a_page_is_the_page_of_the_pdf(name: str, tmp_path: Path) -
         svg = "{http://www.w3.org/2000/svg}"
         texts = [*root.iter(f"{svg}text")]
         said = page.extract_text().split("\n")
-        assert Counter(text.text for text in texts) == Counter(filter(None, said))
+        assert Counter(text.text for text in texts) == Counter(filter(None, map(str.strip, said)))
         content = page.get_contents()
         assert content is not None
         drawing = content.get_data().decode("latin-1")

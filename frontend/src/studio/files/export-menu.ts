@@ -10,7 +10,7 @@ import { settled } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
 import type { ExportTask, FileFormat } from "../state/types.ts";
 import { FormatChoice } from "./format-choice.ts";
-import { SheetPreview } from "./sheet-preview.ts";
+import { SheetPreview, type Subject } from "./sheet-preview.ts";
 import { WorkshopSettings } from "./workshop-settings.ts";
 
 type State = "target" | "pack" | "flat" | "shown";
@@ -173,7 +173,7 @@ export class ExportMenu {
     if (format) this.go.textContent = `Write ${format.name.toUpperCase()}`;
     this.settings.only(this.task.archives.find((each) => each === format)?.settings ?? this.task.settings);
     const { preview } = this.task;
-    if (preview !== "shell") this.sheets.of(preview === "booklet" && format?.name === "card" ? "card" : preview);
+    if (preview !== "shell") this.sheets.of(preview === "booklet" && format ? (format.name as Subject) : preview);
     const words: Record<State, string> = {
       target: "Formats with one state show the shell at its target.",
       pack: "Formats with one state show the pack.",

@@ -18,8 +18,8 @@ import { percent } from "./workshop-words.ts";
 /** Rest of the settings after which all is drawn anew, in milliseconds. */
 const REST = 300;
 
-/** Drawings, a paper model, the booklet of a kit, or that of the kit of a card model. */
-export type Subject = "sheets" | "paper" | "booklet" | "card";
+/** Drawings, a paper model, a booklet alone, that of a kit, or that of the kit of a card model. */
+export type Subject = "sheets" | "paper" | "booklet" | "kit" | "card";
 type Drawn = { sheets: Sheets } | { booklet: Booklet };
 
 export class SheetPreview {
@@ -67,7 +67,7 @@ export class SheetPreview {
   }
 
   private get isBooklet(): boolean {
-    return this.subject === "booklet" || this.subject === "card";
+    return this.subject !== "sheets" && this.subject !== "paper";
   }
 
   private later(rest: number): void {

@@ -150,7 +150,7 @@ export function drawSheets(design: Design, name: string, signal: AbortSignal, pr
   return streamed("sheets", { design, name }, signal, progressed);
 }
 
-/** The booklet of a kit, or of that of a card model; aborting stops the work. */
+/** The booklet of a kit, of that of a card model, or alone; aborting stops the work. */
 export function drawBooklet(design: Design, name: string, format: string, signal: AbortSignal, progressed: Progressed): Promise<Api.Booklet> {
   return streamed("booklet", { design, name, format }, signal, progressed);
 }

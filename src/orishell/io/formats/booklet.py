@@ -40,12 +40,17 @@ def write_booklet(path: Path, document: Document, settings: Settings) -> None:
     canvas = Canvas(str(path), pagesize=(WIDE, HIGH), invariant=1, pageCompression=0)
     canvas.setTitle(document.title.encode("cp1252", "replace").decode("cp1252"))
     canvas.setCreator("orishell")
-    if not settings.ground:
-        document = replace(document, ground=None)
-    for page in booklet_pages(document, settings.workshop):
+    for page in pages_of_booklet(document, settings):
         _draw(canvas, page)
         canvas.showPage()
     canvas.save()
+
+
+def pages_of_booklet(document: Document, settings: Settings) -> tuple[BookletPage, ...]:
+    """The pages that :func:`write_booklet` writes."""
+    if not settings.ground:
+        document = replace(document, ground=None)
+    return booklet_pages(document, settings.workshop)
 
 
 def _draw(canvas: Canvas, page: BookletPage) -> None:
