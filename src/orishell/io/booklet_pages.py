@@ -55,8 +55,15 @@ class BookletPage:
     said: tuple[Said, ...]
 
 
-def booklet_pages(document: Document, workshop: Workshop) -> tuple[BookletPage, ...]:
-    """All pages: cover, parts with tools, steps, and how it is packed."""
+def booklet_pages(
+    document: Document, workshop: Workshop, *, ground: bool = True
+) -> tuple[BookletPage, ...]:
+    """All pages: cover, parts with tools, steps, and how it is packed.
+
+    Where feet are marked out is said unless ``ground`` is False.
+    """
+    if not ground:
+        document = replace(document, ground=None)
     words, facts = load_words(workshop.language), find_facts(document)
     parts = kit_parts(document, workshop, facts)
     steps = kit_steps(document, workshop, facts, parts)

@@ -18,10 +18,9 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
-from orishell.io.booklet_pages import BookletPage
+from orishell.io.booklet_pages import BookletPage, booklet_pages
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
-from orishell.io.formats.booklet import pages_of_booklet
 from orishell.io.output import replacing_all
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
@@ -165,7 +164,7 @@ def booklet_of_kit(
         If a setting does not fit the sheet.
     """
     document, workshop, _ = _subject(shell, paper, progress, "drawing the booklet")
-    return pages_of_booklet(document, Settings(workshop=workshop, ground=not paper))
+    return booklet_pages(document, workshop, ground=not paper)
 
 
 def _subject(

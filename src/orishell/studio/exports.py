@@ -12,10 +12,10 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.document.from_design import states_of
 from orishell.io import Settings
+from orishell.io.booklet_pages import booklet_pages
 from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Format
 from orishell.io.formats import find_formats
-from orishell.io.formats.booklet import pages_of_booklet
 from orishell.shell.export import write_format
 from orishell.shell.kit import booklet_of_kit, write_kit
 from orishell.shell.make import Shell
@@ -36,7 +36,7 @@ def preview_booklet(shell: Shell, kit: str, progress: Progress) -> Booklet:
     else:
         states = states_of(shell.motion, progress, "drawing the booklet")
         document = replace(shell.document, states=states)
-        pages = pages_of_booklet(document, Settings(workshop=shell.file.workshop))
+        pages = booklet_pages(document, shell.file.workshop, ground=False)
     return {"pages": [{"title": page.said[0].words, "svg": dump_page(page)} for page in pages]}
 
 

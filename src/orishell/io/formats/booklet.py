@@ -6,7 +6,6 @@ nothing tells when or where the file was written.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,17 +39,10 @@ def write_booklet(path: Path, document: Document, settings: Settings) -> None:
     canvas = Canvas(str(path), pagesize=(WIDE, HIGH), invariant=1, pageCompression=0)
     canvas.setTitle(document.title.encode("cp1252", "replace").decode("cp1252"))
     canvas.setCreator("orishell")
-    for page in pages_of_booklet(document, settings):
+    for page in booklet_pages(document, settings.workshop, ground=settings.ground):
         _draw(canvas, page)
         canvas.showPage()
     canvas.save()
-
-
-def pages_of_booklet(document: Document, settings: Settings) -> tuple[BookletPage, ...]:
-    """The pages that :func:`write_booklet` writes."""
-    if not settings.ground:
-        document = replace(document, ground=None)
-    return booklet_pages(document, settings.workshop)
 
 
 def _draw(canvas: Canvas, page: BookletPage) -> None:
