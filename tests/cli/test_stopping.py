@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from orishell.cli.main import run
+from samples import led_by
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 SCRIPT = """
@@ -56,7 +57,7 @@ def test_ctrl_c_during_imports(count: int, tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize(("number", "status"), [("SIGINT", 130), ("SIGTERM", 143)])
+@pytest.mark.parametrize(("number", "status"), led_by([("SIGINT", 130), ("SIGTERM", 143)]))
 def test_stopped_while_files_are_written(number: str, status: int, tmp_path: Path) -> None:
     done = stopped(number, 1, "open", "overview.png", tmp_path)
     assert (done.returncode, done.stdout) == (status, "")

@@ -15,6 +15,7 @@ from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
 from orishell.structure.results import Analysis
+from samples import led_by
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -114,12 +115,19 @@ def test_what_is_written(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("old", "new", "status"),
-    [
-        ("cells = 1", "cells = 1\nstrength = 1e9\ncrease_strength = 1e9\ntie_strength = 1e9", 0),
-        ("cells = 1", "cells = 1", 1),  # strengths are not known
-        ("cells = 1", "cells = 1\nstrength = 10", 1),  # pascals
-        ('ties = "feet"', "", 1),  # opens
-    ],
+    led_by(
+        [
+            (
+                "cells = 1",
+                "cells = 1\nstrength = 1e9\ncrease_strength = 1e9\ntie_strength = 1e9",
+                0,
+            ),
+            ("cells = 1", "cells = 1\nstrength = 10", 1),  # pascals
+            ("cells = 1", "cells = 1", 1),  # strengths are not known
+            ('ties = "feet"', "", 1),  # opens
+        ],
+        2,
+    ),
 )
 def test_check_asks_for_status_1(tmp_path: Path, old: str, new: str, status: int) -> None:
     """Of a shell that is not known to carry; otherwise 0, as the answer was found."""

@@ -13,6 +13,7 @@ from orishell.deviation import drawn_shell, locked_shell
 from orishell.deviation.of_boards import boards_closeness
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -66,6 +67,7 @@ def test_boards_follow_the_curves_as_the_sheet_would(shelter: Design) -> None:
         assert found[name].rms == pytest.approx(sheet.rms, abs=5e-3)
 
 
+@thorough
 def test_crests_and_valleys_of_a_fitted_sheet_are_those_of_its_boards() -> None:
     """Beside what vertices leave of their surfaces, boards leave what lengths cannot follow."""
     file = read_design_file(EXAMPLES / "saddle.toml").changed(

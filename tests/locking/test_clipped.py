@@ -119,7 +119,7 @@ def random_design(number: int) -> Tables:
     return {**tables(family, f, g, **pattern), **CLIPPED, "panel": panel}
 
 
-@pytest.mark.parametrize("number", range(200 if THOROUGH else 3))
+@pytest.mark.parametrize("number", range(200 if THOROUGH else 2))
 def test_boards_are_apart_or_refused_with_an_offer_that_works(number: int, tmp_path: Path) -> None:
     design = random_design(number)
     error = refused(design)

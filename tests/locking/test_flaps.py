@@ -44,6 +44,7 @@ def works(asked: DesignFile) -> bool:
     return reaches_target(designed(asked), asked.contact_tolerance)
 
 
+@thorough
 def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     assert "opposite flaps" in str(refusal(bend(4.0)))
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))

@@ -78,6 +78,7 @@ def test_the_table_is_in_the_verdict(shell: Shell) -> None:
     assert all(re.match(r"[a-z-]+: (within .* m2 of sheet, .* lock|none; .)", row) for row in rows)
 
 
+@thorough
 def test_a_family_that_cannot_says_why() -> None:
     tables = {**VAULT, "target": {**VAULT["target"], "g": {"formula": "sin(x)", "range": [0, 3]}}}
     report = make_shell(check_design(tables, Path("wave.toml"), files=False)).report

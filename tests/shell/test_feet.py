@@ -19,6 +19,7 @@ from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import read_fold
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
+from samples import led_by
 from strategies import graph, pair
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -156,11 +157,13 @@ def test_curves_and_surface_are_raised_with_the_shell(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "says"),
-    [
-        ("figure1", "feet      level on z = 0, on rows 0 and 10"),
-        ("figure3", "feet      on rows 0 and 8, from z = 0 up to 0.433 m above"),
-        ("canopy", "feet      nowhere: f's ends are not its lowest part"),
-    ],
+    led_by(
+        [
+            ("figure1", "feet      level on z = 0, on rows 0 and 10"),
+            ("figure3", "feet      on rows 0 and 8, from z = 0 up to 0.433 m above"),
+            ("canopy", "feet      nowhere: f's ends are not its lowest part"),
+        ]
+    ),
 )
 def test_summary_says_what_a_shell_stands_on(name: str, says: str, tmp_path: Path) -> None:
     arguments = ["design", str(EXAMPLES / f"{name}.toml"), "--out", str(tmp_path / "out")]

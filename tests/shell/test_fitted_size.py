@@ -77,7 +77,7 @@ def made(tables: Tables) -> Shell:
     return make_shell(check_design(tables, Path("x.toml")), skip=MEASURES)
 
 
-QUICK = {2, 4, 5, 15, 17, 18, 23, 24}
+QUICK = {2, 5, 15, 18, 24}
 """Requests that `make test` keeps: each is made within 2 s."""
 
 

@@ -11,19 +11,23 @@ from orishell.design_file import check_design
 from orishell.shell.export import write_shell
 from orishell.shell.make import make_shell
 from orishell.shell.pictures import weight_of
+from samples import led_by
 
 ARCH, BOWL = ("-x**2", -1, 1), ("x**2", -1, 1)
 
 
 @pytest.mark.parametrize(
     ("f", "deployment", "drawn"),
-    [
-        (ARCH, {}, False),
-        (ARCH, {"from": "flat"}, False),
-        (ARCH, {"ties": "feet"}, True),
-        (ARCH, {"from": "pack"}, True),
-        (BOWL, {"from": "pack"}, False),  # it has no feet
-    ],
+    led_by(
+        [
+            (ARCH, {}, False),
+            (ARCH, {"ties": "feet"}, True),
+            (ARCH, {"from": "flat"}, False),
+            (ARCH, {"from": "pack"}, True),
+            (BOWL, {"from": "pack"}, False),  # it has no feet
+        ],
+        2,
+    ),
 )
 def test_own_weight_is_drawn_for_who_asks(
     tmp_path: Path, f: tuple[str, float, float], deployment: dict[str, Any], drawn: bool

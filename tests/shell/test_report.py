@@ -20,6 +20,7 @@ from orishell.structure.load_settings import LoadCase
 from orishell.structure.settings import Structure, Support
 from orishell.workshop import Workshop
 from planted import clear
+from samples import THOROUGH
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -95,7 +96,8 @@ def test_each_part_is_left_out_by_itself() -> None:
         "stock": {"stock"},
         "structure": {"structure"},
     }
-    assert {part: lacking(part) for part in STEPS} == cost
+    parts = STEPS if THOROUGH else STEPS[1:-1:2]
+    assert {part: lacking(part) for part in parts} == {part: cost[part] for part in parts}
     assert lacking(*STEPS) == set().union(*cost.values())
 
 

@@ -98,7 +98,7 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
     [
         ("parallel-repeating", 0.4, ""),
         pytest.param("parallel-repeating", 0.4, "plane_deg = 80", marks=thorough),
-        ("orthodiagonal", 0.15, ""),
+        pytest.param("orthodiagonal", 0.15, "", marks=thorough),
         ("longitudinal-linear-repeating", 0.1, 'sector_deg = "auto"'),
     ],
 )

@@ -300,7 +300,8 @@ def test_what_slit_flaps_weigh_and_keep_apart_in_a_structure() -> None:
     assert (np.diff(apart, axis=1) < 0).all()
 
 
-@pytest.mark.parametrize("flap", led_by([0.05, "auto"]))
+@thorough
+@pytest.mark.parametrize("flap", [0.05, "auto"])
 def test_a_design_file_asks_for_them(flap: float | str) -> None:
     tables = {
         "shell": {"family": "flat-foldable", "unit": "m"},

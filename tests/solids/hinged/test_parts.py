@@ -306,6 +306,7 @@ def ask(document: Document, place: Path, state: str) -> tuple[int, float]:
     return ask_freecad(place / f"shell-{state}.step")
 
 
+@thorough
 def test_freecad_finds_boards_arms_and_knuckles_valid(tmp_path: Path) -> None:
     document = shell().document
     assert document.boards is not None

@@ -34,7 +34,7 @@ from orishell.solids.hinged.joints import joint_openings, joint_rows, numbers_of
 from orishell.solids.hinged.pieces import pieces_of
 from overlaps import NOTHING, overlap
 from rigid import distance_after_motion
-from samples import thorough
+from samples import led_by, thorough
 
 CLOSED = 1e-12
 """Of the diagonal, as asked; 2e-13 is the most that was seen, near 180 degrees."""
@@ -157,7 +157,7 @@ def test_rows_are_parted_evenly() -> None:
             joint_rows(rows, asked or "whole")
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2, pytest.param(3, marks=thorough)])
+@pytest.mark.parametrize("seed", led_by(range(4)))
 def test_pieces_are_clear_on_their_way_and_where_they_are_joined(seed: int) -> None:
     """manifold3d in five states of the proved path, and all boards at the target."""
     sheet, build, hinges, size = in_pieces(seed + 4)
