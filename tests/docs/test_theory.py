@@ -81,6 +81,13 @@ def test_a_page_has_one_title_and_its_links_lead_somewhere(page: Path) -> None:
         assert importlib.util.find_spec(module) is not None, module
 
 
+def test_fractions_have_braces() -> None:
+    r"""Formulas become MathML by a converter that reads the 12 of \tfrac12 as one number."""
+    pages = [*PAGES, *(ROOT / "src").rglob("*.py")]
+    bare = re.compile(r"\\[dt]?frac\s*[^{\s]")
+    assert not [page for page in pages if bare.search(page.read_text(encoding="utf-8"))]
+
+
 @pytest.mark.parametrize("folder", ["theory", "guide"])
 def test_the_index_lists_every_page(folder: str) -> None:
     text = (DOCS / folder / "index.md").read_text(encoding="utf-8")
