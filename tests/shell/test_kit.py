@@ -21,12 +21,13 @@ from orishell.io.format import Format
 from orishell.io.formats import find_formats
 from orishell.shell import write_format, write_kit
 from orishell.shell.export import write_document
+from orishell.shell.fit.built_size import BuiltShell
 from orishell.shell.kit import CARD, FOLDERS, FORMATS, TRADES, folder_of
 from orishell.workshop.kit.card_model import make_card_model
 from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.tiling import PAPERS_MM
 from pdf_tools import require_sound
-from samples import thorough
+from samples import led_by, thorough
 
 MOST_BYTES = 3_000_000
 SHEETS = ["canopy", *(pytest.param(name, marks=thorough) for name in ("shelter", "dome_locked"))]
@@ -109,14 +110,30 @@ def test_sizes_of_a_model_are_those_of_the_shell_to_scale() -> None:
     shell = shell_of(CARD_SHELL)
     document = replace(shell.document, states=states_of(shell.motion))
     model = make_card_model(document, shell.file.workshop)
-    whole, small = find_facts(document), find_facts(model.document)
+    clipped = [replace(piece, panel=None, boards=None) for piece in document.clipped]
+    bare = replace(document, panel=None, boards=None, clipped=tuple(clipped))
+    whole, small = find_facts(bare), find_facts(model.document)
     assert shell.document.unit == "mm"
-    for name in ("sheet", "opened", "apart"):
+    for name in ("sheet", "opened", "whole", "apart"):
         large, little = np.array(getattr(whole, name)), np.array(getattr(small, name))
         assert np.abs(little - model.scale * large).max() < 1e-9 * large.max()
     assert small.flaps == whole.flaps
     assert small.mass is None
     assert not small.packs
+
+
+@pytest.mark.parametrize("name", led_by([CARD_SHELL, "shelter_boards", "shelter_hinged"]))
+def test_an_opened_shell_is_as_large_as_it_is_built(name: str) -> None:
+    """As [target.fit] measures it, which counts boards and what is clipped on, but no membrane."""
+    shell = shell_of(name)
+    document = replace(shell.document, states=states_of(shell.motion))
+    whole = find_facts(document).whole
+    built = BuiltShell.of(shell.design, shell.lock).outside()
+    if document.panel is None or document.panel.is_solid:
+        assert whole == pytest.approx(tuple(built), rel=1e-9)
+    else:
+        assert (np.array(whole) >= built * (1 - 1e-9)).all()
+    assert all(part <= of for part, of in zip(find_facts(document).opened, whole, strict=True))
 
 
 def test_a_scale_of_too_many_pages_is_refused() -> None:

@@ -12,6 +12,7 @@ from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.workshop.boards import has_sheet
 
 
 @record
@@ -20,9 +21,11 @@ class KitFacts:
 
     starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
     construction: str  # as in [panel]; empty where panels have no thickness
-    # sides of the boxes around the flat sheet, and around the shell at its target
+    # sides of the boxes around the flat sheet, and around the shell at its target with its boards:
+    # what folds, and that with what is clipped on
     sheet: tuple[float, float]
     opened: tuple[float, float, float]
+    whole: tuple[float, float, float]
     # sides of the packs of all pieces; none where they were not measured
     packs: tuple[tuple[float, float, float], ...]
     layers: int  # panels that lie on each other in a pack, at most; 0 where it was not measured
@@ -53,16 +56,14 @@ def find_facts(document: Document) -> KitFacts:
         packs = []  # they are measured with the thickness of panels
     packed = held.get("start") == "pack" and "pack" in document.named
     apart, feet = _feet(document, stands, points)
-    (width, height), (x, y, z) = np.ptp(flat, axis=0).tolist(), np.ptp(points, axis=0).tolist()
-    sides = _table(document.report, "deployed")
-    if sides:
-        x, y, z = (factor * sides[each] for each in ("width", "depth", "height"))
+    width, height = np.ptp(flat, axis=0).tolist()
     built = document.panel is not None and document.boards is not None
     return KitFacts(
         starts_packed=packed,
         construction=document.panel.construction if document.panel and built else "",
         sheet=(width, height),
-        opened=(x, y, z),
+        opened=_sides(document),
+        whole=_sides(document, *document.clipped),
         packs=tuple(
             (factor * each["length"], factor * each["width"], factor * each["height"])
             for each in packs
@@ -83,6 +84,18 @@ def find_facts(document: Document) -> KitFacts:
         clipped_panels=sum(len(each.mesh.faces) for each in document.clipped),
         model=model,
     )
+
+
+def _sides(*pieces: Document) -> tuple[float, float, float]:
+    """Sides of the box around pieces as they are built, at the target."""
+    corners = []
+    for piece in pieces:
+        if has_sheet(piece):
+            corners.append(piece.shell.positions)
+        if piece.boards is not None:
+            corners.append(piece.boards_in(piece.shell).reshape(-1, 3))
+    x, y, z = np.ptp(np.concatenate(corners), axis=0).tolist()
+    return x, y, z
 
 
 def _factor(document: Document) -> float:
