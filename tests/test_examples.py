@@ -327,6 +327,7 @@ def test_the_kit_of_boards_does_not_carry_snow_and_wind() -> None:
     assert moving == {("storm across", 0.0), ("storm along", 0.0)}
 
 
+@thorough
 @pytest.mark.slow
 def test_plywood_with_locked_creases_carries_snow_and_wind() -> None:
     module = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))

@@ -17,7 +17,7 @@ from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import Mechanism, diagonal
-from samples import examples
+from samples import examples, led_by
 from strategies import graph, pair
 
 SEEDS = examples(100)
@@ -106,7 +106,7 @@ def require_neither_early_nor_late(design: Design) -> Lock:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("make", "causes"),
-    [(parallel_repeating, {"clash", "crease"}), (orthodiagonal, {"crease"})],
+    led_by([(parallel_repeating, {"clash", "crease"}), (orthodiagonal, {"crease"})]),
 )
 def test_the_end_found_is_neither_early_nor_late(
     make: Callable[[np.random.Generator], Design], causes: set[str]

@@ -48,7 +48,7 @@ FOUND_IN_USE = {
 }
 
 
-@pytest.mark.parametrize("case", led_by(FOUND_IN_USE, 2))
+@pytest.mark.parametrize("case", led_by(FOUND_IN_USE))
 def test_what_is_offered_works(case: str) -> None:
     design = FOUND_IN_USE[case]
     error = refused(design)

@@ -74,10 +74,10 @@ def test_front_is_that_of_shells_made_one_by_one(figure: str) -> None:
 
 
 def test_bred_variants_are_made_once() -> None:
-    bred = problem(method="nsga2", population=4, evaluations=7)
+    bred = problem(method="nsga2", population=4, evaluations=6)
     with alone() as pool:
         found = search_designs(bred, pool, journal_in_memory())
-    assert len({str(each.values) for each in found.outcomes}) == len(found.outcomes) == 7
+    assert len({str(each.values) for each in found.outcomes}) == len(found.outcomes) == 6
 
 
 def test_mesh_of_a_surface_is_found_from_where_variants_are_written(tmp_path: Path) -> None:

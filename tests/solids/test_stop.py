@@ -132,7 +132,7 @@ def shell(figure: int, panel: PanelSpec, *, clipped: bool = False) -> Shell:
     return make_shell(file.changed(changes), skip=("deviation", "weight", "stock"))
 
 
-@pytest.mark.parametrize("figure", [1, 2])
+@pytest.mark.parametrize("figure", led_by([1, 2]))
 @pytest.mark.parametrize("clipped", [False, True])
 def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     """The target is met as without a thickness; folded flaps end the motion there."""

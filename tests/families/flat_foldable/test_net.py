@@ -16,7 +16,7 @@ from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.net import Net
 from orishell.families.shared.folding import HalfFolds, fold
 from orishell.motion import measure_fold_angles
-from samples import thorough
+from samples import led_by, thorough
 
 Array = np.ndarray
 LISTS = (
@@ -81,7 +81,7 @@ def test_panels_are_rigid_from_flat_to_the_flat_stack(mixed: bool) -> None:
     assert changes_of_distances(sheet, drives) < 1e-12
 
 
-@pytest.mark.parametrize("surface", ["cap", "saddle .5", "roof"])
+@pytest.mark.parametrize("surface", led_by(["cap", "saddle .5", "roof"]))
 @pytest.mark.parametrize("count", [8, pytest.param(30, marks=thorough)])
 def test_panels_of_fitted_sheets_are_rigid_from_flat_to_the_flat_stack(
     surface: str, count: int
