@@ -7,6 +7,7 @@ import signal
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,8 @@ from orishell.shell.fit.built_size import BuiltShell
 from orishell.shell.kit import CARD, FOLDERS, FORMATS, TRADES, folder_of
 from orishell.workshop.kit.card_model import make_card_model
 from orishell.workshop.kit.facts import find_facts
+from orishell.workshop.kit.parts import kit_parts, kit_tools
+from orishell.workshop.kit.steps import kit_steps
 from orishell.workshop.tiling import PAPERS_MM
 from pdf_tools import require_sound
 from samples import led_by, thorough
@@ -136,6 +139,22 @@ def test_an_opened_shell_is_as_large_as_it_is_built(name: str) -> None:
     assert all(part <= of for part, of in zip(find_facts(document).opened, whole, strict=True))
 
 
+@pytest.mark.parametrize("name", led_by([CARD_SHELL, "canopy", "dome_locked", "shelter"]))
+def test_the_tape_reaches_all_that_is_measured(name: str) -> None:
+    """Among the tools: diagonals of the flat sheet are longer than its sides."""
+    shell = shell_of(name)
+    document = replace(shell.document, states=states_of(shell.motion))
+    facts, workshop = find_facts(document), shell.file.workshop
+    tools = dict(kit_tools(document, facts, kit_parts(document, workshop, facts)))
+    length, unit = tools["tape"]["length"].split()
+    longest = max(np.ravel(facts.diagonals).max(), *facts.sheet, *facts.opened)
+    steps = kit_steps(document, workshop, facts, kit_parts(document, workshop, facts))
+    for crossed in re.findall(r": ([\d.]+)", " ".join(s.values.get("crossed", "") for s in steps)):
+        longest = max(longest, float(crossed))
+    assert unit == document.unit
+    assert float(length) >= longest * (1 - 1e-9)
+
+
 def test_a_scale_of_too_many_pages_is_refused() -> None:
     shell = shell_of("canopy")
     document = replace(shell.document, states=states_of(shell.motion))
@@ -185,10 +204,10 @@ def test_a_kit_that_fails_changes_nothing(tmp_path: Path, monkeypatch: pytest.Mo
         write_kit(shell, tmp_path / "kit")  # the last of the folders but one cannot be written
     assert files_in(tmp_path) == before
 
-    def fails(format_: Format, *rest: object) -> None:
+    def fails(format_: Format, *rest: Any) -> None:
         if format_.name == "booklet":
             raise OSError("the disk is full")
-        write_document(format_, *rest)  # type: ignore[arg-type]
+        write_document(format_, *rest)
 
     monkeypatch.setattr("orishell.shell.kit.write_document", fails)
     with pytest.raises(OSError, match="full"):

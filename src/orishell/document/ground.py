@@ -6,6 +6,8 @@ y are least.
 
 from __future__ import annotations
 
+from math import hypot
+
 from orishell.conventions.record import Angle, record
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array
@@ -31,6 +33,10 @@ class GroundFoot:
     def asked(self) -> tuple[float | None, ...]:
         """What is asked of the ground: forces down, up and along it (N), and ballast (kg)."""
         return self.push, self.pull, self.sideways, self.ballast
+
+    def apart(self, other: GroundFoot) -> float:
+        """How far it is from another foot, on the plan (length)."""
+        return hypot(self.x - other.x, self.y - other.y)
 
 
 @record
@@ -77,6 +83,14 @@ class GroundPlan:
     # the ground that it needs on its way; None where it is opened in pieces, or moves so
     # fast somewhere that nobody knows
     swept: SweptGround | None
+
+    @property
+    def crossed(self) -> tuple[tuple[GroundFoot, GroundFoot], ...]:
+        """Pairs of feet across its corners; none where there are no two rows of them."""
+        row = [foot for foot in self.feet if foot.at[0] == self.feet[0].at[0]]
+        if not 1 < len(row) < len(self.feet) - 1:
+            return ()
+        return (self.feet[0], self.feet[-1]), (row[-1], self.feet[len(row)])
 
     @property
     def outline(self) -> tuple[tuple[float, float], ...]:

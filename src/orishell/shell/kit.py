@@ -12,7 +12,13 @@ from typing import Final
 
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, cleaning_up, no_progress
+from orishell.conventions.progress import (
+    Progress,
+    cleaning_up,
+    followed,
+    no_progress,
+    stretch,
+)
 from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
 from orishell.document import Document
@@ -39,6 +45,8 @@ MANIFEST: Final = ".orishell-kit.json"
 """The list of a kit's files in each of its folders."""
 README: Final = "README.md"
 LEFT_OUT: Final = None
+WRITING, STATES = "writing the kit", 0.1
+"""What its progress is called, and the share of it that states take."""
 SHEET: Final = ("", "sandwich")
 """Constructions whose pattern is a sheet that is cut; of others it is a plan of assembly."""
 
@@ -129,11 +137,12 @@ def write_kit(
     directory = path_of(directory, "write_kit: directory")
     require_shell(shell)
     require_kit_place(directory)
-    document, workshop, scale = _subject(shell, paper, progress, "writing the kit")
+    document, workshop, scale = _subject(shell, paper, stretch(progress, 0.0, STATES), WRITING)
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
-        for format_ in _formats(paper):
+        formats, told = _formats(paper), stretch(progress, STATES, 1.0)
+        for format_ in followed(formats, len(formats), told, WRITING):
             path = Path(made) / format_.file
             write_document(format_, path, document, settings, str(shell.file.path))
         folders: dict[str, list[Path]] = {}
@@ -186,7 +195,7 @@ def _subject(
     return model.document, model.workshop, model.scale
 
 
-def _formats(paper: bool) -> Iterable[Format]:
+def _formats(paper: bool) -> tuple[Format, ...]:
     return find_formats(CARD if paper else FORMATS)
 
 

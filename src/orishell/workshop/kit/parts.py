@@ -173,7 +173,13 @@ def kit_tools(
         yield ("thread" if facts.model else "cable"), {"length": _all(facts, document.unit)}
     if facts.feet and not facts.model:
         yield "anchors", {"count": plain(facts.feet)}
-    yield "tape", {"length": size(max(*facts.sheet, *facts.opened), document.unit)}
+    crossed = () if document.ground is None else document.ground.crossed
+    measured = (
+        *(*facts.sheet, *facts.opened, *facts.ties, *(facts.apart or ())),
+        *(each for pair in facts.diagonals for each in pair),
+        *(one.apart(other) for one, other in crossed),
+    )
+    yield "tape", {"length": size(max(measured), document.unit, bound=True)}
 
 
 def _faces(document: Document) -> Array:

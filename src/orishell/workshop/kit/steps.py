@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import ceil, hypot
+from math import ceil
 from typing import Final
 
 from orishell.conventions.quantities import PERSON_KG, box, plain, size
@@ -135,12 +135,10 @@ def _mark_out(document: Document, plan: GroundPlan) -> Step:
             size(each, unit, bound=True) for each in (swept.width, swept.depth)
         )
         values["height"] = size(swept.height, unit, bound=True)
-    row = [foot for foot in feet if foot.at[0] == feet[0].at[0]]
-    if 1 < len(row) < len(feet) - 1:
-        corners = (feet[0], feet[-1]), (row[-1], feet[len(row)])
+    if plan.crossed:
         values["crossed"] = "; ".join(
-            f"{a.number} - {b.number}: {size(hypot(a.x - b.x, a.y - b.y), unit, digits=DIGITS)}"
-            for a, b in corners
+            f"{a.number} - {b.number}: {size(a.apart(b), unit, digits=DIGITS)}"
+            for a, b in plan.crossed
         )
         check = "crossed"
     return Step("mark_out", values, more=("ground",) * (swept is not None), check=check)
