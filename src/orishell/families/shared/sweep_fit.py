@@ -28,6 +28,7 @@ from orishell.families.shared.sweep_state import (
     solved,
 )
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.extremes import first_largest, first_least
 
 Kind = Literal["moulding", "cylinder"]
 
@@ -176,7 +177,7 @@ def fit_leaning(points: Array, limits: SweepLimits) -> Sweep:
         for side in limits.sides
         for start in TILTS[limits.kind]
     ]
-    best = min(found, key=lambda each: each.max)
+    best = found[first_least([each.max for each in found])]
     state = State(best.frame, best.g, best.h)
     for _ in range(ROUNDS):
         off = np.abs(state.meet(problem.points).distance)
@@ -249,7 +250,7 @@ def _spread(points: Array, count: int) -> Integers:
     nearest = ((points - points.mean(axis=0)) ** 2).sum(axis=-1)
     chosen = np.empty(min(count, len(points)), dtype=np.intp)
     for k in range(len(chosen)):
-        chosen[k] = nearest.argmax()
+        chosen[k] = first_largest(nearest)
         gap = points - points[chosen[k]]
         np.minimum(nearest, np.einsum("ni,ni->n", gap, gap), out=nearest)
     return chosen
