@@ -12,6 +12,7 @@ from documents import demo_document, folded_only
 from orishell.design_file import starter_file
 from orishell.io import write_fold
 from orishell.io.formats import all_formats, find_formats, step
+from orishell.io.manifest import NAME
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
@@ -47,7 +48,7 @@ def test_convert_writes_what_design_writes(name: str, written: Path, tmp_path: P
     (format_,) = find_formats([name])
     done = orishell("convert", written / "shell.fold", format_.file, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    names = sorted(path.name for path in tmp_path.iterdir())
+    names = sorted(path.name for path in tmp_path.iterdir() if path.name != NAME)
     assert format_.file in names
     assert f"wrote {format_.file}" in done.stdout.splitlines()
     for file in names:
@@ -167,7 +168,7 @@ def test_a_full_disk_leaves_no_half_file(tmp_path: Path) -> None:
     # No file may be larger than 60 kB: as on a full disk, writing fails half way.
     out = tmp_path / "out"
     out.mkdir()
-    (out / "shell.fold").write_text("old")
+    (out / "mine.fold").write_text("old")
 
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))
@@ -177,7 +178,7 @@ def test_a_full_disk_leaves_no_half_file(tmp_path: Path) -> None:
     )
     assert done.returncode == 2, done.stderr
     assert "cannot be written" in done.stderr
-    assert {path.name: path.read_text() for path in out.iterdir()} == {"shell.fold": "old"}
+    assert {path.name: path.read_text() for path in out.iterdir()} == {"mine.fold": "old"}
 
 
 def test_a_directory_that_cannot_be_written_to(written: Path) -> None:

@@ -78,7 +78,7 @@ def test_wrong_arguments_are_one_message(tmp_path: Path) -> None:
         ((CANOPY, "--out", ""), "the name is empty"),
         ((CANOPY, "--out", tmp_path / "taken"), "the output directory cannot be made"),
         ((CANOPY, "--out", tmp_path / "partly"), "ground is a file"),
-        ((CANOPY, "--out", tmp_path / "other"), "README.md is there that is not of a kit"),
+        ((CANOPY, "--out", tmp_path / "other"), "README.md: this file is not of orishell"),
     ):
         ran = orishell("kit", *arguments)
         assert ran.returncode == 2

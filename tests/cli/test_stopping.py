@@ -77,4 +77,4 @@ def test_check_says_when_files_are_of_two_runs(
             run()
         assert ended.value.code == 2
         said = capsys.readouterr().err
-        assert re.search(r"broken off .* got 1 of 4 files .* run orishell design again", said)
+        assert re.search(r"broken off .* got 1 of 4 files .* run the same command again", said)

@@ -6,18 +6,20 @@ import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.io import OutputDirectory
+from orishell.io.manifest import NAME
 
 
 def test_files_appear_together_and_others_stay(tmp_path: Path) -> None:
     target = tmp_path / "out"
     target.mkdir()
     (target / "mine.txt").write_text("mine")
-    (target / "a").write_text("old")
+    with OutputDirectory(target).adding() as draft:
+        (draft / "a").write_text("old")
     with OutputDirectory(target).adding() as draft:
         (draft / "a").write_text("new")
         (draft / "b").write_text("new")
         assert (target / "a").read_text() == "old"
-    assert {file.name: file.read_text() for file in target.iterdir()} == {
+    assert {file.name: file.read_text() for file in target.iterdir() if file.name != NAME} == {
         "mine.txt": "mine",
         "a": "new",
         "b": "new",

@@ -20,7 +20,7 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import stop_quietly
 from orishell.io import OutputDirectory
-from orishell.io.output import NAME, require_one_run
+from orishell.io.manifest import NAME, require_one_run
 
 STEPS = ("open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "shutil.rmtree", "os.listdir")
 OLD = {name: f"old {name}" for name in "abcd"}
@@ -29,8 +29,8 @@ MINE = {"mine": "mine"}
 STATUS = {"SIGKILL": -9, "SIGTERM": 143, "SIGINT": 130}
 
 
-def write(directory: Path, files: dict[str, str]) -> None:
-    with OutputDirectory(directory).replacing() as draft:
+def write(directory: Path, files: dict[str, str], *, force: bool = False) -> None:
+    with OutputDirectory(directory, force=force).replacing() as draft:
         for name, text in files.items():
             (draft / name).write_text(text)
 
@@ -92,7 +92,11 @@ def test_what_somebody_changed_or_added_stays(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("changed by hand")
     (tmp_path / "d").unlink()
     (tmp_path / "mine").write_text("mine")
-    write(tmp_path, {"b": "new"})
+    before = found(tmp_path)
+    with pytest.raises(InputError, match="a: this file was changed since orishell wrote it"):
+        write(tmp_path, {"b": "new"})
+    assert found(tmp_path) == before
+    write(tmp_path, {"b": "new"}, force=True)  # and what is not written over stays even so
     assert found(tmp_path) == {"a": "changed by hand", "b": "new"} | MINE
     for path in tmp_path.iterdir():
         path.unlink()
@@ -109,7 +113,7 @@ def test_a_list_by_somebody_else_removes_nothing_elsewhere(tmp_path: Path, name:
     digest = "2d711642b726b04401627ca9fbac32f5c8530fb1903cc4db02258717921a4881"  # of "x"
     listed = {"files": {name.format(root=tmp_path): digest}}
     (directory / NAME).write_text(json.dumps(listed))
-    write(directory, NEW)
+    write(directory, NEW, force=True)
     assert (tmp_path / "outside").read_text() == "x"
     assert {path.name for path in directory.iterdir()} == {NAME, *NEW, "link", "directory"}
 
@@ -121,7 +125,10 @@ def test_a_list_that_is_damaged_is_none(tmp_path: Path, text: str) -> None:
     (tmp_path / "a").write_text("mine")
     (tmp_path / NAME).write_text(text)
     require_one_run(tmp_path / "a")
-    write(tmp_path, NEW)
+    with pytest.raises(InputError, match="this file is not of orishell"):
+        write(tmp_path, NEW)
+    assert (tmp_path / NAME).read_text() == text
+    write(tmp_path, NEW, force=True)
     assert found(tmp_path) == {"a": "mine"} | NEW
 
 

@@ -132,7 +132,7 @@ def test_a_page_that_is_not_of_a_search_is_not_written_over(tmp_path: Path) -> N
     problem = read_problem(tmp_path / "vault.toml")
     require_apart(problem, tmp_path)
     (tmp_path / NAME).write_text("somebody's own")
-    with pytest.raises(InputError, match="would write over this file"):
+    with pytest.raises(InputError, match="this file is not of orishell"):
         require_apart(problem, tmp_path)
 
 

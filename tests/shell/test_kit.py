@@ -206,11 +206,11 @@ def test_a_kit_that_fails_changes_nothing(tmp_path: Path, monkeypatch: pytest.Mo
 
     def fails(format_: Format, *rest: Any) -> None:
         if format_.name == "booklet":
-            raise OSError("the disk is full")
+            raise OSError(28, "No space left on device")
         write_document(format_, *rest)
 
     monkeypatch.setattr("orishell.shell.kit.write_document", fails)
-    with pytest.raises(OSError, match="full"):
+    with pytest.raises(InputError, match="cannot be written; got No space left on device"):
         write_kit(shell, tmp_path / "other")
     assert files_in(tmp_path) == before
     assert not (tmp_path / "other").exists()
@@ -223,8 +223,8 @@ def test_a_kit_that_is_stopped_while_files_are_moved_is_whole(
     shell, move = shell_of(CARD_SHELL), OutputDirectory._move
     write_kit(shell, tmp_path / "whole")
 
-    def stopped(place: OutputDirectory, draft: Path, first: str = "") -> None:
-        move(place, draft, first)
+    def stopped(place: OutputDirectory, *rest: Any) -> None:
+        move(place, *rest)
         signal.raise_signal(signal.SIGINT)
 
     monkeypatch.setattr(OutputDirectory, "_move", stopped)

@@ -11,6 +11,7 @@ import typer
 
 from orishell.cli.files import (
     FILE_HELP,
+    FORCE_HELP,
     STATE_HELP,
     WELD_HELP,
     bar,
@@ -41,6 +42,7 @@ def check(
         typer.Option(help="Allowed error of lengths, relative to the diagonal of the flat sheet."),
     ] = TOLERANCE,
     weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
+    *,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
@@ -48,18 +50,22 @@ def check(
         Path | None,
         typer.Option(help="A FOLD file to write: a sheet nearby that folds, if there is one."),
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Check a crease pattern and its folded states.
 
     Says whether it folds, in how many ways, how far, and what meets first. Folded states of a FOLD
     file are examined: lengths, planes, fold angles, contact in each.
     """
+    from orishell.io import OutputDirectory
     from orishell.io.formats.fold import FORMAT as FOLD
-    from orishell.io.output import require_one_run
+    from orishell.io.manifest import require_one_run
 
     if os.path.isdir(file):  # a name that is too long is none
         file /= FOLD.file
     require_one_run(file)
+    if nearby is not None:
+        OutputDirectory(nearby.parent, inputs=(file,), force=force).require_usable([nearby.name])
     try:
         with bar() as progress:
             inspection, verdict = _examined(file, tolerance, weld, progress)
@@ -77,7 +83,7 @@ def check(
     elif verdict is not None:
         _print_verdict(verdict)
     if nearby is not None:
-        _write_nearby(verdict, nearby)
+        _write_nearby(verdict, nearby, force=force)
     if not all(each.passed for each in (inspection, verdict) if each is not None):
         raise typer.Exit(1)
 
@@ -111,7 +117,7 @@ def _examined(
     return inspection, judge_pattern(pattern, tolerance=tolerance, progress=progress)
 
 
-def _write_nearby(verdict: PatternVerdict | None, target: Path) -> None:
+def _write_nearby(verdict: PatternVerdict | None, target: Path, *, force: bool) -> None:
     from orishell.verification.pattern import write_nearby
 
     if verdict is None:
@@ -119,7 +125,7 @@ def _write_nearby(verdict: PatternVerdict | None, target: Path) -> None:
             "nothing nearby is looked for where a file has folded states, or no flat sheet",
             where="--nearby",
         )
-    write_nearby(verdict, target)
+    write_nearby(verdict, target, force=force)
     say(f"wrote {target}", err=True)
 
 
@@ -170,10 +176,12 @@ def convert(
         str | None,
         typer.Option(help="Unit of length, where the FOLD file names none: mm, cm, m, in, ft."),
     ] = None,
+    *,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Write a FOLD file in another format."""
     from orishell.design_file import read_workshop
-    from orishell.io import Settings
+    from orishell.io import OutputDirectory, Settings
     from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.shell.export import convert_fold
     from orishell.workshop import DEFAULT
@@ -187,11 +195,13 @@ def convert(
         )
     if os.path.isdir(file):  # a name that is too long is none
         file /= FOLD.file
+    read = (file,) if workshop is None else (file, workshop)
+    OutputDirectory(out.parent, inputs=read, force=force).require_usable([out.name])
     settings = Settings.showing(
         state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
     )
     try:
-        written = convert_fold(file, out, settings, cast("Unit | None", unit))
+        written = convert_fold(file, out, settings, cast("Unit | None", unit), force=force)
     except InputError as error:
         if error.where.endswith(" unit"):
             error.add_note("--unit says which it is.")

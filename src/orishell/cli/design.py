@@ -10,12 +10,14 @@ import typer
 
 from orishell.cli.files import (
     CHECK_HELP,
+    FORCE_HELP,
     STATE_HELP,
     WRITE_HELP,
     bar,
     designed,
     directory,
     require_carried,
+    require_loads,
     say,
     state_named,
 )
@@ -48,21 +50,27 @@ def design(
     write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
     state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
     check: Annotated[bool, typer.Option("--check", help=CHECK_HELP)] = False,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Design a shell, verify its motion and write its files.
 
     They are shell.fold, report.json and pictures, and what --write names.
     """
+    from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory, Settings
     from orishell.io.formats import formats_for
     from orishell.shell.export import write_shell
 
-    OutputDirectory(out).require_usable()
-    _require_formats(write)
+    sure = _sure_files(write)
     shown = state_named(state)
     clash: ClashPolicy = "unexamined" if no_clash_test else "allowed" if allow_clash else "refused"
+    asked = read_design_file(file)
+    if check:
+        require_loads(asked)
+    output = OutputDirectory(out, inputs=asked.inputs, force=force)
+    output.require_usable(sure, replacing=True)
     try:
-        shell = designed(file, clash)
+        shell = designed(asked, clash)
     except ClashError as error:
         error.add_note("--allow-clash writes the files all the same.")
         raise
@@ -70,9 +78,9 @@ def design(
     for each in missing:
         say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
     settings = Settings.showing(shown, shell.file.workshop)
-    earlier = OutputDirectory(out).of_earlier_run()
+    earlier = output.of_earlier_run()
     with bar() as progress:
-        written = write_shell(shell, out, chosen, settings, progress)
+        written = write_shell(shell, out, chosen, settings, progress, force=force)
     if json_report:
         say(json.dumps({**shell.report.as_dict(), "seconds": shell.seconds}, indent=2))
     else:
@@ -81,12 +89,19 @@ def design(
     require_carried(shell.report.structure, check=check)
 
 
-def _require_formats(names: str) -> None:
-    """Refuse unknown formats, and named ones that cannot be written here, before any work."""
-    from orishell.io.formats import find_formats
+def _sure_files(names: str) -> list[str]:
+    """Files that will be written, as far as that is known before the shell is.
 
+    Refuses unknown formats, and named ones that cannot be written here.
+    """
+    from orishell.io.formats import find_formats
+    from orishell.shell.export import ALWAYS
+
+    asked = names.split(",")
     try:
-        for each in find_formats(names.split(",")):
+        found = find_formats(asked)
+        for each in found:
             each.require_ready()
     except InputError as error:
         raise error.located("--write:") from None
+    return [*ALWAYS, *(each.file for each in found if each.name in asked or each.fits_all)]

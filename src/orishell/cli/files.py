@@ -20,6 +20,7 @@ from orishell.io.formats import ALL, format_modules
 
 if TYPE_CHECKING:
     from orishell.conventions.row import Row
+    from orishell.design_file import DesignFile
     from orishell.shell.candidate import ClashPolicy
     from orishell.shell.make import Shell
     from orishell.structure.results import Analysis
@@ -41,22 +42,29 @@ def lines_of(row: Row) -> Iterator[str]:
 
 
 CHECK_HELP = "End with status 1 if it is not known to carry all its load cases."
+FORCE_HELP = (
+    "Write over files that orishell did not write, or that were changed since; never over what "
+    "this command reads."
+)
+
+
+def require_loads(asked: DesignFile) -> None:
+    """Refuse to check, before any work is done, what a design file asks no loads of.
+
+    Raises InputError.
+    """
+    if asked.structure is None:
+        raise InputError(
+            "there are no loads to check",
+            file=asked.path,
+            where="--check",
+            remedy="add the tables [structure] and [[load_case]]",
+        )
 
 
 def require_carried(report: Analysis | None, *, check: bool) -> None:
-    """End with status 1, if that is asked for, where a shell does not carry its load cases.
-
-    Raises InputError: If the shell was not analysed.
-    """
-    if not check:
-        return
-    if report is None:
-        raise InputError(
-            "there are no loads to check",
-            where="--check",
-            remedy="add the tables [structure] and [[load_case]] to the design file",
-        )
-    if not report.carries:
+    """End with status 1, if that is asked for, where a shell does not carry its load cases."""
+    if check and (report is None or not report.carries):
         raise typer.Exit(1)
 
 
@@ -92,12 +100,12 @@ def bar() -> Iterator[Progress]:
         bars.stop()
 
 
-def designed(file: Path, clash: ClashPolicy = "refused") -> Shell:
+def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
     """The shell of a design file; its warnings are printed."""
-    from orishell.shell.make import design_shell
+    from orishell.shell.make import make_shell
 
     with bar() as progress:
-        shell = design_shell(file, progress, clash=clash)
+        shell = make_shell(asked, progress, clash=clash)
     for warning in shell.report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     return shell

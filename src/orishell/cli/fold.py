@@ -8,7 +8,7 @@ from typing import Annotated, cast
 
 import typer
 
-from orishell.cli.files import WELD_HELP, bar, directory, lines_of, say, shortened
+from orishell.cli.files import FORCE_HELP, WELD_HELP, bar, directory, lines_of, say, shortened
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
@@ -42,6 +42,7 @@ def fold(
     choice: Annotated[
         int, typer.Option(help="Which of the ways to fold it, where letters are missing.")
     ] = 1,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Fold a crease pattern, and write its states.
 
@@ -50,9 +51,10 @@ def fold(
     missing they are found.
     """
     from orishell.io import OutputDirectory
-    from orishell.shell.folded import fold_pattern, write_folded
+    from orishell.shell.folded import FORMATS, fold_pattern, write_folded
 
-    OutputDirectory(out).require_usable()
+    output = OutputDirectory(out, inputs=(file,), force=force)
+    output.require_usable([each.file for each in FORMATS if each.ready()], replacing=True)
     if unit is not None and unit not in MILLIMETRES:
         raise InputError(
             "this is no unit", where="--unit", got=repr(unit), expected=", ".join(MILLIMETRES)
@@ -90,7 +92,7 @@ def fold(
             choice=choice,
             progress=progress,
         )
-    written, missing = write_folded(folded, out)
+    written, missing = write_folded(folded, out, force=force)
     for each in missing:
         say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
     pattern = folded.motion.pattern

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.files import bar, designed, directory, say, shortened
+from orishell.cli.files import FORCE_HELP, bar, designed, directory, say, shortened
 
 
 def kit(
@@ -20,18 +20,21 @@ def kit(
         bool,
         typer.Option("--paper", help="The kit of a card model at a scale that fits one page."),
     ] = False,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Write what a builder needs, in folders by trade.
 
     They have drawings, tables and a booklet; README.md says what is where.
     """
     from orishell.conventions.quantities import plain
+    from orishell.design_file import read_design_file
     from orishell.shell.kit import require_kit_place, write_kit
 
-    require_kit_place(out)
-    shell = designed(file)
+    asked = read_design_file(file)
+    require_kit_place(asked, out, paper=paper, force=force)
+    shell = designed(asked)
     with bar() as progress:
-        made = write_kit(shell, out, paper=paper, progress=progress)
+        made = write_kit(shell, out, paper=paper, progress=progress, force=force)
     if paper:
         say(f"scale     1:{plain(1 / made.scale)}")
     for text in shortened(made.files):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import bar, directory, say, shortened
+from orishell.cli.files import FORCE_HELP, bar, directory, say, shortened
 from orishell.conventions.progress import asked_to_stop
 
 if TYPE_CHECKING:
@@ -35,6 +35,7 @@ def search(
         str | None,
         typer.Option(help="Address of a Dask scheduler whose workers are to make the designs."),
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Search a design's variants for those that no other beats.
 
@@ -49,19 +50,17 @@ def search(
         )
     workers = local_processes(processes) if cluster is None else dask_workers(cluster)
     with workers as pool:  # at once: it imports what this process does meanwhile
-        _search(file, out, pool, variants=write is not None)
+        _search(file, out, pool, variants=write is not None, force=force)
 
 
-def _search(file: Path, out: Path, pool: WorkerPool, *, variants: bool) -> None:
-    from orishell.io import OutputDirectory
+def _search(file: Path, out: Path, pool: WorkerPool, *, variants: bool, force: bool) -> None:
     from orishell.search import open_journal, read_problem, search_designs
     from orishell.search.journal import NAME
     from orishell.search.write import require_apart, require_installed, write_found
 
     require_installed()
-    OutputDirectory(out).require_usable()
     problem = read_problem(file)
-    require_apart(problem, out)
+    require_apart(problem, out, force=force)
     with open_journal(out / NAME, problem) as journal:
         known = len(journal)
         if known:
@@ -71,7 +70,7 @@ def _search(file: Path, out: Path, pool: WorkerPool, *, variants: bool) -> None:
                 found = search_designs(problem, pool, journal, shown, stop=stopped)
             with bar() as shown:
                 written = write_found(
-                    problem, found, out, pool, shown, variants=variants, stop=stopped
+                    problem, found, out, pool, shown, variants=variants, stop=stopped, force=force
                 )
     say("\n".join(_summary(problem, found, written)))
     if stopped.is_set():

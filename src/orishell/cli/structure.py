@@ -11,6 +11,7 @@ import typer
 
 from orishell.cli.files import (
     CHECK_HELP,
+    FORCE_HELP,
     bar,
     directory,
     lines_of,
@@ -201,6 +202,7 @@ def structure(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
     check: Annotated[bool, typer.Option("--check", help=CHECK_HELP)] = False,
+    force: Annotated[bool, typer.Option("--force", help=FORCE_HELP)] = False,
 ) -> None:
     """Analyse a shell as a structure: whether it carries its loads.
 
@@ -212,9 +214,8 @@ def structure(
     from orishell.shell.export import write_structure
     from orishell.shell.make import make_shell
     from orishell.shell.steps import MEASURES
+    from orishell.structure.pages.files import FILES
 
-    if out is not None:
-        OutputDirectory(out).require_usable()
     asked = read_design_file(file)
     if asked.structure is None:
         raise InputError(
@@ -223,6 +224,8 @@ def structure(
             keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
+    if out is not None:
+        OutputDirectory(out, inputs=asked.inputs, force=force).require_usable(FILES)
     with bar() as progress:
         shell = make_shell(asked, progress, clash="unexamined", skip=(*MEASURES, "stock"))
     report = shell.report.structure
@@ -230,7 +233,7 @@ def structure(
     remedy = next(each.remedy for each in shell.report.verdict if each.subject == "stands")
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
-    written = [] if out is None else write_structure(shell, out)
+    written = [] if out is None else write_structure(shell, out, force=force)
     if json_report:
         say(json.dumps(as_table(report), indent=2, allow_nan=False))
     else:

@@ -19,6 +19,7 @@ from orishell.design import PanelSpec, PiecedSurface
 from orishell.design_file.constructions import require_boards, require_one_hinge_density
 from orishell.design_file.faults import explain
 from orishell.design_file.fit import FitTable
+from orishell.design_file.inputs import input_files
 from orishell.design_file.memory import require_memory
 from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.tables import (
@@ -86,6 +87,11 @@ class DesignFile:
     def panel_count(self) -> int:
         """Number of panels, the flaps included."""
         return (self.pattern.rows + 1) * (self.pattern.columns + 1)
+
+    @property
+    def inputs(self) -> tuple[Path, ...]:
+        """The file, and those that it names: what is written never takes their place."""
+        return input_files(self.path, self.tables) if self.files else ()
 
     def changed(self, values: Mapping[str, Any]) -> DesignFile:
         """The design file with other values at some keys, as if they had been typed in.

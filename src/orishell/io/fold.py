@@ -13,6 +13,7 @@ from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_reader import FoldFile, FoldFrame
 from orishell.io.format import DEFAULT_SETTINGS, Settings
+from orishell.io.output import OutputDirectory
 from orishell.motion.mesh import measure_mesh_folds
 from orishell.numerics.arrays import Array
 
@@ -68,7 +69,13 @@ def _fold_angles(file: FoldFile, flat: FoldFrame | None, shell: DocumentState | 
     return np.rad2deg(measure_mesh_folds(file.mesh, shell.positions))
 
 
-def write_fold(path: str | Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
+def write_fold(
+    path: str | Path,
+    document: Document,
+    settings: Settings = DEFAULT_SETTINGS,
+    *,
+    force: bool = False,
+) -> None:
     """Write a FOLD file (the contract's page says what is in it).
 
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
@@ -79,7 +86,21 @@ def write_fold(path: str | Path, document: Document, settings: Settings = DEFAUL
     ----------
     path
         The file to write.
+    force
+        Whether a file there that orishell did not write, or that was changed, may be written over.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written, or another is in its way.
     """
+    path = path_of(path, "write_fold: path")
+    with OutputDirectory(path.parent, force=force).adding() as draft:
+        dump_fold(draft / path.name, document, settings)
+
+
+def dump_fold(path: Path, document: Document, _: Settings) -> None:
+    """Write a FOLD file where nothing else is."""
     import orjson
 
     def dump(value: Any) -> bytes:
@@ -89,7 +110,7 @@ def write_fold(path: str | Path, document: Document, settings: Settings = DEFAUL
     titles = names if "pack" in document.named else {}
     states = iter(document.states)
     key = _flat(document) if document.flat is not None else _state(document, next(states))
-    with path_of(path, "write_fold: path").open("wb") as file:
+    with path.open("wb") as file:
         file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
         separator = b',\n"file_frames":[\n'
         for number, state in enumerate(states):

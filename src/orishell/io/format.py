@@ -83,6 +83,11 @@ class Format:
         lacking_design = self.designed and not document.report
         return not (lacking_boards or lacking_analysis or lacking_design)
 
+    @property
+    def fits_all(self) -> bool:
+        """Whether every document has what it shows."""
+        return not (self.solid or self.analysed or self.designed)
+
     def require_ready(self) -> None:
         """Refuse to go on where what it needs is missing.
 

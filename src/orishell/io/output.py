@@ -1,122 +1,26 @@
-"""The list of the files that a run wrote into a directory, kept there with their hashes.
+"""Directories that files are written into: all of a run or none, and nothing of anybody else's.
 
-It is written before they are moved there, with those of the runs before, and again after it: a run
-that was broken off in between is known by it, and no file is removed that somebody changed.
+One rule for whatever writes: a file that is not on a list of this program's
+(:mod:`orishell.io.manifest`), or that was changed since, is not written over unless that is asked
+for, and what a run reads is never written over. Both are refused by name, before a file is moved.
 """
 
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import json
 import os
 import re
 import secrets
 import shutil
 import sys
-from collections.abc import Iterable, Iterator
+import tempfile
+from collections.abc import Callable, Collection, Iterable, Iterator, Set
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import cleaning_up, uninterrupted
-
-NAME = ".orishell.json"
-ABOUT = (
-    "The files that orishell wrote here and their SHA-256. The next run removes those of them that "
-    "it does not write anew and that nobody has changed."
-)
-LARGEST = 10_000_000
-"""Bytes of a list, at most: it may be anybody's."""
-_HASH = re.compile("[0-9a-f]{64}")
-
-
-@dataclass(frozen=True, slots=True)
-class Manifest:
-    """Which files of a directory are this program's."""
-
-    files: dict[str, str]  # hash of every file of the last run, by name
-    # possible hashes of the files of runs before, by name, as long as the last one moves its files;
-    # None when all is done
-    earlier: dict[str, list[str]] | None = None
-
-    @property
-    def known(self) -> dict[str, list[str]]:
-        """All hashes that a file of this program may have here, by name."""
-        earlier = self.earlier or {}
-        found = {name: list(hashes) for name, hashes in earlier.items()}
-        for name, digest in self.files.items():
-            if digest not in found.setdefault(name, []):
-                found[name].append(digest)
-        return found
-
-    def text(self) -> str:
-        """What its file has."""
-        moving = {} if self.earlier is None else {"earlier": self.earlier}
-        return json.dumps({"about": ABOUT, "files": self.files, **moving}, indent=1) + "\n"
-
-
-def read_manifest(directory: Path, name: str = NAME) -> Manifest | None:
-    """The list of the files in a directory, by its ``name``; None if none can be used."""
-    path = directory / name
-    try:
-        if not path.is_file() or path.stat().st_size > LARGEST:
-            return None
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return None
-    files, earlier = _entries(content, "files"), _entries(content, "earlier")
-    if files is None or any(len(hashes) != 1 for hashes in files.values()):
-        return None
-    return Manifest({name: hashes[0] for name, hashes in files.items()}, earlier)
-
-
-def _entries(content: Any, key: str) -> dict[str, list[str]] | None:
-    """Hashes by name, only of files in the directory itself."""
-    entries = content.get(key) if isinstance(content, dict) else None
-    if not isinstance(entries, dict):
-        return None
-    found = {}
-    for name, value in entries.items():
-        hashes = [value] if isinstance(value, str) else value
-        if name in {"", ".", "..", NAME} or Path(name).name != name:
-            return None
-        if not isinstance(hashes, list) or not all(
-            isinstance(each, str) and _HASH.fullmatch(each) for each in hashes
-        ):
-            return None
-        found[name] = hashes
-    return found
-
-
-def require_one_run(path: Path) -> None:
-    """Refuse a file, there or not, if the last run that wrote it did not finish moving its files.
-
-    Raises InputError then.
-    """
-    manifest = read_manifest(path.parent)
-    if manifest is None or manifest.earlier is None or path.name not in manifest.known:
-        return
-    moved = sum(hash_of(path.parent / name) == each for name, each in manifest.files.items())
-    raise InputError(
-        "a run was broken off while it moved its files here",
-        where=str(path.parent),
-        got=f"{moved} of {len(manifest.files)} files of that run, the others missing or older",
-        remedy="run orishell design again",
-    )
-
-
-def hash_of(path: Path) -> str | None:
-    """SHA-256 of a file in hexadecimal digits; None if it is not there, or a link."""
-    try:
-        if path.is_symlink() or not path.is_file():
-            return None
-        with path.open("rb") as stream:
-            return hashlib.file_digest(stream, "sha256").hexdigest()
-    except OSError:
-        return None
-
+from orishell.io.manifest import NAME, Manifest, hash_of, hashes_of, known_in, read_manifest
 
 _DRAFT = re.compile(r"\.orishell-[0-9a-f]{16}")
 """Names of temporary directories."""
@@ -129,14 +33,26 @@ class OutputDirectory:
     path: Path  # the directory; made if it does not exist, otherwise its other files stay
     # the name of the list of files in it: what one command wrote is not another's to remove
     manifest: str = NAME
+    # files that the run reads: they are never written over or removed, by any of their names
+    inputs: tuple[Path, ...] = ()
+    # whether files that are not this program's, or were changed, may be written over
+    force: bool = False
 
-    def require_usable(self) -> None:
+    def require_usable(self, names: Iterable[str] = (), *, replacing: bool = False) -> None:
         """Refuse, before any work is done, a path that files cannot be written to.
+
+        Parameters
+        ----------
+        names
+            Files that will be written there, as far as they are known.
+        replacing
+            Whether they take the place of those of an earlier run.
 
         Raises
         ------
         InputError
-            If the path, or a parent of it, is a file or cannot be written to.
+            If the path, or a parent of it, is a file or cannot be written to, or a file is in the
+            way that may not be written over.
         """
         try:
             existing = self.path
@@ -156,6 +72,7 @@ class OutputDirectory:
             )
         if not os.access(existing, os.W_OK | os.X_OK):
             raise InputError("the output directory cannot be written to", where=str(self.path))
+        self._require_free(set(names), replacing=replacing)
 
     def of_earlier_run(self) -> list[Path]:
         """The files that an earlier run wrote here, as far as they are there and unchanged."""
@@ -167,16 +84,21 @@ class OutputDirectory:
 
     @contextlib.contextmanager
     def adding(self) -> Iterator[Path]:
-        """A temporary directory whose files are moved to the path if nothing is raised."""
-        with self._drafting() as draft:
+        """A temporary directory whose files are moved to the path if nothing is raised.
+
+        No later run removes them. If the path is such a directory itself, it is that one.
+        """
+        if _DRAFT.fullmatch(self.path.name):
+            yield self.path
+            return
+        with self.drafting() as draft:
             yield draft
             with self._alone():
-                self._require_free(draft)
-                self._move(draft)
+                self._plan(draft, replacing=False)()
 
     @contextlib.contextmanager
     def replacing(self) -> Iterator[Path]:
-        """As :meth:`adding`, and files of an earlier run are removed, unless they were changed."""
+        """As :meth:`adding`, and files of an earlier run are removed that are not written anew."""
         with replacing_all([self]) as (draft,):
             yield draft
 
@@ -186,9 +108,16 @@ class OutputDirectory:
             (self.path / self.manifest).unlink(missing_ok=True)
             self.path.rmdir()
 
+    @property
+    def _list(self) -> Manifest:
+        return read_manifest(self.path, self.manifest) or Manifest({})
+
     @contextlib.contextmanager
-    def _drafting(self) -> Iterator[Path]:
-        """A temporary directory beside the files; those of runs that are dead are removed."""
+    def drafting(self) -> Iterator[Path]:
+        """A temporary directory beside the files, which goes; so do those of runs that are dead.
+
+        An OSError is raised as an InputError.
+        """
         draft = self.path / f".orishell-{secrets.token_hex(8)}"
         made: list[Path] = []
 
@@ -223,29 +152,84 @@ class OutputDirectory:
                     if free:
                         shutil.rmtree(path, ignore_errors=True)
 
-    def _replace(self, draft: Path) -> None:
-        """Move the files of a draft here, and remove those of an earlier run."""
-        new = Manifest({file.name: hash_of(file) or "" for file in sorted(draft.iterdir())})
-        before = read_manifest(self.path, self.manifest) or Manifest({})
-        (draft / self.manifest).write_text(Manifest(new.files, before.known).text())
-        self._move(draft, first=self.manifest)
-        for name in before.known.keys() - new.files.keys():
-            if hash_of(self.path / name) in before.known[name]:
-                (self.path / name).unlink()
-        (draft / self.manifest).write_text(new.text())
-        self._move(draft)
+    def _plan(self, draft: Path, *, replacing: bool) -> Callable[[], None]:
+        """What moves the files of a draft here; all that needs room on the disk is written before.
 
-    def _require_free(self, draft: Path) -> None:
-        for file in sorted(draft.iterdir()):
-            if (self.path / file.name).is_dir():
+        Raises InputError if files are in the way.
+        """
+        new, before = hashes_of(draft.iterdir()), self._list
+        self._require_free(new.keys(), replacing=replacing)
+        gone: list[str] = []
+        if replacing:
+            kept = {}
+            for name in before.replaceable:
+                digest = None if name in new else hash_of(self.path / name)
+                if digest is None or digest not in before.known[name]:
+                    continue
+                if self._is_read(name):
+                    kept[name] = digest
+                else:
+                    gone.append(name)
+            lists = before.replaced({**new, **kept})
+        else:
+            lists = before.extended(new)
+        written = [draft / f"{self.manifest}.{word}" for word in ("moving", "done")]
+        for file, manifest in zip(written, lists, strict=True):
+            file.write_text(manifest.text(), encoding="utf-8")
+        return lambda: self._move(draft, written, [*new], gone)
+
+    def _move(self, draft: Path, lists: list[Path], names: list[str], gone: list[str]) -> None:
+        """Move files of a draft here, and remove others, between its two lists."""
+        moving, done = lists
+        moving.replace(self.path / self.manifest)
+        for name in names:
+            (draft / name).replace(self.path / name)
+        for name in gone:
+            (self.path / name).unlink()
+        done.replace(self.path / self.manifest)
+
+    def _is_read(self, name: str) -> bool:
+        """Whether a file here is one that the run reads, by this or another name."""
+        for path in self.inputs:
+            with contextlib.suppress(OSError):
+                if os.path.samefile(path, self.path / name):
+                    return True
+        return False
+
+    def _require_free(self, names: Set[str], *, replacing: bool) -> None:
+        """Refuse to write files of these names where others are in the way.
+
+        Raises InputError.
+        """
+        there = [name for name in sorted(names) if os.path.lexists(self.path / name)]
+        for name in there:
+            path = self.path / name
+            if self._is_read(name):
                 raise InputError(
-                    "a directory is in the way of a file", where=str(self.path / file.name)
+                    "this file is read, and would be written over",
+                    where=str(path),
+                    remedy="write to another directory, or give the file another name or place",
                 )
-
-    def _move(self, draft: Path, first: str = "") -> None:
-        files = sorted(draft.iterdir(), key=lambda file: (file.name != first, file.name))
-        for file in files:
-            file.replace(self.path / file.name)
+            if path.is_dir() and not path.is_symlink():
+                raise InputError("a directory is in the way of a file", where=str(path))
+        if self.force:
+            return
+        known = known_in(self.path)
+        own = read_manifest(self.path, self.manifest)
+        if own is None and os.path.lexists(self.path / self.manifest):
+            there.append(self.manifest)
+        if own is not None and replacing:
+            paths = [
+                (name, self.path / name) for name in own.replaceable if not self._is_read(name)
+            ]
+            there += [name for name, at in paths if os.path.lexists(at) and not at.is_dir()]
+        strange = [
+            name
+            for name in dict.fromkeys(there)
+            if hash_of(self.path / name) not in known.get(name, ())
+        ]
+        if strange:
+            raise _in_the_way(self.path, strange, known.keys())
 
 
 @contextlib.contextmanager
@@ -255,14 +239,23 @@ def replacing_all(directories: Iterable[OutputDirectory]) -> Iterator[list[Path]
     Those that lie in others come after them. The temporary directories have the same order.
     """
     with contextlib.ExitStack() as held:
-        drafts = [(each, held.enter_context(each._drafting())) for each in directories]
+        drafts = [(each, held.enter_context(each.drafting())) for each in directories]
         yield [draft for _, draft in drafts]
         with contextlib.ExitStack() as alone:
-            for each, draft in drafts:
+            for each, _ in drafts:
                 alone.enter_context(each._alone())
-                each._require_free(draft)
-            for each, draft in drafts:
-                each._replace(draft)
+            for move in [each._plan(draft, replacing=True) for each, draft in drafts]:
+                move()
+
+
+@contextlib.contextmanager
+def scratch() -> Iterator[Path]:
+    """A temporary directory for what is not to stay; an OSError is raised as an InputError."""
+    try:
+        with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
+            yield Path(directory)
+    except OSError as error:
+        raise _unwritable(Path("temporary files"), error) from None
 
 
 @contextlib.contextmanager
@@ -283,6 +276,21 @@ def _locked(directory: Path, *, wait: bool = True) -> Iterator[bool]:
         yield held
     finally:
         os.close(descriptor)
+
+
+def _in_the_way(directory: Path, names: list[str], known: Collection[str]) -> InputError:
+    """The error for files that may not be written over."""
+    changed = names[0] in known
+    return InputError(
+        "this file was changed since orishell wrote it, and would be written over or be left among "
+        "files of another run"
+        if changed
+        else "this file is not of orishell, and would be written over",
+        where=str(directory / names[0]),
+        got="" if len(names) == 1 else f"{len(names)} such files: {', '.join(names)}",
+        remedy="write to another directory, give the file another name or place, or write over it "
+        "with --force (force=True in Python)",
+    )
 
 
 def _unwritable(path: Path, error: OSError) -> InputError:

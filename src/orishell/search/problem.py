@@ -28,6 +28,7 @@ PALETTE = "workshop.palette"
 FILE_KEYS = (
     *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
     "target.surface.mesh",
+    "target.pattern.file",
     PALETTE,
 )
 """Keys that may name a file beside the design file."""

@@ -15,6 +15,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
+from orishell.design_file.inputs import input_files
 from orishell.design_file.tables import Values, with_values
 from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
@@ -83,20 +84,19 @@ def require_installed() -> None:
     require_page()
 
 
-def require_apart(problem: Problem, directory: Path) -> None:
-    """Refuse to search where files that are not of a search would be written over.
+def require_apart(problem: Problem, directory: Path, *, force: bool = False) -> None:
+    """Refuse to search where files cannot be written, or would take the place of others.
 
-    They are the design, its curves, and what no earlier search left as it is.
+    Those that a front has are not known before it is, so that every name that one may have counts.
     """
-    own = OutputDirectory(directory, MANIFEST).of_earlier_run()
-    files = {path.resolve() for path in (problem.path, *problem.files())}
-    for path in sorted(directory.glob("*")):
-        if _WRITTEN.fullmatch(path.name) and (path not in own or path.resolve() in files):
-            raise InputError(
-                "the search would write over this file, which is not as a search left it",
-                where=str(path),
-                remedy="choose another directory, or another name or place for the file",
-            )
+    there = (path.name for path in directory.glob("*"))
+    names = [name for name in there if _WRITTEN.fullmatch(name)]
+    _output(problem, directory, force=force).require_usable(names, replacing=True)
+
+
+def _output(problem: Problem, directory: Path, *, force: bool) -> OutputDirectory:
+    inputs = (*input_files(problem.path, problem.tables), *problem.files())
+    return OutputDirectory(directory, MANIFEST, inputs=inputs, force=force)
 
 
 def write_found(
@@ -108,14 +108,15 @@ def write_found(
     *,
     variants: bool = False,
     stop: threading.Event | None = None,
+    force: bool = False,
 ) -> list[Path]:
     """Write ``front.csv``, the design files of its members, ``front.png`` and ``front.html``.
 
     And a page of variants, ``variants.html``, if it is asked for.
 
-    Files of an earlier run that this one does not write are removed, unless somebody changed them.
+    Files of an earlier run that this one does not write are removed.
     """
-    with OutputDirectory(directory, MANIFEST).replacing() as draft:
+    with _output(problem, directory, force=force).replacing() as draft:
         _write_table(draft / "front.csv", problem, found.front)
         for number, member in enumerate(found.front.members):
             text = variant_text(problem, member.values, directory.resolve())

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
+from typing import Final
 
 from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.errors import InputError
@@ -24,6 +25,9 @@ from orishell.shell.pictures import draw_pictures, lay_surface
 from orishell.shell.steps import Clock
 from orishell.structure.pages.files import write_structure_files
 
+ALWAYS: Final = ("shell.fold", "report.json", "overview.png")
+"""Files that are written of every shell."""
+
 
 def write_shell(
     shell: Shell,
@@ -31,23 +35,29 @@ def write_shell(
     formats: Sequence[Format] = (),
     settings: Settings | None = None,
     progress: Progress = no_progress,
+    *,
+    force: bool = False,
 ) -> list[Path]:
     """Write ``shell.fold``, ``report.json``, the pictures and more formats: all of them or none.
 
     Parameters
     ----------
     directory
-        Where to; made if needed. Files of an earlier run that this one does not write are removed,
-        unless somebody changed them; all others stay.
+        Where to; made if needed. Files of an earlier run that this one does not write are removed;
+        all others stay.
     formats
         What to write beside ``shell.fold``.
     settings
         Choices for the formats; None for those of the design file.
+    force
+        Whether files that are not of an earlier run, or were changed, may be written over; what the
+        design was read from never is.
 
     Raises
     ------
     InputError
-        If the directory cannot be written to, or a setting does not fit the sheet.
+        If the directory cannot be written to, a file is in the way there, or a setting does not fit
+        the sheet.
     """
     require_shell(shell)
     for format_ in formats:
@@ -62,7 +72,8 @@ def write_shell(
     clock = Clock()
     if settings is None:
         settings = Settings(workshop=shell.file.workshop)
-    with OutputDirectory(directory).replacing() as draft:
+    output = OutputDirectory(directory, inputs=shell.file.inputs, force=force)
+    with output.replacing() as draft:
         (draft / "report.json").write_text(
             json.dumps(shell.report.as_dict(), indent=2, allow_nan=False) + "\n"
         )
@@ -102,18 +113,21 @@ def _write_curves(shell: Shell, draft: Path) -> None:
     (draft / "f-and-g.toml").write_text("\n".join(lines))
 
 
-def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
+def write_structure(shell: Shell, directory: str | Path, *, force: bool = False) -> list[Path]:
     """Write what was found of a shell as a structure: report, page and picture, or none of them.
 
     Parameters
     ----------
     directory
         Where to; made if needed.
+    force
+        As in :func:`write_shell`.
 
     Raises
     ------
     InputError
-        If the shell was not analysed, or the directory cannot be written to.
+        If the shell was not analysed, the directory cannot be written to, or a file is in the way
+        there.
     """
     require_shell(shell)
     if shell.analysis is None:
@@ -124,7 +138,7 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
             remedy="add the table [structure]",
         )
     directory = path_of(directory, "write_structure: directory")
-    with OutputDirectory(directory).adding() as draft:
+    with OutputDirectory(directory, inputs=shell.file.inputs, force=force).adding() as draft:
         text = json.dumps(as_table(shell.analysis), indent=2, allow_nan=False)
         (draft / "structure.json").write_text(text + "\n")
         _write_structure(shell, draft)
@@ -139,26 +153,41 @@ def _write_structure(shell: Shell, draft: Path) -> None:
 
 
 def write_format(
-    shell: Shell, format_: Format, draft: Path, settings: Settings, progress: Progress = no_progress
-) -> None:
-    """Write a shell in one format.
+    shell: Shell,
+    format_: Format,
+    directory: str | Path,
+    settings: Settings,
+    progress: Progress = no_progress,
+    *,
+    force: bool = False,
+) -> list[Path]:
+    """Write a shell in one format: all files of it or none.
 
     Parameters
     ----------
     format_
         The format; its files have the names that they have for a designed shell.
+    directory
+        Where to; made if needed.
+    force
+        As in :func:`write_shell`.
 
     Raises
     ------
     InputError
-        If a setting does not fit the sheet.
+        If the directory cannot be written to, a file is in the way there, or a setting does not fit
+        the sheet.
     """
     require_shell(shell)
-    states = states_of(shell.motion, progress, f"writing {format_.file}")
-    document = replace(shell.document, states=states)
-    if format_.lays_surface:
-        document = lay_surface(document, shell.design)
-    write_document(format_, draft / format_.file, document, settings, str(shell.file.path))
+    directory = path_of(directory, "write_format: directory")
+    with OutputDirectory(directory, inputs=shell.file.inputs, force=force).adding() as draft:
+        states = states_of(shell.motion, progress, f"writing {format_.file}")
+        document = replace(shell.document, states=states)
+        if format_.lays_surface:
+            document = lay_surface(document, shell.design)
+        write_document(format_, draft / format_.file, document, settings, str(shell.file.path))
+        names = sorted(file.name for file in draft.iterdir())
+    return [directory / name for name in names]
 
 
 def require_shell(shell: object) -> None:
@@ -182,6 +211,8 @@ def convert_fold(
     target: str | Path,
     settings: Settings = DEFAULT_SETTINGS,
     unit: Unit | None = None,
+    *,
+    force: bool = False,
 ) -> list[Path]:
     """Write a FOLD file in another format, which the ending of ``target`` names.
 
@@ -193,16 +224,20 @@ def convert_fold(
         The file to write; a format may write others beside it, whose names begin like its own.
     unit
         Unit of length, where the source names none or a wrong one.
+    force
+        Whether files that orishell did not write, or that were changed, may be written over; the
+        source never is.
 
     Raises
     ------
     InputError
-        If the source cannot be read, the ending is unknown, or the target cannot be written.
+        If the source cannot be read, the ending is unknown, the target cannot be written, or a file
+        is in the way there.
     """
     source, target = Path(source), Path(target)
     format_ = format_of(target)
-    output = OutputDirectory(target.parent)
-    output.require_usable()
+    output = OutputDirectory(target.parent, inputs=(source,), force=force)
+    output.require_usable([target.name])
     document = document_of_fold(read_fold(source), unit)
     if not format_.fits(document):
         raise _lacking(format_, source)

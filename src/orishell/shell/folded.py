@@ -217,25 +217,31 @@ def fold_pattern(
     )
 
 
-def write_folded(folded: Folded, directory: str | Path) -> tuple[list[Path], Sequence[Format]]:
+def write_folded(
+    folded: Folded, directory: str | Path, *, force: bool = False
+) -> tuple[list[Path], Sequence[Format]]:
     """Write a folded pattern as FOLD, glTF and a page: all or none; and what cannot be written.
 
     Parameters
     ----------
     directory
-        Where to; made if needed. Files of an earlier run that this one does not write are removed,
-        unless somebody changed them; all others stay.
+        Where to; made if needed. Files of an earlier run that this one does not write are removed;
+        all others stay.
+    force
+        Whether files that are not of an earlier run, or were changed, may be written over; the
+        pattern never is.
 
     Raises
     ------
     InputError
-        If the directory cannot be written to.
+        If the directory cannot be written to, or a file is in the way there.
     """
     directory = Path(directory)
     pattern = folded.motion.pattern
     pictures = for_pictures(pattern, folded.document)
     missing = [each for each in FORMATS if not each.ready()]
-    with OutputDirectory(directory).replacing() as draft:
+    output = OutputDirectory(directory, inputs=(folded.source.path,), force=force)
+    with output.replacing() as draft:
         for each in FORMATS:
             if each not in missing:
                 document = folded.document if each is FOLD else pictures

@@ -6,27 +6,23 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
-from shutil import copyfile, rmtree
-from tempfile import TemporaryDirectory
+from shutil import move
 from typing import Final
 
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import (
-    Progress,
-    cleaning_up,
-    followed,
-    no_progress,
-    stretch,
-)
+from orishell.conventions.progress import Progress, followed, no_progress, stretch
 from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
+from orishell.design_file import DesignFile
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
 from orishell.io.booklet_pages import BookletPage, booklet_pages
 from orishell.io.format import Format, Settings
 from orishell.io.formats import find_formats
+from orishell.io.formats.booklet import FORMAT as BOOKLET
+from orishell.io.manifest import read_manifest
 from orishell.io.output import replacing_all
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
@@ -44,6 +40,7 @@ CARD: Final = ("dxf", "pdf", "booklet")
 MANIFEST: Final = ".orishell-kit.json"
 """The list of a kit's files in each of its folders."""
 README: Final = "README.md"
+ORDER: Final = "order.csv"
 LEFT_OUT: Final = None
 WRITING, STATES = "writing the kit", 0.1
 """What its progress is called, and the share of it that states take."""
@@ -66,7 +63,7 @@ FOLDERS: Final[tuple[tuple[str, str | None], ...]] = (
     ("ties.csv", "ground"),
     ("ground*", "ground"),
     ("booklet*.pdf", "booklet"),
-    ("order.csv", ""),
+    (ORDER, ""),
     ("panels.csv", LEFT_OUT),
 )
 """Which files go to which folder, the first row that fits; the kit's own is ""."""
@@ -114,7 +111,12 @@ def folder_of(name: str, construction: str) -> str | None:
 
 
 def write_kit(
-    shell: Shell, directory: str | Path, *, paper: bool = False, progress: Progress = no_progress
+    shell: Shell,
+    directory: str | Path,
+    *,
+    paper: bool = False,
+    progress: Progress = no_progress,
+    force: bool = False,
 ) -> Kit:
     """Write the kit of a shell: drawings, tables, booklet, and ``README.md``.
 
@@ -122,38 +124,40 @@ def write_kit(
     ----------
     directory
         Where to; made if needed. Files of an earlier kit that this one does not write are removed
-        from its folders, unless somebody changed them; all others stay. Files are moved there when
-        all are whole, or none is.
+        from its folders; all others stay. Files are moved there when all are whole, or none is.
     paper
         Whether it is the kit of a card model: at ``paper_scale``, or the largest scale at which the
         sheet fits a page of ``paper``.
+    force
+        Whether files that are not of an earlier kit, or were changed, may be written over; what the
+        design was read from never is.
 
     Raises
     ------
     InputError
-        If the directory cannot be written to, a README is there that is not of a kit, or a setting
-        does not fit the sheet.
+        If the directory cannot be written to, a file is in the way there, or a setting does not fit
+        the sheet.
     """
     directory = path_of(directory, "write_kit: directory")
     require_shell(shell)
-    require_kit_place(directory)
+    require_kit_place(shell.file, directory, paper=paper, force=force)
     document, workshop, scale = _subject(shell, paper, stretch(progress, 0.0, STATES), WRITING)
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
-    with TemporaryDirectory() as made, cleaning_up(lambda: rmtree(made, ignore_errors=True)):
+    with OutputDirectory(directory).drafting() as made:
         formats, told = _formats(paper), stretch(progress, STATES, 1.0)
         for format_ in followed(formats, len(formats), told, WRITING):
-            path = Path(made) / format_.file
+            path = made / format_.file
             write_document(format_, path, document, settings, str(shell.file.path))
         folders: dict[str, list[Path]] = {}
-        for file in sorted(Path(made).iterdir()):
+        for file in sorted(made.iterdir()):
             folder = folder_of(file.name, construction)
             if folder is not LEFT_OUT:
                 folders.setdefault(folder, []).append(file)
-        readme = Path(made) / README
+        readme = made / README
         readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
-        written = tuple(_put(folders, directory))
+        written = tuple(_put(folders, _places(shell.file, directory, force=force)))
     return Kit(written, scale)
 
 
@@ -199,46 +203,43 @@ def _formats(paper: bool) -> tuple[Format, ...]:
     return find_formats(CARD if paper else FORMATS)
 
 
-def require_kit_place(directory: Path) -> None:
+def require_kit_place(
+    file: DesignFile, directory: Path, *, paper: bool = False, force: bool = False
+) -> None:
     """Refuse, before any work is done, a directory that a kit cannot be written to.
 
     Raises
     ------
     InputError
-        If it or one of its folders is a file or cannot be written to, or if there is a README and
-        no earlier kit.
+        If it or one of its folders is a file or cannot be written to, or a file is in the way.
     """
-    places = _places(directory)
-    for place in places.values():
-        place.require_usable()
-    readme = directory / README
-    if readme.exists() and not (directory / MANIFEST).exists():
-        raise InputError(
-            f"a {README} is there that is not of a kit",
-            where=str(readme),
-            remedy="choose another directory",
-        )
+    sure = {"": [README] if paper else [README, ORDER], "booklet": [BOOKLET.file]}
+    for folder, place in _places(file, directory, force=force).items():
+        place.require_usable(sure.get(folder, ()), replacing=True)
 
 
-def _places(directory: Path) -> dict[str, OutputDirectory]:
+def _places(file: DesignFile, directory: Path, *, force: bool) -> dict[str, OutputDirectory]:
     """The kit's own folder and those in it, by their names in :data:`TRADES`.
 
     What other commands wrote there is not the kit's to remove.
     """
-    return {folder: OutputDirectory(directory / folder, MANIFEST) for folder in sorted(TRADES)}
+    return {
+        folder: OutputDirectory(directory / folder, MANIFEST, inputs=file.inputs, force=force)
+        for folder in sorted(TRADES)
+    }
 
 
-def _put(folders: dict[str, list[Path]], directory: Path) -> Iterator[Path]:
+def _put(folders: dict[str, list[Path]], everywhere: dict[str, OutputDirectory]) -> Iterator[Path]:
     """Put files into their folders; those of an earlier kit go, and folders that are then empty."""
     places = {
         folder: place
-        for folder, place in _places(directory).items()
-        if folder in folders or place.of_earlier_run()
+        for folder, place in everywhere.items()
+        if folder in folders or read_manifest(place.path, MANIFEST) is not None
     }
     with replacing_all(places.values()) as drafts:
         for folder, draft in zip(places, drafts, strict=True):
             for file in folders.get(folder, []):
-                copyfile(file, draft / file.name)
+                move(file, draft / file.name)
     for folder, place in places.items():
         if folder not in folders:
             place.remove_list()

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import base64
-import tempfile
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from orishell.conventions.errors import InputError
+from orishell.io.output import scratch
 
 
 @contextmanager
@@ -25,8 +25,8 @@ def dropped_file(name: str, content: str, endings: Collection[str], what: str) -
         data = base64.b64decode(content, validate=True)
     except ValueError:
         raise InputError("the content is not base64", where=name) from None
-    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        path = Path(directory) / f"dropped{ending}"
+    with scratch() as directory:
+        path = directory / f"dropped{ending}"
         path.write_bytes(data)
         try:
             yield path

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +15,7 @@ from orishell.io.booklet_pages import booklet_pages
 from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Format
 from orishell.io.formats import find_formats
+from orishell.io.output import scratch
 from orishell.shell.export import write_format
 from orishell.shell.kit import booklet_of_kit, write_kit
 from orishell.shell.make import Shell
@@ -60,8 +60,7 @@ def export_shell(
     Files are called ``name``. Raises InputError if a setting does not fit the sheet.
     """
     asked = str(payload["format"])
-    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        place = Path(directory)
+    with scratch() as place:
         if asked in KITS:
             kit = write_kit(shell, place, paper=KITS[asked], progress=progress)
             files = {file.relative_to(place).as_posix(): file for file in kit.files}
@@ -73,8 +72,7 @@ def export_shell(
 def _exported(
     shell: Shell, format_: Format, place: Path, state: int | str | None, name: str
 ) -> tuple[str, bytes]:
-    write_format(shell, format_, place, Settings.showing(state, shell.file.workshop))
-    paths = sorted(place.iterdir())
+    paths = write_format(shell, format_, place, Settings.showing(state, shell.file.workshop))
     if len(paths) == 1:
         return file_name(paths[0].name, name), paths[0].read_bytes()
     # Drawings have the design's name; other files may name each other.

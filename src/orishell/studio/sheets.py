@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from orishell.design_file import DesignFile
 from orishell.design_file.file import FROM_PACK
 from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
+from orishell.io.output import scratch
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, PaperPages, Sheets
@@ -45,8 +45,8 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
     palette = load_palette(workshop.palette)
     sheets: list[DrawnSheet] = []
     drawn: set[str] = set()
-    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        place = Path(directory) / f"{name}.svg"
+    with scratch() as directory:
+        place = directory / f"{name}.svg"
         for path, drawing in draw_sheet_files(place, document, workshop):
             dump_svg(path, drawing, _visible(palette))
             text = path.read_text(encoding="utf-8")
@@ -54,7 +54,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
             drawn.update(line.layer for line in drawing.lines)
             drawn.update(circle.layer for circle in drawing.circles)
             drawn.update(text.layer for text in drawing.texts)
-        paper = _paper_pages(Path(directory) / "paper.svg", document, workshop, _visible(palette))
+        paper = _paper_pages(directory / "paper.svg", document, workshop, _visible(palette))
     layers: list[LayerPen] = [
         {"layer": layer, "label": LAYERS[layer], "colour": palette.pens[layer].colour}
         for layer in ORDER

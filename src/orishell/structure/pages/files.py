@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from orishell.structure.pages.anchor_tables import anchor_csv
 from orishell.structure.pages.crease_tables import crease_csv
 from orishell.structure.pages.page import structure_page
 from orishell.structure.results import Analysis
+
+FILES: Final = ("structure.html", "structure.png", "creases.csv", "anchors.csv")
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:

@@ -44,7 +44,7 @@ def nearby_pattern(verdict: PatternVerdict) -> CreasePattern:
     )
 
 
-def write_nearby(verdict: PatternVerdict, target: str | Path) -> None:
+def write_nearby(verdict: PatternVerdict, target: str | Path, *, force: bool = False) -> None:
     """Write that sheet as FOLD.
 
     Parameters
@@ -53,13 +53,16 @@ def write_nearby(verdict: PatternVerdict, target: str | Path) -> None:
         What was found of the pattern.
     target
         The file.
+    force
+        Whether a file there that orishell did not write, or that was changed, may be written over;
+        the pattern never is.
 
     Raises
     ------
     DesignError
         If there is no such sheet.
     InputError
-        If the file cannot be written.
+        If the file cannot be written, or another is in its way.
     """
     target, read = Path(target), verdict.read
     pattern = nearby_pattern(verdict)
@@ -69,7 +72,7 @@ def write_nearby(verdict: PatternVerdict, target: str | Path) -> None:
     document = document_of_pattern(
         pattern, pattern.letters, [state], title=f"{read.title}, moved to fold", unit=read.unit
     )
-    output = OutputDirectory(target.parent)
-    output.require_usable()
+    output = OutputDirectory(target.parent, inputs=(read.path,), force=force)
+    output.require_usable([target.name])
     with output.adding() as draft:
         FOLD.write(draft / target.name, document, DEFAULT_SETTINGS)
