@@ -1,7 +1,8 @@
 """Nothing of a shell's pages lies outside its box, at four widths, in two themes.
 
-So too those of a search (``search/test_browser_front``, ``search/test_browser_variants``), of the
-studio (``studio/test_browser_outside``) and of the site (``docs/test_site_outside``).
+So too those of a structure (``shell/test_structure_page``), of a search
+(``search/test_browser_front``, ``search/test_browser_variants``), of the studio
+(``studio/test_browser_outside``) and of the site (``docs/test_site_outside``).
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from command_line import orishell
+from orishell.design_file import starter_file
 from outside import WIDTHS, outside, outside_anywhere
 from samples import thorough
 from viewer_pages import await_frames, require_viewer, wait_until, watched_page
@@ -54,14 +56,11 @@ snow = { ground = 20000 }
 """An arch under far more snow than it bears: long rows in the verdict, a case with a long name."""
 
 
-@pytest.fixture(scope="module")
-def tent(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where an analysed shell has its viewer.html and structure.html."""
+def written(place: Path, text: str, name: str = "shell") -> Path:
+    """Where the pages of a design are."""
     require_viewer()
-    place = tmp_path_factory.mktemp("tent")
-    (place / "a tent with a name that does not end.toml").write_text(TENT)
-    named = "a tent with a name that does not end.toml"
-    ran = orishell("design", named, "--out", "out", "--write", "html", cwd=place)
+    (place / f"{name}.toml").write_text(text)
+    ran = orishell("design", f"{name}.toml", "--out", "out", "--write", "html", cwd=place)
     assert (place / "out" / "viewer.html").is_file(), ran.stderr
     return place / "out"
 
@@ -74,9 +73,10 @@ def wrong(browser: Browser, path: Path) -> dict[str, list[str]]:
         return outside_anywhere(page, opens=True)
 
 
-def test_nothing_of_the_viewer_lies_outside(browser: Browser, tent: Path) -> None:
+def test_nothing_of_the_viewer_lies_outside(browser: Browser, tmp_path: Path) -> None:
+    place = written(tmp_path, starter_file("orthodiagonal"))
     with watched_page(browser, bypass_csp=True) as page:
-        page.goto((tent / "viewer.html").as_uri())
+        page.goto((place / "viewer.html").as_uri())
         wait_until(page, READY)
         assert outside_anywhere(page, opens=True) == {}
         # As its panel once was: as wide as its longest line.
@@ -87,8 +87,11 @@ def test_nothing_of_the_viewer_lies_outside(browser: Browser, tent: Path) -> Non
             assert outside(page), width
 
 
-def test_nothing_of_the_page_of_a_structure_lies_outside(browser: Browser, tent: Path) -> None:
-    assert wrong(browser, tent / "structure.html") == {}
+@thorough
+def test_nothing_of_an_analysed_shells_pages_lies_outside(browser: Browser, tmp_path: Path) -> None:
+    place = written(tmp_path, TENT, "a tent with a name that does not end")
+    for name in ("viewer.html", "structure.html"):
+        assert wrong(browser, place / name) == {}
 
 
 @thorough
