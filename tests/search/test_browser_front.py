@@ -12,6 +12,7 @@ from orishell.conventions.progress import no_progress
 from orishell.search import Problem, SearchResult, alone, journal_in_memory, search_designs
 from orishell.search import page as pages
 from orishell.search.page import write_page
+from outside import outside_anywhere
 from page_checks import MISPLACED, serious_findings
 from samples import led_by, thorough
 from search.problems import small_problem
@@ -313,3 +314,13 @@ def test_a_front_of_one_design(browser: Browser, tmp_path: Path) -> None:
         for key in ("ArrowRight", "ArrowUp", "End"):
             assert pressed(page, key) == (0, 0)
         assert page.locator(".orishell-scene canvas").count() == 1
+
+
+def test_nothing_of_the_page_lies_outside(
+    browser: Browser, three: tuple[Path, SearchResult]
+) -> None:
+    with watched_page(browser) as page:
+        opened(page, three[0])
+        page.evaluate("orishell.pin(0)")
+        settled(page)
+        assert outside_anywhere(page, opens=True) == {}

@@ -9,7 +9,9 @@ import pytest
 
 from orishell.search import alone
 from orishell.search.variants import write_variants
+from outside import outside_anywhere
 from page_checks import serious_findings
+from samples import thorough
 from search.test_page import posed
 from search.test_variants import GRID
 from viewer_pages import await_frames, require_viewer, wait_until, watched_page
@@ -71,3 +73,14 @@ def test_sliders_choose_the_nearest_design_that_works(browser: Browser, path: Pa
         for width in (1440, 390):
             page.set_viewport_size({"width": width, "height": 800})
             assert page.evaluate(OVERFLOW) == 0
+
+
+@thorough  # its panel is the viewer's
+def test_nothing_of_the_page_lies_outside(browser: Browser, path: Path) -> None:
+    with watched_page(browser) as page:
+        page.goto(path.as_uri())
+        settled(page)
+        page.locator(".variant input").nth(1).focus()
+        page.keyboard.press("End")  # what does not work is said
+        settled(page)
+        assert outside_anywhere(page, opens=True) == {}

@@ -21,6 +21,7 @@ from orishell.structure.load_path import LoadPath
 from orishell.structure.pages.files import write_structure_files
 from orishell.structure.pages.page import PATHS, structure_page
 from orishell.structure.results import Analysis
+from outside import outside_anywhere
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -143,8 +144,11 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
         assert shown.evaluate("document.documentElement.scrollWidth") <= width
         colour = shown.evaluate("getComputedStyle(document.body).backgroundColor")
         light.append(sum(map(int, re.findall(r"\d+", colour)[:3])) > 3 * 128)
+    shown.emulate_media(media="screen")
+    found = outside_anywhere(shown)
     shown.close()
     assert light == [False, True]
+    assert found == {}
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
