@@ -182,7 +182,7 @@ def test_a_gap_is_welded_as_the_message_says(
     ran = check(monkeypatch, capsys, path, "--weld", weld)
     assert "4 panels, 12 edges, 1 inner vertices" in ran.out
     folded = fold_pattern(path, frames=3, weld=float(weld))
-    assert len(folded.motion.pattern.faces) == 4
+    assert len(folded.pattern.faces) == 4
 
 
 def test_triangles_in_fold(

@@ -14,8 +14,6 @@ from orishell.conventions.quantities import MILLIMETRES, Unit
 
 MOST = 1000
 """Frames, at most: each is a state of the whole sheet in files and memory."""
-TOLERANCE = 0.0006
-"""That of :func:`orishell.motion.following.follow` or a little more, in degrees."""
 LOOSEST = 0.5
 """Degrees."""
 
@@ -36,8 +34,9 @@ def fold(
         typer.Option(help="Unit of length, if the file names none or a wrong one."),
     ] = None,
     tolerance: Annotated[
-        float, typer.Option(help="By how much vertices may miss closing (degrees, up to 0.5).")
-    ] = TOLERANCE,
+        float | None,
+        typer.Option(help="By how much vertices may miss closing (degrees, up to 0.5; 0.0006)."),
+    ] = None,
     weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
     choice: Annotated[
         int, typer.Option(help="Which of the ways to fold it, where letters are missing.")
@@ -51,6 +50,7 @@ def fold(
     missing they are found.
     """
     from orishell.io import OutputDirectory
+    from orishell.motion.following import TOLERANCE
     from orishell.shell.folded import FORMATS, fold_pattern, write_folded
 
     output = OutputDirectory(out, inputs=(file,), force=force)
@@ -73,7 +73,7 @@ def fold(
             got=str(frames),
             expected=f"from 2 to {MOST}",
         )
-    if not 0 < tolerance <= LOOSEST:
+    if tolerance is not None and not 0 < tolerance <= LOOSEST:
         raise InputError(
             "this is no tolerance",
             where="--tolerance",
@@ -88,14 +88,14 @@ def fold(
             frames=frames,
             unit=cast("Unit | None", unit),
             weld=weld,
-            tolerance=math.radians(tolerance),
+            tolerance=TOLERANCE if tolerance is None else math.radians(tolerance),
             choice=choice,
             progress=progress,
         )
     written, missing = write_folded(folded, out, force=force)
     for each in missing:
         say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
-    pattern = folded.motion.pattern
+    pattern = folded.pattern
     lines = [f"{file}: {len(pattern.faces)} panels, {int(pattern.crease.sum())} creases", ""]
     for row in folded.rows():
         lines += lines_of(row)

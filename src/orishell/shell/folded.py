@@ -7,14 +7,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.clash.sampled import SampledContact, look_for_contact
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress, no_progress, stretch
-from orishell.conventions.quantities import MILLIMETRES, Unit, plain
-from orishell.conventions.record import record
-from orishell.conventions.row import Row
+from orishell.conventions.quantities import MILLIMETRES, Unit, plain, quantity
+from orishell.conventions.record import Angle, record
+from orishell.conventions.row import ORDER, Row
 from orishell.document import Document, DocumentState, FirstContact
 from orishell.document.from_pattern import document_of_pattern, for_pictures
 from orishell.io import OutputDirectory, ReadPattern, read_pattern
@@ -22,11 +24,12 @@ from orishell.io.format import DEFAULT_SETTINGS, Format
 from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.io.formats.gltf import FORMAT as GLTF
 from orishell.io.formats.html import FORMAT as HTML
-from orishell.motion.following import TOLERANCE, Followed, follow
-from orishell.shell.closed_form import in_closed_form
-from orishell.verification.pattern.motion import ENDS
-from orishell.verification.pattern.on_grid import OnGrid
-from orishell.verification.pattern.rows import of_freedom, of_letters
+from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following import TOLERANCE, follow
+from orishell.motion.following.placing import Placing
+from orishell.numerics.arrays import Array
+from orishell.verification.pattern.motion import ENDS, Asked, FoldingMotion, Still
+from orishell.verification.pattern.verdict import Findings, judge_sheet
 
 FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
 LOOSEST = 0.01
@@ -39,63 +42,64 @@ much of the sheet's diagonal where these close but for rounding."""
 
 
 @record
+class States:
+    """States of a motion that are written."""
+
+    letters: NDArray[np.str_]  # letter (E,) of every edge, as it folds
+    drives: Array  # the driving fold angle (S,) of each, 0 at the first (radians)
+    folds: Array  # fold angles (S, E) of all edges, valley positive (radians)
+    residual: float  # by how much vertices miss closing, at most (radians)
+    reached: Angle  # the largest fold angle at the last one
+    ends: str  # why it is the last
+    # what was seen of contact in them; None where the motion closes, of which more is known
+    contact: SampledContact | None = None
+
+
+@record
 class Folded:
     """A crease pattern and its motion."""
 
     source: ReadPattern
-    motion: Followed
+    pattern: CreasePattern  # its flat sheet
+    motion: FoldingMotion  # as ``orishell check`` finds it
+    found: tuple[Row, ...]  # what it says of it
+    states: States
     document: Document  # all states, panels with all their corners
     play: float  # how far panels part at creases at most, in any state (length)
-    contact: SampledContact  # what was seen of contact
-    # how many choices of mountains and valleys fold it where letters are missing, or 0: not known
-    choices: int
-    choice: int  # which of them is folded, from 1
-    closed_form: bool  # whether fold angles are in closed form, or else followed numerically
 
     def rows(self) -> list[Row]:
-        """What was found, worst first."""
-        pattern = self.source.flat
-        assert pattern is not None
-        return sorted(
-            [
-                self._folds(),
-                self._contact(),
-                of_freedom(self.motion.freedom),
-                *of_letters(pattern, self.choices, self.choice),
-                *self._notes(),
-            ],
-            key=lambda row: row.sign != "warns",
-        )
+        """What was found, worst first: of the motion what ``orishell check`` says."""
+        states, seen = self.states, self.states.contact
+        exact = self.motion.exact
+        said = f"{len(states.drives)} up to {in_degrees(states.reached)} degrees: "
+        if not exact:
+            said += f"followed to a tolerance, vertices close to {states.residual:.1g} rad, "
+        said += f"panels part by {quantity(self.play, self.source.unit, 2)} at creases"
+        contact = self.document.contact
+        if contact is not None and contact.drive_deg < np.rad2deg(states.drives[-1]):
+            at = plain(contact.drive_deg)
+            said += f"; beyond {at} degrees panels may pass through each other in them"
+        rows = [
+            *(replace(row, sign="warns") if row.sign == "fails" else row for row in self.found),
+            Row("says" if exact else "warns", "states", said),
+            *(() if seen is None else (_contact(seen),)),
+            *(Row("says", "read", note) for note in self.source.notes),
+        ]
+        return sorted(rows, key=lambda row: ORDER.index(row.sign))
 
-    def _folds(self) -> Row:
-        motion = self.motion
-        finding = (
-            f"to {plain(np.rad2deg(motion.reached))} degrees: {ENDS[motion.end]}; "
-            f"{'in closed form' if self.closed_form else 'followed numerically'}, vertices close "
-            f"to {motion.residuals.max():.0e} rad, panels part by {self.play:.0e} "
-            f"{self.source.unit} at creases"
-        )
-        to_rounding = motion.residuals.max() <= ROUNDING
-        if not to_rounding:
-            finding += ": to a tolerance, not exactly"
-        good = to_rounding and motion.end in ("asked", "closed")
-        return Row("holds" if good else "warns", "folds", finding)
 
-    def _contact(self) -> Row:
-        seen = self.contact
-        looked = f"looked at every {plain(np.rad2deg(seen.apart))} degrees"
-        if seen.met is None or seen.panels is None:
-            upto = f"none seen up to {plain(np.rad2deg(seen.clear))} degrees"
-            return Row("says", "contact", f"{upto}, {looked}; between that is not proved")
-        first, second = seen.panels
-        finding = (
-            f"panels {first} and {second} meet at {plain(np.rad2deg(seen.met))} degrees; {looked}, "
-            "so that others may touch before; states beyond are written, but not looked at"
-        )
-        return Row("warns", "contact", finding)
-
-    def _notes(self) -> list[Row]:
-        return [Row("says", "read", note) for note in self.source.notes]
+def _contact(seen: SampledContact) -> Row:
+    """What was seen in states that close to a tolerance only."""
+    looked = f"looked at every {in_degrees(seen.apart)} degrees"
+    if seen.met is None or seen.panels is None:
+        upto = f"none seen up to {in_degrees(seen.clear)} degrees"
+        return Row("says", "contact", f"{upto}, {looked}; between that is not proved")
+    first, second = seen.panels
+    finding = (
+        f"panels {first} and {second} meet at {in_degrees(seen.met)} degrees; {looked}, so that "
+        "others may touch before; states beyond are written, but not looked at"
+    )
+    return Row("warns", "contact", finding)
 
 
 @checked()
@@ -168,53 +172,70 @@ def fold_pattern(
             where=f"{source}:",
             remedy="name that of its coordinates, for example --unit mm",
         )
-    largest = np.pi if angle is None else angle
-    grid = OnGrid.of(read.flat)
-    ways = [] if grid is None else grid.ways()
-    if not 1 <= choice <= max(len(ways), 1):
-        raise InputError(
-            "there is no such choice of mountains and valleys",
-            where="fold_pattern: choice",
-            got=str(choice),
-            expected=f"1 to {len(ways)}" if len(ways) > 1 else "1: there are no others",
-        )
-    motion = follow(
-        ways[choice - 1].pattern if ways else read.flat,
-        largest=largest,
-        states=frames,
-        tolerance=tolerance,
-        progress=stretch(progress, 0.0, 0.7),
+    asked = Asked(largest=np.pi if angle is None else angle, choice=choice, tolerance=tolerance)
+    findings, rows = judge_sheet(
+        read.flat, read.unit, asked=asked, progress=stretch(progress, 0.0, 0.6)
     )
-    if angle is not None and motion.end not in ("asked", "closed"):
+    motion = findings.motion
+    if isinstance(motion, Still):
+        raise DesignError(motion.reason)
+    states = _states(findings, motion, asked, frames, stretch(progress, 0.6, 0.8))
+    if angle is not None and states.ends not in (ENDS["asked"], ENDS["closed"]):
         raise DesignError(
             f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
-            size=f"it ends at {plain(np.rad2deg(motion.reached))} degrees: {ENDS[motion.end]}",
+            size=f"it ends at {in_degrees(states.reached)} degrees: {states.ends}",
         )
-    exact = in_closed_form(motion)
-    motion = exact or motion
-    states, play = [], 0.0
+    placing, placed, play = Placing(read.flat), [], 0.0
     for number in range(frames):
-        positions, part = motion.placed(number)
+        positions, part = placing.placed(states.folds[number])
         positions.flags.writeable = False
         play = max(play, part)
-        degrees = np.rad2deg(motion.folds[number])
-        states.append(DocumentState(positions, degrees, float(np.rad2deg(motion.drives[number]))))
-        progress(0.7 + 0.1 * (number + 1) / frames, "placing panels")
-    if play > TORN * max(ROUNDING, motion.residuals.max()) * read.flat.diagonal:
+        degrees = np.rad2deg(states.folds[number])
+        placed.append(DocumentState(positions, degrees, float(np.rad2deg(states.drives[number]))))
+        progress(0.8 + 0.2 * (number + 1) / frames, "placing panels")
+    if play > TORN * max(ROUNDING, states.residual) * read.flat.diagonal:
         raise DesignError(
             "the motion that was found tears the sheet at a hole",
             size=f"panels part by {plain(play)} {read.unit}; others were not looked for",
         )
-    contact = look_for_contact(motion, stretch(progress, 0.8, 1.0))
     document = document_of_pattern(
-        read.flat, motion.letters, states, title=read.title, unit=read.unit
+        read.flat, states.letters, placed, title=read.title, unit=read.unit
     )
-    if contact.met is not None and contact.panels is not None:
-        first = FirstContact(float(np.rad2deg(contact.met)), contact.panels)
-        document = replace(document, contact=first)
-    return Folded(
-        read, motion, document, play, contact, len(ways), choice, closed_form=exact is not None
+    document = replace(document, contact=_first_contact(motion, states.contact))
+    return Folded(read, read.flat, motion, tuple(rows), states, document, play)
+
+
+def _states(
+    findings: Findings, motion: FoldingMotion, asked: Asked, frames: int, progress: Progress
+) -> States:
+    """States of the motion where it closes, or else of one that nearly does."""
+    if motion.exact:
+        drives = np.linspace(0.0, motion.drives[-1], frames)
+        folds, miss = motion.folds_at(drives), motion.miss
+        return States(motion.letters, drives, folds, miss, motion.reached, motion.ends)
+    pattern = findings.pattern
+    if motion.way == "closed form":
+        pattern = replace(pattern, letters=motion.letters)
+    found = follow(
+        pattern,
+        largest=asked.largest,
+        states=frames,
+        tolerance=asked.tolerance,
+        progress=stretch(progress, 0.0, 0.5),
     )
+    contact = look_for_contact(found, stretch(progress, 0.5, 1.0))
+    worst, ends = float(found.residuals.max()), ENDS[found.end]
+    return States(found.letters, found.drives, found.folds, worst, found.reached, ends, contact)
+
+
+def _first_contact(motion: FoldingMotion, seen: SampledContact | None) -> FirstContact | None:
+    """The first panels that are known to meet."""
+    proof, seen = motion.proof, seen or motion.seen
+    if proof is not None and proof.contact is not None:
+        return FirstContact(float(np.rad2deg(proof.contact.drive)), proof.contact.panels)
+    if seen is not None and seen.met is not None and seen.panels is not None:
+        return FirstContact(float(np.rad2deg(seen.met)), seen.panels)
+    return None
 
 
 def write_folded(
@@ -237,8 +258,7 @@ def write_folded(
         If the directory cannot be written to, or a file is in the way there.
     """
     directory = Path(directory)
-    pattern = folded.motion.pattern
-    pictures = for_pictures(pattern, folded.document)
+    pictures = for_pictures(folded.pattern, folded.document)
     missing = [each for each in FORMATS if not each.ready()]
     output = OutputDirectory(directory, inputs=(folded.source.path,), force=force)
     with output.replacing() as draft:

@@ -10,11 +10,12 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
+from orishell.families.drawn.decided import decide
 from orishell.families.drawn.mechanism import DrawnSheet
-from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement, find_nearby
+from orishell.families.drawn.nearest import DRIVES, find_nearby
 from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.families.drawn.signs import MOST, find_signs
+from orishell.families.drawn.signs import MOST
 from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.drawing import Drawing
@@ -44,37 +45,44 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     DesignError
         If it does not fold: by how much, where, and how far vertices have to be moved.
     """
-    drawing, warnings = _with_signs(drawing)
-    sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi)
+    decided = decide(drawing.flat, drawing.signs)
+    if decided is None:
+        raise DesignError(
+            "no mountains and valleys were found with which the sheet folds",
+            size=_without_letters(drawing),
+        )
+    sheet, signs = decided.sheet, decided.ways[0]
+    warnings = _of_letters(drawing, len(decided.ways))
     moved = 0.0
-    if disagreement(sheet.drive) >= FOLDS:
+    if not decided.exact:
         flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
-        sheet = drawn_sheet(flat, drawing.signs, sheet.fold)
+        sheet = drawn_sheet(flat, signs, np.pi)
         warnings += (
             f"as drawn the sheet folds only nearly: vertices are moved by up to {plain(moved, 2)} "
             "so that it folds exactly",
         )
-    if fold is not None:
-        sheet = replace(sheet, fold=drive_at_fold(sheet, fold))
+    asked = np.pi if fold is None else drive_at_fold(sheet, fold)
+    sheet = replace(sheet, fold=min(asked, decided.end))
     return _design(sheet, moved, warnings, open_ended=fold is None)
 
 
-def _with_signs(drawing: Drawing) -> tuple[Drawing, tuple[str, ...]]:
-    """The drawing with a sign for every crease, and what is to be said of those that were found."""
+def _without_letters(drawing: Drawing) -> str:
+    """How many creases have none; empty if all have one."""
     signs = drawing.signs
     missing = int(np.isnan(signs.row).sum() + np.isnan(signs.column).sum())
     if not missing:
-        return drawing, ()
-    ways = find_signs(drawing.flat, signs)
-    creases = f"{missing} of {signs.row.size + signs.column.size} creases have no letter"
-    if not ways:
-        raise DesignError(
-            "no mountains and valleys were found with which the sheet folds", size=creases
-        )
-    count = f"{len(ways)} ways" if len(ways) < MOST else f"{MOST} ways or more"
-    several = f" and the first of {count} to fold the sheet is taken" if len(ways) > 1 else ""
-    found = f"{creases}: mountains and valleys were found{several}"
-    return Drawing(drawing.flat, ways[0]), (found,)
+        return ""
+    return f"{missing} of {signs.row.size + signs.column.size} creases have no letter"
+
+
+def _of_letters(drawing: Drawing, ways: int) -> tuple[str, ...]:
+    """What is to be said of letters that were found."""
+    creases = _without_letters(drawing)
+    if not creases:
+        return ()
+    count = f"{ways} ways" if ways < MOST else f"{MOST} ways or more"
+    several = f" and the first of {count} to fold the sheet is taken" if ways > 1 else ""
+    return (f"{creases}: mountains and valleys were found{several}",)
 
 
 def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, float]:

@@ -58,18 +58,14 @@ class Followed:
         """How its states lie in space."""
         return Placing(self.pattern)
 
-    def with_folds(self, folds: Array) -> Followed:
-        """The same states with other fold angles (S, E) for them, and by how much these miss."""
-        misses = [
-            np.abs(self._closure.residuals(each)[0]) for each in folds[:, self._closure.edges]
-        ]
-        residuals = np.array([each.max(initial=0.0) for each in misses])
-        return replace(self, folds=folds, residuals=residuals)
-
     def at(self, drive: float) -> Array:
         """Fold angles (E,) of the state with this largest fold angle, up to the one reached."""
-        folds, _ = states_at(self._closure, self._path, np.array([drive]))
-        return self._closure.on_edges(folds[0])
+        return np.asarray(self.at_all(np.array([drive]))[0])
+
+    def at_all(self, drives: Array) -> Array:
+        """The same (S, E) of states with these largest fold angles (S,)."""
+        drives = np.minimum(drives, self.reached)
+        return self._closure.on_edges(states_at(self._closure, self._path, drives)[0])
 
     def placed(self, state: int) -> tuple[Array, float]:
         """Vertices (V, 3) of a state, and the play that its hinges need (length)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
@@ -10,10 +11,10 @@ from numpy.typing import NDArray
 
 from orishell.clash import PathResult, find_first_contact
 from orishell.clash.sampled import SampledContact, look_for_contact
-from orishell.conventions.errors import DesignError, OrishellError
+from orishell.conventions.errors import DesignError, InputError, OrishellError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
-from orishell.families.drawn import DrawnSheet, drawn_sheet
+from orishell.families.drawn import Decided, decide
 from orishell.families.drawn.nearest import Nearby, find_nearby
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import TOLERANCE, follow
@@ -22,7 +23,7 @@ from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
 from orishell.motion.following.rigid import find_rigid
 from orishell.motion.following.system import Closure
-from orishell.motion.sizes import diagonal
+from orishell.motion.sizes import diagonal, drive_at_fold
 from orishell.numerics.arrays import Array
 from orishell.verification.pattern.loose import LooseMotion, find_loose
 from orishell.verification.pattern.on_grid import OnGrid
@@ -54,12 +55,16 @@ class FoldingMotion:
     # at most; infinite where there are no fold angles
     misses: Array
     vertices: NDArray[np.int64]  # numbers (I,) of these vertices
-    reached: Angle  # the driving fold angle at the end
+    reached: Angle  # the largest fold angle at the end
     ends: str  # why it ends there
     freedom: tuple[Freedom, ...]  # degrees of freedom in states on the way
     plays: Array  # how far rigid panels part at creases in each state (S,), at most (length)
-    # what is proved of contact on the way; None if nothing is
+    # fold angles (S, E) of all edges at driving fold angles (S,), up to the last of the drives
+    folds_at: Callable[[Array], Array]
+    exact: bool  # whether it closes but for rounding, as far as numbers tell
+    # what is proved of contact on the way up to a drive; None if nothing is
     proof: PathResult | None = None
+    proved_to: Angle = 0.0
     seen: SampledContact | None = None  # what was seen of contact in states; None if not looked at
     # with rigid panels and hinges that give way; None if it closes, or does not even nearly
     loose: LooseMotion | None = None
@@ -105,9 +110,8 @@ class FoldingMotion:
     @property
     def proved_clear(self) -> float:
         """The drive up to which it is proved that no panels meet; 0 if nothing is (radians)."""
-        if self.proof is None:
-            return 0.0
-        return CLEAR_UNTIL if self.proof.contact is None else self.proof.contact.clear_until
+        contact = None if self.proof is None else self.proof.contact
+        return self.proved_to if contact is None else contact.clear_until
 
     @property
     def worst_vertex(self) -> int:
@@ -123,10 +127,30 @@ class Still:
     proved: bool  # whether it is proved that the sheet does not fold as its letters ask
 
 
+@record
+class Asked:
+    """Which motion of a sheet is asked for."""
+
+    largest: Angle = float(np.pi)  # the largest fold angle at which to stop
+    # which choice of mountains and valleys is taken where letters of a grid are missing, from 1
+    choice: int = 1
+    tolerance: Angle = TOLERANCE  # by how much vertices may miss closing where it is followed
+
+
+ALL = Asked()
+"""The whole motion, as letters ask."""
+
+
 def find_motion(
-    pattern: CreasePattern, grid: OnGrid | None, exact: float, progress: Progress = no_progress
+    pattern: CreasePattern,
+    grid: OnGrid | None,
+    exact: float,
+    asked: Asked = ALL,
+    progress: Progress = no_progress,
 ) -> FoldingMotion | Still:
-    """Find how a flat sheet folds as its letters ask.
+    """Find how a flat sheet folds as its letters ask: for all that ask, in one way.
+
+    In closed form where that is decided, else followed.
 
     Parameters
     ----------
@@ -134,23 +158,39 @@ def find_motion(
         Its rows and columns, if it has them.
     exact
         Sectors that differ by less prove nothing (radians).
+    asked
+        Which motion.
+
+    Raises
+    ------
+    InputError
+        If there is no such choice of mountains and valleys.
     """
     proved = _proved_still(pattern, exact)
     if proved:
         return Still(proved, proved=True)
+    missing = bool(np.isnan(pattern.signs[pattern.crease]).any())
+    decided = None
     if grid is not None:
-        ways = grid.ways()
-        missing = ways != [grid]
         try:
-            if ways:
-                sheet = drawn_sheet(grid.flat, ways[0].signs, np.pi)
-                found = _in_closed_form(ways[0], sheet, exact, progress)
-                letters = tuple("".join(each.pattern.letters) for each in ways)
-                return replace(found, choices=letters if missing else ())
+            decided = decide(grid.flat, grid.signs, asked.choice)
         except DesignError as error:
             if error.place:  # else parts of it fold by themselves
                 return Still(_said(error), proved=not missing)
-    return _if_followed(pattern, progress)
+    ways = 0 if decided is None else len(decided.ways)
+    if not 1 <= asked.choice <= max(ways, 1):
+        raise InputError(
+            "there is no such choice of mountains and valleys",
+            keys=("choice",),
+            got=str(asked.choice),
+            expected=f"1 to {ways}" if ways > 1 else "1: there are no others",
+        )
+    if grid is None or decided is None:
+        return _if_followed(pattern, asked, progress)
+    lettered = [grid.with_signs(each) for each in decided.ways]
+    found = _in_closed_form(lettered[asked.choice - 1], decided, exact, asked.largest, progress)
+    letters = tuple("".join(each.pattern.letters) for each in lettered)
+    return replace(found, choices=letters if missing else ())
 
 
 def _said(error: OrishellError) -> str:
@@ -178,12 +218,21 @@ def _proved_still(pattern: CreasePattern, exact: float) -> str:
 
 
 def _in_closed_form(
-    grid: OnGrid, sheet: DrawnSheet, exact: float, progress: Progress
+    grid: OnGrid, decided: Decided, exact: float, largest: float, progress: Progress
 ) -> FoldingMotion:
-    pattern, drives = grid.pattern, np.linspace(0.0, np.pi, STATES)
+    pattern, sheet = grid.pattern, decided.sheet
     closure = Closure.of(pattern)
-    with np.errstate(all="ignore"):
-        folds = grid.on_edges(sheet.fold_angles(drives))
+
+    def folds_at(drives: Array) -> Array:
+        with np.errstate(all="ignore"):
+            return grid.on_edges(sheet.fold_angles(drives))
+
+    end, ends = drive_at_fold(sheet, largest), ENDS["closed" if largest >= np.pi else "asked"]
+    if end > decided.end:
+        end = largest = decided.end
+        ends = "beyond, coordinates leave no digits of it"
+    drives = np.linspace(0.0, end, STATES)
+    folds = folds_at(drives)
     found = FoldingMotion(
         way="closed form",
         letters=pattern.letters,
@@ -191,12 +240,14 @@ def _in_closed_form(
         folds=folds,
         misses=_misses(closure, folds),
         vertices=closure.vertices,
-        reached=float(np.pi),
-        ends="a crease is folded flat",
+        reached=largest,
+        ends=ends,
         freedom=(),
         plays=_plays(pattern, folds),
+        folds_at=folds_at,
+        exact=decided.exact,
     )
-    if found.miss > TOUCHING:
+    if not decided.exact:
         found = _loosely(found, pattern, progress)
         moved = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
         if moved is None:
@@ -205,12 +256,25 @@ def _in_closed_form(
         nearby[grid.numbers] = moved.vertices
         return replace(found, nearby=replace(moved, vertices=nearby))
     size = TOUCHING * diagonal(sheet.positions(0.0))
-    at = grid.on_edges(sheet.fold_angles(np.pi * np.array(FREEDOM_AT)))
+    until = min(CLEAR_UNTIL, end)
+    proof = find_first_contact(sheet.still, until, size, progress=progress)
     return replace(
         found,
-        proof=find_first_contact(sheet.still, CLEAR_UNTIL, size, progress=progress),
-        freedom=tuple(find_freedom(closure, each[closure.edges]) for each in at),
+        proof=_by_number(proof, grid),
+        proved_to=until,
+        freedom=tuple(
+            find_freedom(closure, each[closure.edges])
+            for each in folds_at(end * np.array(FREEDOM_AT))
+        ),
     )
+
+
+def _by_number(proof: PathResult, grid: OnGrid) -> PathResult:
+    """The same with panels by their numbers in the pattern."""
+    if proof.contact is None:
+        return proof
+    first, second = grid.panels[list(proof.contact.panels)].tolist()
+    return replace(proof, contact=replace(proof.contact, panels=(first, second)))
 
 
 ENDS = {
@@ -221,40 +285,47 @@ ENDS = {
 }
 
 
-def _if_followed(pattern: CreasePattern, progress: Progress) -> FoldingMotion | Still:
+def _if_followed(pattern: CreasePattern, asked: Asked, progress: Progress) -> FoldingMotion | Still:
     """The motion followed, to closed states or, of a sheet with all letters, to nearly closed."""
     try:
-        return _followed(pattern, TOLERANCE, progress)
+        return _followed(pattern, asked, progress)
     except OrishellError as error:
         still = Still(_said(error), proved=False)
     if np.isnan(pattern.signs[pattern.crease]).any():
         return still
     try:
-        found = _followed(pattern, LOOSEST, progress)
+        found = _followed(pattern, replace(asked, tolerance=LOOSEST), progress)
     except OrishellError:
         return still
     return still if found.loose is None else found
 
 
-def _followed(pattern: CreasePattern, tolerance: float, progress: Progress) -> FoldingMotion:
+def _followed(pattern: CreasePattern, asked: Asked, progress: Progress) -> FoldingMotion:
     found = follow(
-        pattern, states=STATES, tolerance=tolerance, progress=stretch(progress, 0.0, 0.7)
+        pattern,
+        largest=asked.largest,
+        states=STATES,
+        tolerance=asked.tolerance,
+        progress=stretch(progress, 0.0, 0.7),
     )
     closure = Closure.of(pattern)
+    misses, plays = _misses(closure, found.folds), _plays(pattern, found.folds)
     motion = FoldingMotion(
         way="followed",
         letters=found.letters,
         drives=np.minimum(found.drives, np.pi),
         folds=found.folds,
-        misses=_misses(closure, found.folds),
+        misses=misses,
         vertices=closure.vertices,
         reached=min(found.reached, float(np.pi)),
         ends=ENDS[found.end],
         freedom=found.freedom,
-        plays=_plays(pattern, found.folds),
+        plays=plays,
+        folds_at=found.at_all,
+        exact=misses.max(initial=0.0) <= TOUCHING and plays.max() <= TOUCHING * pattern.diagonal,
     )
     rest = stretch(progress, 0.7, 1.0)
-    if motion.miss > TOUCHING or motion.play > TOUCHING * pattern.diagonal:
+    if not motion.exact:
         return _loosely(motion, pattern, rest)
     return replace(motion, seen=look_for_contact(found, rest))
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.families.drawn.signs import find_signs
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.grid import CreaseValues
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.gridding import find_grid, grid_creases
 from orishell.numerics.arrays import Array, Integers
 
@@ -54,14 +54,14 @@ class OnGrid:
         letters = np.where(missing, found, pattern.letters)
         return replace(self, pattern=replace(pattern, letters=letters))
 
-    def ways(self) -> list[OnGrid]:
-        """The same with letters for all creases with which it folds, the best first.
-
-        Itself if none is missing.
-        """
-        if not np.isnan(self.pattern.signs[self.pattern.crease]).any():
-            return [self]
-        return [self.with_signs(each) for each in find_signs(self.flat, self.signs)]
+    @cached_property
+    def panels(self) -> Integers:
+        """Numbers (F,) that its panels have in the pattern, row by row."""
+        asked = np.sort(self.numbers.ravel()[Grid(*self.numbers.shape).faces_vertices()], axis=1)
+        known = np.sort(self.pattern.faces[:, :4], axis=1)
+        found = np.empty(len(known), np.int64)
+        found[np.lexsort(asked.T)] = np.lexsort(known.T)
+        return found
 
     def on_edges(self, values: CreaseValues) -> Array:
         """Values (..., E) of all edges of the pattern, 0 at its border."""

@@ -32,6 +32,7 @@ class Judged:
     motion: FoldingMotion | Still
     tolerance: float  # allowed error of lengths (length)
     rounding: float  # what the last digits of coordinates leave of it (length)
+    choice: int = 1  # which choice of mountains and valleys is taken, where letters are missing
 
     def rows(self) -> Iterator[Row]:
         """All rows."""
@@ -48,7 +49,7 @@ class Judged:
             return
         motion = self.motion
         yield self._folds(motion)
-        yield from of_letters(self.pattern, len(motion.choices))
+        yield from of_letters(self.pattern, len(motion.choices), self.choice)
         if motion.loose is not None or self._closes(motion, self.tolerance):
             yield self._freedom(motion)
             yield self._reaches(motion)
@@ -164,7 +165,7 @@ class Judged:
             if contact is None:
                 return Row("holds", "reaches", f"{reached}: {ends}; {clear}")
             first, second = contact.panels
-            said = f"panels {first} and {second} meet there, counted row by row"
+            said = f"panels {first} and {second} meet there"
             at = f"{in_degrees(contact.drive)} degrees"
             return Row("warns", "reaches", f"{at}: {said}; {clear}")
         seen = motion.seen

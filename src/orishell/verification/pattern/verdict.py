@@ -12,7 +12,7 @@ from orishell.conventions.row import ORDER, Row
 from orishell.families.recognised import Recognised, recognise
 from orishell.io import ReadPattern
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.verification.pattern.motion import FoldingMotion, Still, find_motion
+from orishell.verification.pattern.motion import ALL, Asked, FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.rows import Judged, said_of_motion
 from orishell.verification.pattern.states import examine_states
@@ -106,13 +106,8 @@ def judge_pattern(
     if read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
-        size = read.flat.diagonal
-        findings = _find(read.flat, tolerance * size, progress)
-        judged = Judged(
-            findings.pattern, read.unit, findings.conditions, findings.recognised, findings.motion,
-            tolerance * size, ROUNDING * size,
-        )  # fmt: skip
-        rows += judged.rows()
+        findings, said = judge_sheet(read.flat, read.unit, tolerance=tolerance, progress=progress)
+        rows += said
     if read.states and read.flat is not None:
         rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
     elif read.states:
@@ -122,11 +117,39 @@ def judge_pattern(
     return PatternVerdict(read, tolerance, findings, tuple(rows))
 
 
-def _find(pattern: CreasePattern, error: float, progress: Progress) -> Findings:
-    """What is found of a sheet whose lengths may be wrong by an error."""
+def judge_sheet(
+    pattern: CreasePattern,
+    unit: str,
+    *,
+    tolerance: float = TOLERANCE,
+    asked: Asked = ALL,
+    progress: Progress = no_progress,
+) -> tuple[Findings, list[Row]]:
+    """Find how a flat sheet folds, and say so.
+
+    Parameters
+    ----------
+    unit
+        Unit of length.
+    tolerance
+        As of :func:`judge_pattern`.
+    asked
+        Which motion.
+    progress
+        Is told the share that is done.
+
+    Raises
+    ------
+    InputError
+        If there is no such choice of mountains and valleys.
+    """
+    error, rounding = tolerance * pattern.diagonal, ROUNDING * pattern.diagonal
     limits = error / shortest_creases(pattern)
     most = float(limits.max(initial=0.0))
     grid = OnGrid.of(pattern)
     known = None if grid is None else recognise(grid.flat, grid.signs, most)
-    motion = find_motion(pattern, grid, most, progress)
-    return Findings(pattern, find_conditions(pattern, limits), known, motion)
+    motion = find_motion(pattern, grid, most, asked, progress)
+    conditions = find_conditions(pattern, limits)
+    judged = Judged(pattern, unit, conditions, known, motion, error, rounding, asked.choice)
+    rows = sorted(judged.rows(), key=lambda row: ORDER.index(row.sign))
+    return Findings(pattern, conditions, known, motion), rows

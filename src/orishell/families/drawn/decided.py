@@ -1,0 +1,60 @@
+"""How a drawn sheet folds in closed form: decided here, for whoever checks, folds or designs it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.families.drawn.mechanism import DrawnSheet
+from orishell.families.drawn.nearest import FOLDS, disagreement
+from orishell.families.drawn.sheet import drawn_sheet
+from orishell.families.drawn.signs import find_signs
+from orishell.motion.grid import CreaseValues
+from orishell.numerics.arrays import Array
+
+SHORT_OF_FLAT = 0.99 * np.pi
+"""The drive at which a motion ends whose last state has no digits (radians)."""
+
+
+@record
+class Decided:
+    """How it folds: with which mountains and valleys, and whether exactly."""
+
+    sheet: DrawnSheet  # with those of the way that is taken
+    # signs of all creases with which it folds, the best first; those of the sheet alone where none
+    # was missing
+    ways: tuple[CreaseValues, ...]
+    exact: bool  # whether vertices agree but for rounding; else it folds nearly, or not at all
+    # the drive at the end of its motion (radians): pi, or a little less where rounding leaves no
+    # digits of the state that is folded flat
+    end: float
+
+
+def decide(flat: Array, signs: CreaseValues, choice: int = 1) -> Decided | None:
+    """Decide how a flat sheet folds; None where no signs were found for the creases without.
+
+    Parameters
+    ----------
+    flat
+        Vertices (rows, columns, 2) as in :class:`~orishell.motion.grid.Grid`, with at least one
+        inner vertex.
+    signs
+        Of the creases: 1 valley, -1 mountain, 0 never folded, NaN where nothing is said.
+    choice
+        Which of the ways is taken, from 1; the last one if there are fewer.
+
+    Raises
+    ------
+    DesignError
+        If mountains and valleys at a vertex cannot fold: it has a place; or if parts of the sheet
+        fold by themselves.
+    """
+    ways = [signs]
+    if np.isnan(signs.row).any() or np.isnan(signs.column).any():
+        ways = find_signs(flat, signs)
+    if not ways:
+        return None
+    sheet = drawn_sheet(flat, ways[min(choice, len(ways)) - 1], np.pi)
+    exact = disagreement(sheet.drive) < FOLDS
+    closes = not exact or disagreement(sheet.drive, np.array([np.pi])) < FOLDS
+    return Decided(sheet, tuple(ways), exact, np.pi if closes else SHORT_OF_FLAT)
