@@ -126,8 +126,8 @@ def end_motion(
     DesignError
         If f crosses itself.
     ClashError
-        If panels of the flat sheet touch, panels meet before the target state, or clipped flaps
-        meet panels there.
+        If panels of the flat sheet touch, panels meet before the target state or are not proved
+        not to, or clipped flaps meet panels there.
     """
     if not allow_clash:
         require_uncrossed(design)
@@ -187,6 +187,9 @@ def _clash(design: Design, lock: Lock) -> ClashError:
     assert contact is not None
     if contact is lock.clipped_contact:
         return refuse_clipped(design, contact)
+    aim = "stage" if design.swept is None else "target"
+    if contact.apart is not None:
+        return _not_proved(contact, contact.apart, lock.target_drive, aim)
     if contact.sides is not None:
         return _clash_of_boards(contact, lock.target_drive)
     first, second = (list(panel) for panel in contact.panels)
@@ -196,7 +199,6 @@ def _clash(design: Design, lock: Lock) -> ClashError:
             place=f"panels {first} and {second}",
             excess=1.0,
         )
-    aim = "stage" if design.swept is None else "target"
     at, target = in_degrees(contact.drive), in_degrees(lock.target_drive)
     error = ClashError(
         f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
@@ -215,6 +217,20 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         near = inside(float(np.rad2deg(clear)), 0.0)
         error.candidates = [Remedy({key: value}) for value in (rounded(near, DIGITS), "auto")]
     return error
+
+
+def _not_proved(contact: Contact, apart: float, target: float, aim: str) -> ClashError:
+    """The error where the proof ends before the target state, and no contact is seen."""
+    first, second = contact.names
+    clear, whole = in_degrees(contact.clear_until), in_degrees(target)
+    return ClashError(
+        f"it is not proved that the shell reaches its {aim} without contact: {first} and {second} "
+        "may meet",
+        place=f"beyond drive {clear} of {whole} degrees",
+        size=f"they are {apart:.4g} apart there",
+        excess=1 - contact.clear_until / target,
+        thick=contact.sides is not None,
+    )
 
 
 def _clash_of_boards(contact: Contact, target: float) -> ClashError:
