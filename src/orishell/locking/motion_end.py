@@ -159,7 +159,7 @@ def end_motion(
 
 
 def require_pack(design: Design, lock: Lock) -> None:
-    """Refuse a shell that is to be opened from a pack, and does not close beyond its target.
+    """Refuse a shell that is to be opened from a pack, and closes hardly beyond its target, if so.
 
     Raises
     ------
@@ -168,17 +168,32 @@ def require_pack(design: Design, lock: Lock) -> None:
     """
     if lock.closes_to > lock.target_drive * (1 + NO_PACK):
         return
-    contact = lock.first_contact
+    target, end = lock.target_drive, lock.closes_to
+    beyond = f"it closes from {in_degrees(target)} to {in_degrees(end)} degrees: " * (end > target)
     # From the flat sheet, flaps are part of it unless something else is said.
     clipped = {} if design.clipped is None else {"deployment.flap_attachment": "clipped"}
     further = [Remedy({"deployment.largest_fold_deg": 180.0})] if lock.cause == "hinges" else []
     raise DesignError(
-        "the shell does not close beyond its target, so that it cannot be opened from a pack",
+        f"the shell {'hardly closes' if end > target else 'does not close'} beyond its target, so "
+        "that it cannot be opened from a pack",
         keys=("deployment.from",),
-        size="" if contact is None else f"panels meet there ({contact.kind})",
+        size=beyond + _ends(lock) if lock.cause else "",
         candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
         excess=1 - (lock.closes_to / lock.target_drive - 1) / NO_PACK,
     )
+
+
+def _ends(lock: Lock) -> str:
+    """What keeps a motion from going on."""
+    contact = lock.first_contact
+    if contact is None:
+        return "its hinges close no further" if lock.cause == "hinges" else "boards leave no room"
+    first, second = contact.names
+    if contact.apart is not None:
+        return f"beyond, {first} and {second} are not proved not to meet"
+    if lock.cause == "crease":
+        return f"there {first} and {second} are folded onto each other"
+    return f"there {first} and {second} meet ({contact.kind})"
 
 
 def _clash(design: Design, lock: Lock) -> ClashError:

@@ -190,6 +190,8 @@ def _locks(report: Report) -> Iterator[Row]:
         sign: Sign = "holds" if push > 0 and held.opening is not None else "warns"
     else:
         sign = "warns" if push > 0 and held.opening is None else "holds"
+    if any(tie.slack is False for tie in held.ties):
+        sign = "warns"  # what is not proved slack may stop it short, or hold nothing
     text = f"{CLOSING[held.closing]}; {opening}"
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"
