@@ -142,7 +142,10 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         allowed = (
             ((stop - start) * np.pi) ** 2
             / 8
-            * (np.abs(bound.down[i] - bound.down[k]) + np.abs(bound.along[j] - bound.along[m]))
+            * sum(
+                sums.between(np.minimum(*ends), np.maximum(*ends))
+                for sums, ends in ((bound.down, (i, k)), (bound.along, (j, m)))
+            )
         )
         assert (chord_error <= allowed + 1e-12).all()
         tightest = max(tightest, float((chord_error[allowed > 0] / allowed[allowed > 0]).max()))

@@ -16,6 +16,8 @@ from orishell.numerics.arrays import Array, Integers
 RANGES, LEVELS, TABLES_KEPT = 32, 3, 64
 """Ranges of the drive in a table, halvings of the path to the tables of its parts, tables kept."""
 ROUNDING = 1 + 1e-9
+SUMMED = 4 * float(np.finfo(np.float64).eps)
+"""Rounding of a running sum, by the number of its terms and the last of it."""
 FLATTEST = 1e-30
 """The area that two edges span counts as at least this share of the largest."""
 
@@ -28,10 +30,15 @@ class EdgeBounds:
     column it takes. Shorter parts of the path have finer tables of bounds.
     """
 
-    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
+    def __init__(
+        self, mechanism: Mechanism, end: float, tree: PanelTree, panels: Integers | None = None
+    ) -> None:
+        """Bounds between nodes of a tree over panels, or over parts (N,) of ``panels``."""
         self.mechanism, self.end = mechanism, end
         self.layout = layout = Layout.of(mechanism)
-        self.hull = tree.enclosing(*(each.astype(float) for each in (layout.first, layout.last)))
+        which = slice(None) if panels is None else panels
+        ends = (each[which].astype(float) for each in (layout.first, layout.last))
+        self.hull = tree.enclosing(*ends)
         self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
 
     def within(self, start: float, stop: float) -> RangeBounds:
@@ -43,7 +50,7 @@ class EdgeBounds:
         rows, columns = self._table(level, index)
         part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
         steps = rows[part].max(axis=0), columns[part].max(axis=0)
-        return RangeBounds(steps, _running(steps[0]), _running(steps[1]), self.hull, self.layout)
+        return RangeBounds(steps, *(Running.of(each) for each in steps), self.hull, self.layout)
 
     def _table(self, level: int, index: int) -> tuple[Array, Array]:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""
@@ -51,11 +58,16 @@ class EdgeBounds:
         if table is None:
             ends = self.end * (index + np.linspace(0.0, 1.0, RANGES + 1)) / 2**level
             rows, columns = self.mechanism.edge_accelerations(ends[:-1], ends[1:])
-            table = rows * ROUNDING, columns * ROUNDING
+            # Where a family knows no bound there is none.
+            table = _known(rows) * ROUNDING, _known(columns) * ROUNDING
             self.tables[level, index] = table
             if len(self.tables) > TABLES_KEPT:
                 self.tables.popitem(last=False)
         return table
+
+
+def _known(bounds: Array) -> Array:
+    return np.where(np.isnan(bounds), np.inf, bounds)
 
 
 class NormalBounds:
@@ -91,12 +103,39 @@ class NormalBounds:
 
 
 @record
+class Running:
+    """Running sums (K+1,) of bounds (K,), of which some may be infinite."""
+
+    finite: Array  # of those that are finite
+    infinite: Integers  # numbers of those that are not
+    rounding: float  # by how much a difference of two may be too small
+
+    @classmethod
+    def of(cls, bounds: Array) -> Running:
+        """Those of bounds (K,), none of which is negative."""
+        known = np.isfinite(bounds)
+        finite = np.concatenate([[0.0], np.cumsum(np.where(known, bounds, 0.0))])
+        infinite = np.concatenate([[0], np.cumsum(~known)])
+        return cls(finite, infinite, SUMMED * len(finite) * float(finite[-1]))
+
+    def between(self, begin: Integers, end: Integers) -> Array:
+        """Sums (P,) of the bounds from some on and up to others (P,); 0 where these are the same.
+
+        Large ones must not swallow small ones, nor infinite ones each other.
+        """
+        found = self.finite[end] - self.finite[begin] + self.rounding * (end > begin)
+        if self.infinite[-1]:
+            found[self.infinite[end] > self.infinite[begin]] = np.inf
+        return np.asarray(found)
+
+
+@record
 class RangeBounds:
     """Bounds of accelerations of edges along rows and down columns in one part of the path."""
 
     steps: tuple[Array, Array]  # (C-1,) and (R-1,)
-    along: Array  # running sums (C,)
-    down: Array  # running sums (R,)
+    along: Running  # of those along rows, by columns
+    down: Running  # of those down columns, by rows
     hull: Extents  # vertex rows and columns of the nodes of a PanelTree
     layout: Layout
 
@@ -122,10 +161,4 @@ class RangeBounds:
 
     def _across(self, begin: Integers, end: Integers) -> Array:
         """Bound (P,) between vertices at rows and columns (2, P): the sum of those of the edges."""
-        return np.asarray(
-            self.down[end[0]] - self.down[begin[0]] + self.along[end[1]] - self.along[begin[1]]
-        )
-
-
-def _running(steps: Array) -> Array:
-    return np.concatenate([[0.0], np.cumsum(steps)])
+        return self.down.between(begin[0], end[0]) + self.along.between(begin[1], end[1])

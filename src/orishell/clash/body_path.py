@@ -24,11 +24,20 @@ from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
 from orishell.clash.path import PathRange, PathSearch
-from orishell.clash.ranges import BASE, TICKS, Outcome, PathContact, PathResult, search_ranges
+from orishell.clash.ranges import (
+    BASE,
+    TICKS,
+    Found,
+    Outcome,
+    PathContact,
+    PathResult,
+    search_ranges,
+)
 from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.convex import require_convex
 from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -76,10 +85,10 @@ def first_contact(
     opposite = NearBodies(others, near)
     everything = np.arange(len(opposite.pairs[0]))
     found, clear = search_ranges(opposite.examine, everything, stretch(progress, 0.0, OPPOSITE))
-    contact, carriers = None, others.bodies.carriers
+    contact = None
     if found is not None:
-        ends = others.states.drive(found[0]), others.states.drive(clear)
-        contact = PathContact(*ends, carriers(found[1]), found[1])
+        ends = others.states.drive(found.tick), others.states.drive(clear)
+        contact = others.contact(*ends, found)
         others = search(ends[0])
     result = others.run(stretch(progress, OPPOSITE, 1.0))
     ranges, tests = result.proof.ranges + opposite.ranges, result.proof.tests + opposite.tests
@@ -87,7 +96,7 @@ def first_contact(
     if result.contact is not None:
         first = result.contact
         until = min(each.clear_until for each in (first, contact) if each is not None)
-        contact = PathContact(first.drive, until, carriers(first.panels), first.panels)
+        contact = replace(first, clear_until=until)
     return PathResult(contact, proof)
 
 
@@ -102,10 +111,21 @@ class BodySearch(PathSearch):
         bodies: Bodies,
         only: Booleans | None = None,
     ) -> None:
+        require_convex(mechanism)
         super().__init__(mechanism, end, tolerance, only=only, bodies=bodies)
-        self.only = only
-        self.layout, self.bodies = Layout.of(mechanism), bodies
+        self.bodies = bodies
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
+
+    def contact(self, drive: float, clear: float, found: Found) -> PathContact:
+        """Where two boards touch, or are not proved apart."""
+        apart = None if found.touches else self._distance(found)
+        return PathContact(drive, clear, self.bodies.carriers(found.pair), found.pair, apart)
+
+    def _distance(self, found: Found) -> float:
+        """How far two boards are apart in a state, at least (length)."""
+        state = self.states.at(found.tick).bodies
+        first, second = (np.array([body]) for body in found.pair)
+        return max(0.0, float(Apartness.of((state, state), (first, second)).gaps[0, 0]))
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
         return 2 * float(self._swings(part).max())
@@ -205,11 +225,11 @@ class NearBodies:
         woken = pending[~asleep]
         if self.bodies.hinges is not None:
             woken = woken[self._may_be_near((start, stop), woken, (step, bounds.steps, swing))]
-        left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
+        left = woken[~(self._gaps(ends, woken, errors) > self.tolerance)]
         apart = Apartness.of(ends, selected(self.pairs, left))
         self.kept_by[left] = apart.number
         gap = self._gaps(ends, left, errors)
-        open_ones = gap <= self.tolerance
+        open_ones = ~(gap > self.tolerance)
         left, apart, gap = left[open_ones], apart.chosen(open_ones), gap[open_ones]
         # The gap that a proof lacks shrinks with the square of the step.
         plain = apart.gaps.min(axis=0)
@@ -237,7 +257,7 @@ class NearBodies:
             along, down, over = largest[:, which]
             total = along * rows[column] + down * columns[row] + over * swing[panel]
             needed += step**2 / 8 * (total + step_h[which] * swing[self.between[which]])
-        return np.asarray(body_gaps(ends, selected(self.pairs, which)) <= needed)
+        return np.asarray(~(body_gaps(ends, selected(self.pairs, which)) > needed))
 
     def _gaps(
         self,

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds, RangeBounds
+from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds, RangeBounds, Running
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.body_path import BodySearch, first_contact
 from orishell.clash.broad_phase import CHUNK, Extents, Pairs, PanelTree, body_gaps, joined, selected
@@ -35,7 +35,7 @@ from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
-from orishell.motion.layout import Layout, points_of
+from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -66,10 +66,10 @@ class HingedSearch(BodySearch):
     """
 
     def _tree(
-        self, mechanism: Mechanism, end: float, layout: Layout, bodies: Bodies | None
+        self, mechanism: Mechanism, end: float, bodies: Bodies | None
     ) -> tuple[PanelTree, EdgeBounds]:
         assert bodies is not None
-        tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
+        tree = PanelTree.over(self.layout.faces, self.layout.first.astype(np.float64))
         return tree, ShiftedBounds(mechanism, end, tree, bodies)
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array:
@@ -87,7 +87,7 @@ class HingedSearch(BodySearch):
         pairs = joined([part.open, bodies.pairs_of(near)[0]])
         self.tests += len(pairs[0])
         needed = bounds.between_bodies(bodies, pairs) * part.step**2 / 8 + tolerance
-        left = np.asarray(body_gaps(ends, pairs) <= needed)
+        left = np.asarray(~(body_gaps(ends, pairs) > needed))
         pairs, needed = selected(pairs, left), needed[left]
         states = start.bodies, stop.bodies
         # Most are seen apart along the normal of one of the boards, which needs no other looks.
@@ -164,8 +164,8 @@ class ShiftedBounds(EdgeBounds):
             plain.layout,
             swings,
             self.tree.enclosing(0.0 * largest, largest),
-            np.append(0.0, np.cumsum(across.max(axis=0))),
-            np.append(0.0, np.cumsum(down.max(axis=1))),
+            Running.of(across.max(axis=0)),
+            Running.of(down.max(axis=1)),
         )
 
 
@@ -176,8 +176,8 @@ class ShiftedRange(RangeBounds):
     of_bodies: Array  # bounds (B,) of accelerations of corners of bodies over their panels
     swings: Extents  # 0, and the largest of these, of the nodes of the tree
     # running sums of those of shifts from panel to panel, across (C-1,) and down (R-1,)
-    across: Array
-    below: Array
+    across: Running
+    below: Running
 
     def between_bodies(self, bodies: Bodies, pairs: Pairs) -> Array:
         """Bound (P,) of the acceleration of any vector between corners of two bodies."""
@@ -188,5 +188,5 @@ class ShiftedRange(RangeBounds):
     def _across(self, begin: Integers, end: Integers) -> Array:
         plain = RangeBounds._across(self, begin, end)
         last = np.maximum(end - 1, begin)
-        shifts = self.below[last[0]] - self.below[begin[0]]
-        return np.asarray(plain + shifts + self.across[last[1]] - self.across[begin[1]])
+        shifts = self.below.between(begin[0], last[0]) + self.across.between(begin[1], last[1])
+        return np.asarray(plain + shifts)

@@ -111,7 +111,8 @@ class Group:
         """Pairs kept apart neither by one of two directions (3, P) nor by one turning between."""
         first, last = (views_along(direction, self.corners) for direction in (start, stop))
         standing = np.maximum(common_gap(first), common_gap(last))
-        near = np.maximum(standing, turning_gap(first, last)) <= self.needed
+        # A pair without a bound is not proved apart.
+        near = ~(np.maximum(standing, turning_gap(first, last)) > self.needed)
         if near.all():
             return self
         corners = [(first[..., near], second[..., near]) for first, second in self.corners]

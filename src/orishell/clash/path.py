@@ -24,7 +24,6 @@ from orishell.clash.broad_phase import (
     Pairs,
     PanelTree,
     child_pairs,
-    common_corners,
     gaps,
     joined,
     selected,
@@ -32,6 +31,7 @@ from orishell.clash.broad_phase import (
 from orishell.clash.narrow_phase import Findings, examine_pairs
 from orishell.clash.ranges import (
     TICKS,
+    Found,
     Outcome,
     PathContact,
     PathResult,
@@ -39,9 +39,11 @@ from orishell.clash.ranges import (
     States,
     search_ranges,
 )
+from orishell.clash.separation import corners_of, nearest
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.convex import ConvexParts
 from orishell.motion.layout import Layout
 from orishell.numerics.arrays import Array, Booleans
 
@@ -76,10 +78,11 @@ def find_first_contact(
     """Return where two panels without a common vertex first come within a tolerance.
 
     Panels that share a crease meet where it is folded flat; panels that share a vertex only,
-    opposite each other, cannot touch before one of its four creases is: where the arcs that they
-    cut from a sphere about the vertex first meet, an end of one lies on the other, and the arc
-    between them covers it. Both are seen from the fold angles, which the families keep
-    below 180 degrees until the end (docs/theory/locking-and-clash.md), not here.
+    opposite each other, cannot touch within their sectors there before one of its four creases is:
+    where the arcs that they cut from a sphere about the vertex first meet, an end of one lies on
+    the other, and the arc between them covers it. Both are seen from the fold angles, which the
+    families keep below 180 degrees until the end (docs/theory/locking-and-clash.md), not here. What
+    a panel with a reflex corner has outside of its sector is compared as all others are.
 
     Parameters
     ----------
@@ -92,6 +95,11 @@ def find_first_contact(
         that are to clash at the end.
     only
         Panels (F,): pairs with none of them are left out. All panels if None.
+
+    Raises
+    ------
+    DesignError
+        If panels lie on each other in the flat sheet about a reflex corner.
     """
     return PathSearch(mechanism, end, tolerance, lenient=lenient, only=only).run(progress)
 
@@ -125,21 +133,23 @@ class PathSearch:
         only: Booleans | None = None,
         bodies: Bodies | None = None,
     ) -> None:
-        layout = Layout.of(mechanism)
+        self.layout = Layout.of(mechanism)
+        self.parts = ConvexParts.of(mechanism)
         self.tolerance, self.lenient = tolerance, lenient
-        self.tree, self.bounds = self._tree(mechanism, end, layout, bodies)
-        self.wanted = _held(self.tree, only)
+        self.tree, self.bounds = self._tree(mechanism, end, bodies)
+        self.wanted = _held(self.tree, None if only is None else only[self.parts.panels])
         self.states = States(mechanism, end, self.tree, bodies)
         self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
         self.rounding = ROUNDING * float(np.abs(self.states.at(0).points).max())
 
     def _tree(
-        self, mechanism: Mechanism, end: float, layout: Layout, bodies: Bodies | None
+        self, mechanism: Mechanism, end: float, bodies: Bodies | None
     ) -> tuple[PanelTree, EdgeBounds]:
-        """The tree of panels, and bounds between its nodes."""
-        tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
-        return tree, EdgeBounds(mechanism, end, tree)
+        """The tree of convex parts of panels, and bounds between its nodes."""
+        panels = self.parts.panels
+        tree = PanelTree.over(self.parts.faces, self.layout.first[panels].astype(np.float64))
+        return tree, EdgeBounds(mechanism, end, tree, panels)
 
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
@@ -147,11 +157,24 @@ class PathSearch:
         found, clear = search_ranges(self._examine, ([root], joined([])), progress)
         contact = None
         if found is not None:
-            contact = PathContact(self.states.drive(found[0]), self.states.drive(clear), found[1])
+            contact = self.contact(self.states.drive(found.tick), self.states.drive(clear), found)
         proof = ProofRecord(
             self.states.made, self.ranges, self.tests, *self.steps[::-1], self.tolerance
         )
         return PathResult(contact, proof)
+
+    def contact(self, drive: float, clear: float, found: Found) -> PathContact:
+        """Where two panels touch, or are not proved apart."""
+        first, second = self.parts.panels[list(found.pair)].tolist()
+        apart = None if found.touches else self._distance(found)
+        return PathContact(drive, clear, (first, second), apart=apart)
+
+    def _distance(self, found: Found) -> float:
+        """How far two parts are apart in a state (length)."""
+        points = self.states.at(found.tick).points
+        faces = self.parts.faces[list(found.pair)]
+        first, second = (corners_of(points, each[None]) for each in faces)
+        return float(nearest(first, second)[0][0])
 
     def _examine(self, start: int, stop: int, pending: Pending) -> Outcome[Pending]:
         """Look at a range for pairs of nodes and of panels that are not proved apart."""
@@ -179,9 +202,9 @@ class PathSearch:
         self.tests += len(pairs[0])
         tolerance = np.full(len(pairs[0]), self.tolerance)
         if self.lenient is not None:
-            tolerance[self.lenient(pairs)] *= LENIENCE
+            tolerance[self.lenient(self._owners(pairs))] *= LENIENCE
         tolerance += self.rounding
-        chord_error = part.step**2 / 8 * part.bounds.between_panels(*pairs)
+        chord_error = part.step**2 / 8 * part.bounds.between_panels(*self._owners(pairs))
         points = (self.states.at(part.start).points, self.states.at(part.stop).points)
         return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
 
@@ -202,7 +225,7 @@ class PathSearch:
             room = gap - self.tolerance - self.rounding
             swung = np.broadcast_to(self._swung(part, level, pairs), gap.shape)
             chord_error = part.step**2 / 8 * (bounds.between_nodes(level, *pairs) + swung)
-            near = room <= chord_error
+            near = ~(room > chord_error)
             pairs, room, chord_error = selected(pairs, near), room[near], chord_error[near]
             swung = swung[near]
             crowded = len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE
@@ -233,11 +256,17 @@ class PathSearch:
         return 2 * len(found.open[0]) > len(sample[0])
 
     def _panels(self, pairs: Pairs) -> Pairs:
-        """Pairs of panels from pairs of lowest nodes, those that share a vertex left out."""
+        """Pairs of panels from pairs of lowest nodes, those that share a vertex left out.
+
+        Of parts of panels they are those that have none in common, nor a crease of their panels.
+        """
         first, second = (self.tree.panels[nodes] for nodes in pairs)
         pairs = selected((first, second), (first >= 0) & (second >= 0) & (first != second))
-        shared = common_corners(self.tree.faces, *pairs).any(axis=(1, 2))
-        return selected(pairs, np.asarray(~shared))
+        return selected(pairs, self.parts.compared(*pairs))
+
+    def _owners(self, pairs: Pairs) -> Pairs:
+        """The panels of pairs of parts (P,)."""
+        return self.parts.panels[pairs[0]], self.parts.panels[pairs[1]]
 
     def _wanted(self, level: int, pairs: Pairs) -> Pairs:
         """Pairs with a panel that is asked for."""

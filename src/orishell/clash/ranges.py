@@ -43,20 +43,23 @@ class ProofRecord:
 
 @dataclass(frozen=True, slots=True)
 class PathContact:
-    """The first contact on a path."""
+    """The first contact on a path, or where the proof that there is none ends."""
 
-    drive: float  # where two panels touch (radians)
+    drive: float  # where two panels touch, or are not proved apart (radians)
     clear_until: float  # up to here no two panels touch, proved (radians)
     panels: tuple[int, int]  # numbers of the two panels
     # numbers of the two bodies on them, if these were looked at
     bodies: tuple[int, int] | None = None
+    # how far they are apart there, if they are not seen to touch and are merely not proved apart in
+    # the smallest step beside it; None if they touch (length)
+    apart: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PathResult:
-    """What was found on a path: the first contact, or None, and how."""
+    """What was found on a path: the first contact, or where the proof ends, or None; and how."""
 
-    contact: PathContact | None  # the first contact, or None
+    contact: PathContact | None  # None if it is proved all the way that there is none
     proof: ProofRecord
 
     @classmethod
@@ -107,34 +110,45 @@ class Outcome(Generic[Left]):
     at_stop: Numbers | None  # the nearest that touch there
 
 
+@record
+class Found:
+    """Where a search through ranges ends."""
+
+    tick: int
+    pair: Numbers
+    touches: bool  # whether the two touch there, or are merely not proved apart beside it
+
+
 def search_ranges(
     examine: Callable[[int, int, Left], Outcome[Left]], everything: Left, progress: Progress
-) -> tuple[tuple[int, Numbers] | None, int]:
+) -> tuple[Found | None, int]:
     """Work through the ranges of a path in their order, up to the first contact.
 
-    ``examine`` looks at a range between two ticks, first at ``everything``. Returned are tick and
-    pair of the first contact, or None, and the tick up to which everything is apart.
+    ``examine`` looks at a range between two ticks, first at ``everything``. Returned are the first
+    contact, or the first of the smallest ranges in which a pair is not proved apart that touches at
+    neither end, or None; and the tick up to which everything is apart.
     """
     step = TICKS // BASE
     stack = [(k * step, (k + 1) * step, everything) for k in reversed(range(BASE))]
-    found: tuple[int, Numbers] | None = None
+    found: Found | None = None
     clear = 0
     while stack:
         start, stop, pending = stack.pop()
-        if found is not None and start >= found[0]:
+        if found is not None and start >= found.tick:
             break
         # Many ranges may bring no progress: it is told, and can be ended, at each.
         progress(clear / TICKS, LOOKING)
         outcome = examine(start, stop, pending)
         if outcome.at_start is not None:
-            found = (start, outcome.at_start)
+            found = Found(start, outcome.at_start, touches=True)
             break
         if outcome.at_stop is not None:
-            found = (stop, outcome.at_stop)
+            found = Found(stop, outcome.at_stop, touches=True)
         if outcome.left is None:
             clear = stop
         elif stop - start == 1 and outcome.pair is not None:
-            found = (stop, outcome.pair)
+            if outcome.at_stop is None:
+                found = Found(stop, outcome.pair, touches=False)
             break
         else:
             middle = (start + stop) // 2

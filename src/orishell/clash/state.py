@@ -17,6 +17,7 @@ from orishell.clash.broad_phase import (
 )
 from orishell.clash.narrow_phase import Slabs, near_slabs
 from orishell.clash.separation import corners_of, nearest, overlaps
+from orishell.motion.convex import ConvexParts
 from orishell.motion.quads import dots, lengths, unit_normals, units
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -76,6 +77,25 @@ def find_contacts(
         found.append(np.stack(chunk, axis=-1)[touching])
     contacts = np.concatenate([np.empty((0, 2), np.int64), *found])
     return contacts[np.lexsort((contacts[:, 1], contacts[:, 0]))]
+
+
+def find_distant_contacts(points: Array, parts: ConvexParts, tolerance: float) -> Integers:
+    """Pairs (P, 2) of parts of panels that touch in a state (V, 3), neighbours left out.
+
+    Parameters
+    ----------
+    tolerance
+        Distance at which they count as touching (length).
+    """
+    near = near_panels(points, parts.faces, tolerance)
+    near = selected(near, parts.compared(*near))
+
+    def apart(first: Integers, second: Integers) -> Array:
+        return nearest(
+            corners_of(points, parts.faces[first]), corners_of(points, parts.faces[second])
+        )[0]
+
+    return np.stack(selected(near, in_chunks(apart, *near) <= tolerance), axis=-1)
 
 
 def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:

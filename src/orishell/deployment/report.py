@@ -66,7 +66,9 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
     mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
     clipped, folded = design.clipped is not None, has_flaps(mechanism)
     ties = find_ties(mechanism, site.ties, lock.closes_to, design.hinges)
-    caught = lock.cause if lock.closes_to <= lock.target_drive else None
+    # Where the proof ends nothing is known to hold it.
+    ends = lock.closes_to <= lock.target_drive and lock.cause != "unproved"
+    caught = lock.cause if ends else None
     return DeploymentReport(
         start=start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,

@@ -181,7 +181,7 @@ class Document:
         corners = state.positions[self.mesh.faces]
         if self.boards is None or self.boards.hinges is None:
             return corners
-        shifts = self.boards.hinges.drawn(unit_normals(corners))
+        shifts = self.boards.hinges.drawn(corners, unit_normals(corners))
         return np.asarray(corners + shifts[:, None])
 
     def board_name(self, board: int) -> str:

@@ -22,6 +22,7 @@ from orishell.design import Design
 from orishell.locking.boards import Corners, Met, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
+from orishell.motion.convex import require_convex
 from orishell.motion.layout import points_of
 from orishell.numerics.extremes import first_largest
 from orishell.solids import BuiltPanels, settled_vertices
@@ -68,7 +69,10 @@ def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
     sheet: The sheet with its flaps.
     tolerance: By so much panels may reach into each other, as they may come near each other
         (length).
+
+    Raises DesignError if a panel is concave.
     """
+    require_convex(sheet.mechanism, "clipped flaps")
     faces, points = sheet.layout.faces, sheet.points_at_target()
     pairs = find_contacts(points, faces, tolerance)
     pairs = pairs[sheet.flapped((pairs[:, 0], pairs[:, 1]))]

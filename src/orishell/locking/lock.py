@@ -16,7 +16,7 @@ from orishell.locking.boards import prove_boards
 from orishell.locking.clipped import clip_boards, find_crossing
 from orishell.locking.in_pieces import first_contact_of_pieces
 from orishell.locking.joined import join_pieces
-from orishell.locking.result import Contact, Lock
+from orishell.locking.result import Cause, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
 from orishell.motion.grid import Panel
@@ -79,7 +79,7 @@ def find_lock(
         lock = replace(lock, boards_proof=path.proof)
         if path.contact is not None:
             found = sheet.contact_of_boards(path.contact, built.boards)
-            lock = replace(lock, drive=found.drive, cause="boards", first_contact=found)
+            lock = replace(lock, drive=found.drive, cause=_cause(found), first_contact=found)
     lock = replace(lock, built=built)
     if lock.early:
         return lock
@@ -142,7 +142,14 @@ def _lock_of_panels(
     if path.contact is None:
         return lock_without_clash(design, path.proof, touching)
     found = sheet.contact(path.contact)
-    return sheet.lock(found.drive, "clash", found, path.proof, touching)
+    return sheet.lock(found.drive, _cause(found), found, path.proof, touching)
+
+
+def _cause(found: Contact) -> Cause:
+    """What ends a motion where two panels, or their boards, touch or are not proved apart."""
+    if found.apart is not None:
+        return "unproved"
+    return "clash" if found.sides is None else "boards"
 
 
 def lock_without_clash(

@@ -126,8 +126,8 @@ def end_motion(
     DesignError
         If f crosses itself.
     ClashError
-        If panels of the flat sheet touch, panels meet before the target state, or clipped flaps
-        meet panels there.
+        If panels of the flat sheet touch, panels meet before the target state or are not proved
+        not to, or clipped flaps meet panels there.
     """
     if not allow_clash:
         require_uncrossed(design)
@@ -159,7 +159,7 @@ def end_motion(
 
 
 def require_pack(design: Design, lock: Lock) -> None:
-    """Refuse a shell that is to be opened from a pack, and does not close beyond its target.
+    """Refuse a shell that is to be opened from a pack, and closes hardly beyond its target, if so.
 
     Raises
     ------
@@ -168,17 +168,32 @@ def require_pack(design: Design, lock: Lock) -> None:
     """
     if lock.closes_to > lock.target_drive * (1 + NO_PACK):
         return
-    contact = lock.first_contact
+    target, end = lock.target_drive, lock.closes_to
+    beyond = f"it closes from {in_degrees(target)} to {in_degrees(end)} degrees: " * (end > target)
     # From the flat sheet, flaps are part of it unless something else is said.
     clipped = {} if design.clipped is None else {"deployment.flap_attachment": "clipped"}
     further = [Remedy({"deployment.largest_fold_deg": 180.0})] if lock.cause == "hinges" else []
     raise DesignError(
-        "the shell does not close beyond its target, so that it cannot be opened from a pack",
+        f"the shell {'hardly closes' if end > target else 'does not close'} beyond its target, so "
+        "that it cannot be opened from a pack",
         keys=("deployment.from",),
-        size="" if contact is None else f"panels meet there ({contact.kind})",
+        size=beyond + _ends(lock) if lock.cause else "",
         candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
         excess=1 - (lock.closes_to / lock.target_drive - 1) / NO_PACK,
     )
+
+
+def _ends(lock: Lock) -> str:
+    """What keeps a motion from going on."""
+    contact = lock.first_contact
+    if contact is None:
+        return "its hinges close no further" if lock.cause == "hinges" else "boards leave no room"
+    first, second = contact.names
+    if contact.apart is not None:
+        return f"beyond, {first} and {second} are not proved not to meet"
+    if lock.cause == "crease":
+        return f"there {first} and {second} are folded onto each other"
+    return f"there {first} and {second} meet ({contact.kind})"
 
 
 def _clash(design: Design, lock: Lock) -> ClashError:
@@ -187,6 +202,9 @@ def _clash(design: Design, lock: Lock) -> ClashError:
     assert contact is not None
     if contact is lock.clipped_contact:
         return refuse_clipped(design, contact)
+    aim = "stage" if design.swept is None else "target"
+    if contact.apart is not None:
+        return _not_proved(contact, contact.apart, lock.target_drive, aim)
     if contact.sides is not None:
         return _clash_of_boards(contact, lock.target_drive)
     first, second = (list(panel) for panel in contact.panels)
@@ -196,7 +214,6 @@ def _clash(design: Design, lock: Lock) -> ClashError:
             place=f"panels {first} and {second}",
             excess=1.0,
         )
-    aim = "stage" if design.swept is None else "target"
     at, target = in_degrees(contact.drive), in_degrees(lock.target_drive)
     error = ClashError(
         f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
@@ -215,6 +232,20 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         near = inside(float(np.rad2deg(clear)), 0.0)
         error.candidates = [Remedy({key: value}) for value in (rounded(near, DIGITS), "auto")]
     return error
+
+
+def _not_proved(contact: Contact, apart: float, target: float, aim: str) -> ClashError:
+    """The error where the proof ends before the target state, and no contact is seen."""
+    first, second = contact.names
+    clear, whole = in_degrees(contact.clear_until), in_degrees(target)
+    return ClashError(
+        f"it is not proved that the shell reaches its {aim} without contact: {first} and {second} "
+        "may meet",
+        place=f"beyond drive {clear} of {whole} degrees",
+        size=f"they are {apart:.4g} apart there",
+        excess=1 - contact.clear_until / target,
+        thick=contact.sides is not None,
+    )
 
 
 def _clash_of_boards(contact: Contact, target: float) -> ClashError:

@@ -19,14 +19,17 @@ Kind = Literal[
     "distant panels",
     "boards",
 ]
-Cause = Literal["flaps", "clash", "crease", "hinges", "boards"]
+Cause = Literal["flaps", "clash", "crease", "hinges", "boards", "unproved"]
+"""What ends a motion."""
+MET = ("clash", "boards", "unproved")
+"""Causes up to which a motion is proved, and which are not where it could end by itself."""
 
 
 @record
 class Contact:
-    """Two panels that touch."""
+    """Two panels that touch, or that are not proved apart."""
 
-    drive: Angle  # the drive angle at which they touch
+    drive: Angle  # the drive angle at which they do
     clear_until: Angle  # up to here no panels touch, proved; 0 if the path was not examined
     # the two panels; those of flaps that are clipped on are in the columns beside the sheet's, -1
     # the one on the left
@@ -43,6 +46,9 @@ class Contact:
     # how far one reaches into the other, if they were looked at in one state only; None if they
     # touch on the way (length)
     overlap: float | None = None
+    # how far they are apart, at least, if they are not seen to touch and are merely not proved
+    # apart; None if they touch (length)
+    apart: float | None = None
 
     @property
     def names(self) -> tuple[str, str]:
@@ -79,7 +85,7 @@ class Lock:
     drive: Angle | None  # where it ends; None if nothing ends it
     # what ends it: flaps folded onto each other as designed, panels that clash, another crease that
     # is folded flat, hinges that close no further, or boards, which meet there or would leave too
-    # little of a panel
+    # little of a panel; or the proof, beyond which it is not known whether two panels meet
     cause: Cause | None
     first_contact: Contact | None  # the panels that touch first, if any do
     target_drive: Angle  # where the shell meets its target
@@ -104,35 +110,44 @@ class Lock:
     @property
     def closes_to(self) -> float:
         """As far as the motion goes, proved free of contact if its path was examined (radians)."""
-        if self.cause in {"clash", "boards"} and self.first_contact is not None:
+        if self.cause in MET and self.first_contact is not None:
             return self.first_contact.clear_until
         return self.target_drive if self.drive is None else self.drive
 
     @property
     def early(self) -> bool:
-        """Whether panels clash before the shell stands at its target with its flaps."""
+        """Whether it is not proved that the shell stands at its target with its flaps."""
         return self.obstacle is not None
+
+    @property
+    def reaches_target(self) -> bool | None:
+        """Whether nothing meets before the target; None if that is not proved, and nothing seen."""
+        found = self.obstacle
+        return None if found is not None and found.apart is not None else found is None
 
     @property
     def obstacle(self) -> Contact | None:
         """What keeps the shell from its target, or its clipped flaps from their place there."""
         first = self.first_contact
-        met = (
-            self.cause in {"clash", "boards"}
-            and first is not None
-            and first.drive < self.target_drive
-        )
+        met = self.cause in MET and first is not None and first.drive < self.target_drive
         return first if met else self.clipped_contact
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Panels that meet before the target, or touch there and should not."""
+        """Panels that meet before the target, or touch there and should not; what is not proved."""
         contact = self.obstacle
         if contact is not None and contact is self.clipped_contact:
             first, second = contact.names
             return (
                 f"{first} and {second} meet when flaps are clipped on at the target: these have no "
                 "room there",
+            )
+        if contact is not None and contact.apart is not None:
+            one, other = contact.names
+            return (
+                f"that {one} and {other} do not meet is not proved beyond drive "
+                f"{in_degrees(contact.clear_until)} of {in_degrees(self.target_drive)} degrees: "
+                "nothing is known of the way from there to the target",
             )
         if contact is not None:
             one, other = (list(panel) for panel in contact.panels)

@@ -6,12 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.clash import PathContact, ProofRecord, find_contacts
+from orishell.clash import PathContact, ProofRecord
+from orishell.clash.state import find_distant_contacts
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.locking.result import Cause, Contact, Kind, Lock
 from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
 from orishell.motion.boards import SIDES, Boards
+from orishell.motion.convex import ConvexParts
 from orishell.motion.grid import Panel
 from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -96,7 +98,7 @@ class Sheet:
         """The contact of two panels."""
         depth = corrugation_depth(self.mechanism.positions(found.drive))
         panels, kind = self.panels(found.panels), self.kind(found.panels)
-        return Contact(found.drive, found.clear_until, panels, kind, depth)
+        return Contact(found.drive, found.clear_until, panels, kind, depth, apart=found.apart)
 
     def contact_of_boards(self, found: PathContact, boards: Boards) -> Contact:
         """The contact of two boards."""
@@ -109,7 +111,8 @@ class Sheet:
             strict=True,
         )
         depth = corrugation_depth(self.mechanism.positions(found.drive))
-        return Contact(found.drive, found.clear_until, panels, "boards", depth, sides)
+        ends = found.drive, found.clear_until
+        return Contact(*ends, panels, "boards", depth, sides, apart=found.apart)
 
     def panel(self, number: int) -> Panel:
         """Row and column of a panel."""
@@ -145,10 +148,10 @@ class Sheet:
 
     def touching(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
         """Pairs of panels that touch at the target without being meant to."""
-        faces = self.layout.faces
-        pairs = find_contacts(self.points_at_target(), faces, tolerance)
-        shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
-        pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]
+        parts = ConvexParts.of(self.mechanism)
+        found = parts.panels[find_distant_contacts(self.points_at_target(), parts, tolerance)]
+        pairs = np.unique(np.sort(found, axis=1), axis=0)
+        pairs = pairs[~self.designed((pairs[:, 0], pairs[:, 1]))]
         return tuple(self.panels((int(first), int(second))) for first, second in pairs)
 
     def points_at_target(self) -> Array:

@@ -59,7 +59,7 @@ class Boards:
         start, axes = panel_axes(lying[faces], lying[faces])
         origin, moved = panel_axes(positions[faces], lying[faces])
         if self.hinges is not None:
-            origin = origin + self.hinges.drawn(moved[..., 2])
+            origin = origin + self.hinges.drawn(positions[faces], moved[..., 2])
         turn = (moved @ np.swapaxes(axes, 1, 2))[self.panels]
         away = self.outlines - start[self.panels, None, None]
         return np.asarray(np.einsum("bij,bhkj->bhki", turn, away) + origin[self.panels, None, None])

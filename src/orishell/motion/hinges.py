@@ -12,7 +12,7 @@ Around a vertex these steps sum up to nothing in all states if the heights fulfi
 
 A sheet in pieces has joints in place of the hinges of some rows. The heights there are those at
 which hinges would let the pieces move as one, so the pieces fit each other exactly at the target.
-Folded up further they are drawn apart.
+Folded up further they are drawn apart, each behind a plane.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
 
-OPEN = 1e-9
-"""Joints that fold flat at the target count as open by so much."""
+FURTHER = 1e-12
+"""Joints are folded further than at the target if the cosine of their fold angles is as much less.
+Up to there rounding decides."""
 
 
 @runtime_checkable
@@ -152,18 +153,21 @@ class Hinges:
         shifts += self.place - shifts.mean(axis=(-3, -2), keepdims=True)
         return shifts.reshape(normals.shape)
 
-    def drawn(self, normals: Array) -> Array:
+    def drawn(self, corners: Array, normals: Array) -> Array:
         """The shifts (F, 3) with which a state is drawn: pieces that lie in one place apart.
 
-        Folded up further than at the target, pieces are moved along the normal that all panels
-        share when they are folded flat, by the height of such a stack.
+        Folded up further than at the target, pieces are moved along the mean of their normals, the
+        one that all panels share when they are folded flat, until a plane parts each two of them.
+
+        corners, normals: Those of all panels (F, 4, 3) and (F, 3) in the state, not shifted.
         """
         shifts = self.shifts(normals)
         if self.joints is None:
             return shifts
         n = normals.reshape(*self.levels.shape, 3)
-        apart = self._apart(n, self.joints)
-        apart -= apart.mean(axis=0)
+        if not self._beyond_target(n, self.joints):
+            return shifts
+        apart = self._apart(corners + shifts[:, None], n)
         return shifts + np.repeat(apart, n.shape[1], axis=0)
 
     def middles(self, normals: Array) -> Array:
@@ -182,8 +186,8 @@ class Hinges:
 
     def drawn_boards(self, positions: Positions) -> Array:
         """Corners (rows-1, columns-1, 4, 3) of all boards, half way up, as a state is drawn."""
-        listed = panel_normals(positions).reshape(-1, 3)
-        moved = self.drawn(listed) - self.shifts(listed)
+        listed, corners = panel_normals(positions).reshape(-1, 3), grid_corners(positions)
+        moved = self.drawn(corners.reshape(-1, 4, 3), listed) - self.shifts(listed)
         return self.boards(positions) + moved.reshape(*self.levels.shape, 1, 3)
 
     def vertices(self, positions: Positions) -> Array:
@@ -213,18 +217,32 @@ class Hinges:
         across = self.heights.column[..., None] * (n[..., :-1, :] - n[..., 1:, :])
         return down, across
 
-    def _apart(self, n: Array, joints: Joints) -> Array:
-        """How far rows of panels (rows-1, 3) are moved apart with their pieces, by normals."""
+    def _beyond_target(self, n: Array, joints: Joints) -> bool:
+        """Whether a state is folded up further than the target, by normals."""
         rows = list(joints.rows)
-        above, below = n[rows], n[[row + 1 for row in rows]]
-        cosines = (above * below).sum(axis=-1).mean(axis=1)
-        share = np.maximum(joints.cosines - cosines, 0.0) / np.maximum(1 + joints.cosines, OPEN)
-        most = max(each.stop - each.start for each in self.pieces) * n.shape[1]
-        height = most * (self.thickness + 2 * self.knuckle) + 2 * self.longest_arm
-        along = (self._sides()[rows][..., None] * above).mean(axis=1)
-        apart = np.zeros((len(n), 3))
-        apart[[row + 1 for row in rows]] = height * share[:, None] * along
-        return np.cumsum(apart, axis=0)
+        cosines = (n[rows] * n[[row + 1 for row in rows]]).sum(axis=-1).mean(axis=1)
+        return bool((joints.cosines - cosines > FURTHER).any())
+
+    def _apart(self, corners: Array, n: Array) -> Array:
+        """How far rows of panels (rows-1, 3) are moved apart with their pieces.
+
+        corners: Those of all panels (F, 4, 3), shifted.
+        """
+        along = (self._sides()[..., None] * n).mean(axis=(0, 1))
+        along /= np.linalg.norm(along)
+        # All that is on a panel is between two heights over it.
+        beyond = self.longest_arm + 2 * self.knuckle
+        ends = np.stack([self.levels - beyond, self.levels + self.thickness + beyond], axis=-1)
+        at = (corners @ along).reshape(*self.levels.shape, 4, 1)
+        seen = at + (ends * (n @ along)[..., None])[..., None, :]
+        room = self.thickness + beyond
+        moved, offset = np.zeros(len(n)), 0.0
+        for before, piece in pairwise(self.pieces):
+            overlap = seen[before].max() - seen[piece].min() + room
+            offset += max(0.0, float(overlap))
+            moved[piece] = offset
+        moved -= moved.mean()
+        return np.asarray(moved[:, None] * along)
 
     def _sides(self) -> Array:
         """1 or -1 (rows-1, columns-1): the way panels face, folded flat, as the first or not."""

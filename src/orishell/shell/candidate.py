@@ -11,6 +11,7 @@ from orishell.conventions.record import record
 from orishell.deployment import Site, find_site
 from orishell.deployment.feet import Feet, find_feet, stand
 from orishell.deployment.report import DeploymentReport, describe_deployment
+from orishell.deployment.short_ties import require_slack
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
@@ -77,6 +78,9 @@ def find_candidate(
         found = _proved(file, progress, clash, skip, clock)
     if choice is not None:
         require_boards(choice.limits, found.design, found.lock)
+    if file.deployment.start == "pack":
+        design, limit = found.design, found.lock.closes_to
+        require_slack(design.mechanism, found.deployment.ties, limit, design.hinges)
     return replace(found, turned=turned, choice=choice, fitted=fitted)
 
 

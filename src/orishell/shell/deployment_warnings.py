@@ -52,6 +52,8 @@ def _of_pack(
     if lock.cause == "clash" and lock.first_contact is not None:
         first, second = (list(panel) for panel in lock.first_contact.panels)
         why = f"panels {first} and {second} meet at drive {in_degrees(lock.closes_to)} degrees"
+    elif lock.cause == "unproved":
+        why = f"nothing is proved of its motion beyond drive {in_degrees(lock.closes_to)} degrees"
     elif lock.cause == "boards" and design.panel is not None:
         why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":

@@ -17,6 +17,7 @@ from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
+from orishell.motion.convex import require_convex
 from orishell.motion.hinges import FreeLengths, Hinges, Straightened
 from orishell.motion.layout import has_flaps
 from orishell.solids import (
@@ -131,6 +132,7 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
 
 def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
     """The design with panels of a thickness: its flaps stop where their boards meet."""
+    require_convex(design.mechanism)
     if panel.construction == "hinged":
         return _with_whole_boards(design, panel, closing)
     stop = panel.stop if has_flaps(design.mechanism) else 0.0

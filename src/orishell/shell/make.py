@@ -205,7 +205,7 @@ def _step_by_step(
         turned=found.turned,
         chosen=found.choice,
         fitted=found.fitted,
-        feasible=None if clash == "unexamined" else not lock.early,
+        feasible=None if clash == "unexamined" else lock.reaches_target,
         warnings=(
             *design.warnings,
             *lock.warnings,
@@ -289,7 +289,7 @@ def _deployed(design: Design, document: Document) -> tuple[float, float, float]:
 
 def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
     contact = lock.first_contact
-    if contact is None:
+    if contact is None or contact.apart is not None:
         return None
     layout = Layout.of(design.mechanism)
     first, second = (layout.name(row, column) for row, column in contact.panels)

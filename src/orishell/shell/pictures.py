@@ -176,15 +176,18 @@ def _offset_section(design: Design) -> OffsetSection | None:
 def _drawn(lock: Lock) -> DrawnContact | None:
     """The first contact, if it comes before the target and so is to be drawn."""
     contact = lock.obstacle
-    if contact is None or contact is lock.clipped_contact:
+    if contact is None or contact is lock.clipped_contact or contact.apart is not None:
         return None
     return DrawnContact(contact.drive, contact.panels)
 
 
 def _last_state(design: Design, lock: Lock) -> str:
     if design.ending_at is not None:
-        return "Where panels first touch" if lock.cause == "clash" else "As far as it folds"
+        last = {"clash": "Where panels first touch", "unproved": "As far as it is proved to fold"}
+        return last.get(lock.cause or "", "As far as it folds")
     aim = "target" if design.swept is not None else "stage"
+    if lock.reaches_target is None:
+        return f"The {aim}, which it is not proved to reach"
     if lock.early and lock.clipped_contact is None:
         return f"The {aim}, which it does not reach"
     if lock.cause == "flaps":

@@ -84,7 +84,7 @@ class Report:
     turned: TurnChoice | None
     chosen: Choice | None  # how rows and columns were chosen, if there was a tolerance
     fitted: FittedSize | None  # how its target was scaled, if sizes were asked for
-    # whether it reaches its target without contact; None if that was not examined
+    # whether it reaches its target without contact; None if that was not examined, or not proved
     feasible: bool | None
     warnings: tuple[str, ...]  # sentences a user should read
     # how exactly it folds; None if that was not measured

@@ -37,6 +37,7 @@ CLOSING = {
     "clash": "panels that meet stop it closing",
     "hinges": "its hinges stop it closing",
     "boards": "the thickness of its boards stops it closing",
+    "unproved": "only its supports stop it closing",
     None: "only its supports stop it closing",
 }
 
@@ -95,12 +96,15 @@ def _folds(report: Report) -> Iterator[Row]:
             f"; panel lengths to {report.residuals.panel_length:.1e}, fold angles to "
             f"{report.residuals.fold_angle_rad:.1e} rad"
         )
+    contact = lock.first_contact
+    proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
+    if contact is not None and contact.apart is not None:
+        yield _not_proved(report, contact, aim, f"{proved}{exact}")
+        return
     if report.feasible is None:
         said = "not known: nobody looked whether panels meet on the way"
         yield Row("warns", "folds", f"{said}{exact}")
         return
-    contact = lock.first_contact
-    proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and lock.cause in ("clash", "boards"):
         angle = _degrees(contact.drive, lock.target_drive)
         meets = f"{_panels_of(contact)} meet at {angle} ({contact.kind})"
@@ -116,6 +120,21 @@ def _folds(report: Report) -> Iterator[Row]:
         yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
     else:
         yield Row("holds", "folds", f"in one motion{exact}")
+
+
+def _not_proved(report: Report, contact: Contact, aim: str, rest: str) -> Row:
+    """What is said where the proof ends and no contact is seen."""
+    target = report.lock.target_drive
+    apart = size(contact.apart or 0.0, report.unit)
+    upto = _degrees(contact.clear_until, target)
+    short = f"short of the {aim} at {_degrees(target, contact.clear_until)}"
+    beyond = "" if contact.drive <= target * (1 + SAME) else f", beyond the {aim}"
+    where = short if contact.drive < target else f"nothing touches up to there{beyond}"
+    finding = (
+        f"not proved beyond {upto}: {_panels_of(contact)} are {apart} apart there and may meet; "
+        f"{where}{rest}"
+    )
+    return Row("warns", "folds", finding)
 
 
 def _degrees(drive: float, beside: float = np.nan) -> str:
@@ -171,6 +190,8 @@ def _locks(report: Report) -> Iterator[Row]:
         sign: Sign = "holds" if push > 0 and held.opening is not None else "warns"
     else:
         sign = "warns" if push > 0 and held.opening is None else "holds"
+    if any(tie.slack is False for tie in held.ties):
+        sign = "warns"  # what is not proved slack may stop it short, or hold nothing
     text = f"{CLOSING[held.closing]}; {opening}"
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"

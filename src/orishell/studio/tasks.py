@@ -141,7 +141,7 @@ class Task:
         # Flaps of a width that the program chooses may be narrower now than the view had them, a
         # pack, where panels meet, less closed, and boards cut off where they would meet. What loads
         # do to the shell is found here only.
-        met = file.deployment.start == "pack" and shell.lock.cause == "clash"
+        met = file.deployment.start == "pack" and shell.lock.cause in {"clash", "unproved"}
         built = document.boards is not None or document.loaded is not None
         other = file.pattern.flap == "auto" or met or built
         return {

@@ -15,7 +15,7 @@ from mechanisms import flat_foldable, miura_net
 from orishell.conventions.errors import DesignError
 from orishell.deployment.pieces import choose_pieces
 from orishell.design import PanelSpec
-from orishell.design_file import read_design_file
+from orishell.design_file import check_design, read_design_file
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
 from orishell.locking import find_lock
@@ -24,6 +24,7 @@ from orishell.motion import Mechanism, diagonal
 from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals
 from orishell.motion.piece import SheetPiece
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
@@ -31,10 +32,10 @@ from orishell.shell.steps import Step
 from orishell.solids import build_panels
 from orishell.solids.hinged import find_hinges
 from orishell.solids.hinged.joints import joint_openings, joint_rows, numbers_of_rows
-from orishell.solids.hinged.pieces import pieces_of
-from overlaps import NOTHING, overlap
+from orishell.solids.hinged.pieces import piece_numbers, pieces_of
+from overlaps import NOTHING, overlap, solids
 from rigid import distance_after_motion
-from samples import led_by, thorough
+from samples import THOROUGH, led_by, thorough
 
 CLOSED = 1e-12
 """Of the diagonal, as asked; 2e-13 is the most that was seen, near 180 degrees."""
@@ -192,8 +193,12 @@ def test_drawn_apart_pieces_are_rigid_and_clear_of_each_other_in_the_pack() -> N
     build = BUILD.having(pieces=4)
     hinges = find_hinges(sheet, build)
     for drive in np.linspace(0.0, sheet.end_drive, 9):
-        normals = panel_normals(sheet.positions(drive)).reshape(-1, 3)
-        apart = (hinges.drawn(normals) - hinges.shifts(normals)).reshape(8, 7, 3)
+        state = sheet.positions(drive)
+        normals, corners = (
+            panel_normals(state).reshape(-1, 3),
+            grid_corners(state).reshape(-1, 4, 3),
+        )
+        apart = (hinges.drawn(corners, normals) - hinges.shifts(normals)).reshape(8, 7, 3)
         for rows in hinges.pieces:
             assert np.ptp(apart[rows], axis=(0, 1)).max() < 1e-15
         moved = np.linalg.norm(apart[4, 0] - apart[0, 0])
@@ -207,6 +212,53 @@ def test_drawn_apart_pieces_are_rigid_and_clear_of_each_other_in_the_pack() -> N
     places = boards.carried(faces, flat, folded.reshape(-1, 3)) @ panel_normals(folded)[0, 0]
     first = boards.panels < faces.shape[0] // 2
     assert places[first].max() < places[~first].min() or places[~first].max() < places[first].min()
+
+
+CASES = {
+    "miura": {"rows": 5, "columns": 6, "sheet": "miura", "growth": 1.15},
+    "in three": {"rows": 6, "columns": 3, "sheet": "miura", "growth": 1.1},
+}
+
+
+@pytest.mark.parametrize("name", led_by(CASES))
+def test_pieces_have_nothing_in_common_in_any_state_that_is_drawn(name: str) -> None:
+    """Against manifold3d: bodies of different pieces have no volume in common from the target,
+    where they are joined, to the pack.
+    """
+    tables = {
+        "shell": {"family": "flat-foldable", "unit": "m"},
+        "pattern": CASES[name],
+        "panel": {
+            "construction": "hinged",
+            "thickness": 0.02,
+            "gap": 0,
+            "density": 680,
+            "arm_density": 7850,
+            "pieces": 4 if name == "miura" else 3,
+            "hinge": {"linear_density": 0.4},
+        },
+        "deployment": {"from": "pack"},
+        "motion": {"frames": 13 if THOROUGH else 7},
+    }
+    skip: tuple[Step, ...] = ("remedies", "deviation", "weight", "stock", "verification", "pack")
+    file = check_design(tables, Path("shell.toml"))
+    document = make_shell(file, clash="unexamined", skip=skip).document
+    boards = document.boards
+    assert boards is not None
+    assert boards.hinges is not None
+    numbers = piece_numbers(boards)
+    assert numbers.max() == (1 if name == "miura" else 2)
+    for state in document.states[: document.named["target"] + 1]:
+        corners = document.boards_in(state)
+        made = solids(corners, boards)
+        low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
+        near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)
+        near &= numbers[:, None] < numbers
+        common = [
+            (made[one] ^ made[other]).volume() / min(made[one].volume(), made[other].volume())
+            for one, other in np.argwhere(near)
+        ]
+        assert max(common, default=0.0) < 1e-9, state.drive_deg
 
 
 def test_auto_takes_the_smallest_pack_whose_arms_may_be() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from orishell.clash import PathContact
 from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
@@ -160,14 +161,7 @@ class Judged:
             return self._reaches_loosely(motion.loose)
         reached, ends = f"{in_degrees(motion.reached)} degrees", motion.ends
         if motion.proof is not None:
-            contact = motion.proof.contact
-            clear = f"nothing meets up to {in_degrees(motion.proved_clear)} degrees (proved)"
-            if contact is None:
-                return Row("holds", "reaches", f"{reached}: {ends}; {clear}")
-            first, second = contact.panels
-            said = f"panels {first} and {second} meet there"
-            at = f"{in_degrees(contact.drive)} degrees"
-            return Row("warns", "reaches", f"{at}: {said}; {clear}")
+            return self._reaches_as_proved(motion, motion.proof.contact)
         seen = motion.seen
         if seen is None:
             return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
@@ -178,6 +172,21 @@ class Judged:
         first, second = seen.panels
         said = f"panels {first} and {second} meet there; {looked}"
         return Row("warns", "reaches", f"{in_degrees(seen.met)} degrees: {said}")
+
+    def _reaches_as_proved(self, motion: FoldingMotion, contact: PathContact | None) -> Row:
+        """How far it is proved to fold, and what meets there or is not proved not to."""
+        upto = f"{in_degrees(motion.proved_clear)} degrees"
+        clear = f"nothing meets up to {upto} (proved)"
+        if contact is None:
+            reached = f"{in_degrees(motion.reached)} degrees"
+            return Row("holds", "reaches", f"{reached}: {motion.ends}; {clear}")
+        first, second = contact.panels
+        if contact.apart is None:
+            at = f"{in_degrees(contact.drive)} degrees"
+            said = f"panels {first} and {second} meet there"
+            return Row("warns", "reaches", f"{at}: {said}; {clear}")
+        said = f"panels {first} and {second} are {self._length(contact.apart)} apart there and may meet"
+        return Row("warns", "reaches", f"not proved beyond {upto}: {said}; {clear}")
 
     def _nearby(self, motion: FoldingMotion) -> str:
         """How far vertices are to be moved so that it folds; empty if that is not known."""
@@ -199,6 +208,10 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         return {"found": False, "proved": motion.proved, "reason": motion.reason}
     proof, seen = motion.proof, motion.seen
     met = proof.contact if proof is not None else None
+    unproved = None
+    if met is not None and met.apart is not None:
+        unproved = {"panels": list(met.panels), "apart": met.apart}
+        met = None
     return {
         "found": True,
         "way": motion.way,
@@ -215,6 +228,7 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         else tidy_degrees(seen.met)
         if seen and seen.met
         else None,
+        "not_proved": unproved,
         "hinge_gap": None if motion.loose is None else said_of_gap(motion.loose),
         "nearby": None if motion.nearby is None else motion.nearby.vertices.tolist(),
         "nearby_leaves": None if motion.nearby is None else motion.nearby.leaves,
