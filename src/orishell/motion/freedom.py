@@ -17,12 +17,13 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.couplings import find_couplings
 from orishell.motion.following.dofs import Freedom, find_freedom
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.system import Closure
 from orishell.motion.grid import Grid
 from orishell.motion.hinges import Hinges
-from orishell.motion.layout import KEPT, edge_folds, mesh_of, points_of
+from orishell.motion.layout import KEPT, Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.numerics.arrays import Array, Integers
 
@@ -33,7 +34,7 @@ Lines = Literal["rows", "columns"]
 class FreedomOfSheet:
     """How many motions a sheet has, and what folds by itself."""
 
-    WRITTEN = ("nearly", "lines", "parts", "states", "largest_zero", "least_other")
+    WRITTEN = ("one_motion", "nearly", "lines", "parts", "states", "largest_zero", "least_other")
 
     # degrees of freedom: the least of the states that were looked at, of the piece that has most;
     # None if no gap tells them
@@ -49,7 +50,7 @@ class FreedomOfSheet:
     least_other: float | None  # the least that does not; None if there is none
 
     @property
-    def one(self) -> bool:
+    def one_motion(self) -> bool:
         """Whether the sheet has one motion only, in which all of it is felt to move."""
         return self.count == 1 and self.nearly in {1, None}
 
@@ -57,7 +58,7 @@ class FreedomOfSheet:
         """How many there are, and what they are of: "5 degrees of freedom, ...", in a line."""
         if self.count is None:
             return "degrees of freedom not known: no gap tells them"
-        if self.count == 1 and not self.one:
+        if self.count == 1 and not self.one_motion:
             weak = "some creases that join its parts hardly fold"
             return f"1 degree of freedom, but nearly {self.nearly}: {self._parts(weak)}"
         if self.count == 1:
@@ -92,6 +93,21 @@ def find_freedom_of_sheet(mechanism: Mechanism, hinges: Hinges | None = None) ->
     folds = [edge_folds(mechanism, drive) for drive in drives]
     found = [_counted(mechanism, each, folds) for each in _of_pieces(whole, mechanism, hinges)]
     return max(found, key=lambda each: (each.count is None, each.count, each.nearly or 0))
+
+
+def held_by_flaps(mechanism: Mechanism) -> bool:
+    """Whether all of a sheet stands still at its target while its flaps stay as they are there.
+
+    So no part of it closes further: at a vertex beside a flap that is shut, the sheet is as far
+    closed as it goes.
+    """
+    pattern, folds = _pattern(mechanism), edge_folds(mechanism, mechanism.target_drive)
+    flaps = np.append(Layout.of(mechanism).flaps, False)
+    shut = flaps[pattern.edge_faces].all(axis=1) & pattern.crease
+    closure = Closure.of(pattern)
+    _, along = closure.turns(folds[closure.edges])
+    found = find_couplings(closure, along, shut[closure.edges])
+    return found is not None and found.count == 0
 
 
 def _pattern(mechanism: Mechanism) -> CreasePattern:

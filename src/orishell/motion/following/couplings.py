@@ -40,13 +40,17 @@ class Coupled:
     least_other: float  # the least that does not
 
 
-def find_couplings(closure: Closure, along: Sequence[Array]) -> Coupled | None:
+def find_couplings(
+    closure: Closure, along: Sequence[Array], held: Booleans | None = None
+) -> Coupled | None:
     """What moves by itself in a closed state; None where a vertex has more motions than one.
 
     Parameters
     ----------
     along
         Unit vectors (I', 3, D) along creases in that state, as :meth:`.Closure.turns` gives them.
+    held
+        Which unknowns (N,) something keeps as they are; None for none.
     """
     count, gap = len(closure.vertices), _Gap()
     motions = _motions(closure, along, gap)
@@ -54,6 +58,7 @@ def find_couplings(closure: Closure, along: Sequence[Array]) -> Coupled | None:
         return None
     ends, vertices, rates = motions
     moves = gap.told(np.abs(rates))
+    fixed = np.zeros(len(closure.edges), np.bool_) if held is None else held
     inner = np.bincount(ends, minlength=len(closure.edges))  # how many ends of each crease are inner
     # Both ends of creases between inner vertices, the two beside each other.
     order = np.argsort(ends, kind="stable")
@@ -61,6 +66,7 @@ def find_couplings(closure: Closure, along: Sequence[Array]) -> Coupled | None:
     both = moves[pairs].all(axis=1)
     stopped = np.zeros(count, np.bool_)
     stopped[vertices[pairs[moves[pairs] & ~both[:, None]]]] = True
+    stopped[vertices[moves & fixed[ends]]] = True
     pairs = pairs[both]
     at, rate = vertices[pairs], rates[pairs]
     moving = np.zeros(count, np.bool_)
@@ -68,7 +74,7 @@ def find_couplings(closure: Closure, along: Sequence[Array]) -> Coupled | None:
     parts = find_components(at, count)
     apart = _disagreements(parts, at, rate)
     stopped[at[gap.told(apart)]] = True
-    alone = int((inner == 0).sum())  # creases from border to border
+    alone = int(((inner == 0) & ~fixed).sum())  # creases from border to border
 
     def without(still: Booleans, labels: Integers) -> Integers:
         return np.where(moving & ~np.isin(labels, labels[still]), labels, -1)
