@@ -18,7 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.couplings import find_couplings
-from orishell.motion.following.dofs import Freedom, find_freedom
+from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.system import Closure
 from orishell.motion.grid import Grid
@@ -135,16 +135,12 @@ def _counted(mechanism: Mechanism, pattern: CreasePattern, folds: list[Array]) -
     """The motions of a pattern in states with fold angles (E,)."""
     closure = Closure.of(pattern)
     found = [find_freedom(closure, each[closure.edges]) for each in folds]
-    known = [each for each in found if each.count is not None]
-    count = min((each.count for each in known if each.count is not None), default=None)
-    if count != 1 and len(known) < len(found):
-        count = None  # a state of one motion settles it: none has fewer
     felt = [each.nearly for each in found if each.nearly is not None]
     least = min((each for each in found if each.parts is not None), key=_felt, default=None)
     lines, parts = (None, ()) if least is None else _in_lines(least.parts, closure, mechanism.grid)
     other = min(each.least_other for each in found)
     return FreedomOfSheet(
-        count=count,
+        count=least_count(found),
         nearly=min(felt, default=None),
         lines=lines,
         parts=parts,

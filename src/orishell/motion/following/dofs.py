@@ -6,6 +6,7 @@ cost that grows with the sheet; elsewhere by singular values.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -40,7 +41,7 @@ class Freedom:
     """How many ways there are to go on from one folded state, to first order."""
 
     drive: float  # the state's largest fold angle (radians)
-    # degrees of freedom: the singular values that are zero; None if no gap tells which these are
+    # degrees of freedom; None if no gap tells which numbers are zero
     count: int | None
     # the largest number that counts as zero, 0 if there is none, and the least that does not,
     # infinite if there is none: singular values, or rates of creases and sizes at vertices
@@ -51,6 +52,20 @@ class Freedom:
     # the part (I,) that each inner vertex, in their order in the closure, moves with; -1 where it
     # stands still; None if that is not known
     parts: Integers | None = None
+    by_rank: bool = False  # whether singular values told it, and not the motions of vertices
+
+
+def least_count(states: Sequence[Freedom]) -> int | None:
+    """Degrees of freedom of a motion by those of some of its states: the least; None if not known.
+
+    A state may have more than others, to first order, none has fewer than its motion. So one with a
+    single one settles it.
+    """
+    counts = [each.count for each in states]
+    known = [each for each in counts if each is not None]
+    if not known or (min(known) > 1 and len(known) < len(counts)):
+        return None
+    return min(known)
 
 
 def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Freedom:
@@ -76,8 +91,8 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     if not nearly and missed <= CLOSED:
         coupled = find_couplings(closure, along)
         if coupled is not None and (coupled.count is not None or unknowns > LARGEST):
-            said = coupled.count, coupled.largest_zero, coupled.least_other
-            return Freedom(drive, *said, coupled.nearly, coupled.parts)
+            zero_to_other = coupled.largest_zero, coupled.least_other
+            return Freedom(drive, coupled.count, *zero_to_other, coupled.nearly, coupled.parts)
     if unknowns > LARGEST:
         return Freedom(drive, None, 0.0, np.inf)
     entries = np.concatenate([each.ravel() for each in along])[closure.kept]
@@ -93,7 +108,7 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     clear = other >= (NEARLY if nearly else GAP) * max(largest, np.finfo(float).eps)
     if nearly and not zeros:  # there is a motion nearly
         clear = False
-    found = Freedom(drive, zeros if clear else None, largest, other)
+    found = Freedom(drive, zeros if clear else None, largest, other, by_rank=True)
     return found if coupled is None else replace(found, nearly=coupled.nearly, parts=coupled.parts)
 
 
