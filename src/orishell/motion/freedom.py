@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -23,7 +22,7 @@ from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.system import Closure
 from orishell.motion.grid import Grid
 from orishell.motion.hinges import Hinges
-from orishell.motion.layout import KEPT, Layout, edge_folds, mesh_of, points_of
+from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.numerics.arrays import Array, Integers
 
@@ -41,7 +40,9 @@ class FreedomOfSheet:
     count: int | None
     # how many there would be without couplings too weak to be felt; None if that is not known
     nearly: int | None
-    lines: Lines | None  # what folds by itself; None if it is one motion, or parts of no whole lines
+    lines: (
+        Lines | None
+    )  # what folds by itself; None if it is one motion, or parts of no whole lines
     # first and last row or column of inner vertices (the grid's numbers) of each part that folds by
     # itself
     parts: tuple[tuple[int, int], ...]
@@ -78,7 +79,6 @@ class FreedomOfSheet:
         return f"{self.lines} {'; '.join(groups)} fold each by themselves"
 
 
-@lru_cache(KEPT)
 def find_freedom_of_sheet(mechanism: Mechanism, hinges: Hinges | None = None) -> FreedomOfSheet:
     """Count the motions of a sheet in folded states on the way to its target.
 

@@ -126,9 +126,7 @@ def _proved(
         feet=feet,
         site=site,
         deviation=deviation,
-        deployment=describe_deployment(
-            design, lock, site, file.deployment.start, freedom
-        ),
+        deployment=describe_deployment(design, lock, site, file.deployment.start, freedom),
     )
 
 

@@ -23,7 +23,13 @@ SMALLER = 0.5
 
 
 def warn_of_deployment(
-    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, *, mended: bool = True, one: bool = True
+    file: DesignFile,
+    design: Design,
+    lock: Lock,
+    report: DeploymentReport,
+    *,
+    mended: bool = True,
+    one: bool = True,
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds.
 

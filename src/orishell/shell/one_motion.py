@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from orishell.conventions.errors import DesignError, InputError, Remedy, VerificationError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import size
 from orishell.conventions.record import record
+from orishell.conventions.row import Row, Sign
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.motion.freedom import FreedomOfSheet
 from orishell.shell.remedies import SECONDS
+
+if TYPE_CHECKING:
+    from orishell.shell.report import Report
 
 RISES = (0.05, 0.1)
 """How high g is bent over its length: the shares that are tried."""
@@ -89,3 +95,54 @@ def _candidates(file: DesignFile) -> Iterator[Joining]:
             "flaps folded on, from flat",
             Remedy({"deployment.from": "flat", "deployment.ties": "none"}),
         )
+
+
+def of_one_motion(report: Report, rows: Iterable[Row]) -> Iterator[Row]:
+    """Rows that rest on one motion; where there are several, they speak of one of them only."""
+    for row in rows:
+        if report.freedom.one_motion:
+            yield row
+        else:
+            sign: Sign = "says" if row.sign == "holds" else row.sign
+            yield replace(row, sign=sign, finding=f"along one of its motions: {row.finding}")
+
+
+def folds_rows(report: Report, way: Iterable[Row], joining: Joining | None) -> Iterator[Row]:
+    """Whether it folds in one motion, and what becomes of it on the way of that."""
+    for row in way:
+        if row.sign == "fails":
+            yield row
+            continue
+        if report.freedom.one_motion:
+            pieces = len(report.deployment.pieces) > 1
+            one = "each piece in one motion: " if pieces else "in one motion: "
+            known = "" if report.feasible is None else one
+            yield replace(row, finding=f"{known}{row.finding}")
+            continue
+        said = f"{report.freedom.in_words()}; along one of its motions: {row.finding}"
+        found = Row("warns", "folds", said)
+        if joining is not None:
+            words = f"with {joining.words} one motion (tried)"
+            found = replace(found, remedy=words, changes=joining.change.changes)
+        yield found
+
+
+def held_of_several(report: Report, stops: Mapping[str | None, str]) -> str:
+    """What keeps a shell that has more motions than one at its target.
+
+    stops: What is said of each cause that stops it closing.
+    """
+    held = report.deployment
+    several = "all of its motions"
+    if report.degrees_of_freedom is not None and report.degrees_of_freedom > 1:
+        several = f"all {report.degrees_of_freedom} of its motions"
+    closing = "only its supports stop them closing"
+    if report.lock.closes_to <= report.lock.target_drive or held.flap_attachment == "clipped":
+        closing = f"not known whether anything stops {several} closing"
+    if held.closing is not None:
+        closing = f"{stops[held.closing]}, in {several}"
+    opening = "only its supports stop them opening"
+    if held.ties:
+        many = len(held.ties)
+        opening = f"not known whether {many} ties stop them opening, and are slack before"
+    return f"{closing}; {opening}"

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.deviation.verdict import surface_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
-from orishell.shell.one_motion import Joining
+from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.workshop.order import order_in_words
 
@@ -57,25 +56,23 @@ def find_verdict(
     """
     rows = [
         *_stands(report, stronger or {}),
-        *_folds(report, joining),
+        *folds_rows(report, _way(report), joining),
         *_locks(report),
         *_packs(report),
         *_fits(report, stock),
         *order_in_words(report.quantities.order),
         *_unchecked(report),
-        *_of_one_motion(report, _boards(report)),
-        *_of_one_motion(report, _hinges(report)),
+        *of_one_motion(report, _boards(report)),
+        *of_one_motion(report, _hinges(report)),
         *_feet(report),
         *surface_rows(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *(() if report.fitted is None else report.fitted.rows(report.unit)),
         *_sizes(report),
-        *_of_one_motion(report, weight_rows(report.deployment)),
-        *_of_one_motion(
-            report, () if report.cutting is None else report.cutting.rows(report.unit)
-        ),
-        *_of_one_motion(
+        *of_one_motion(report, weight_rows(report.deployment)),
+        *of_one_motion(report, () if report.cutting is None else report.cutting.rows(report.unit)),
+        *of_one_motion(
             report, ground_rows(report.deployment, report.quantities.carried_by, report.unit)
         ),
     ]
@@ -92,33 +89,6 @@ def _stands(report: Report, stronger: Mapping[str, float]) -> Iterator[Row]:
         yield Row(structure.sign, "stands", structure.in_words(), remedy, stronger)
     elif STRUCTURE in report.not_checked:
         yield Row("warns", "stands", "not known: the structure was not analysed")
-
-
-def _of_one_motion(report: Report, rows: Iterable[Row]) -> Iterator[Row]:
-    """Rows that rest on one motion; where there are several, they speak of one of them only."""
-    for row in rows:
-        if report.freedom.one_motion:
-            yield row
-        else:
-            sign: Sign = "says" if row.sign == "holds" else row.sign
-            yield replace(row, sign=sign, finding=f"along one of its motions: {row.finding}")
-
-
-def _folds(report: Report, joining: Joining | None) -> Iterator[Row]:
-    """Whether it folds in one motion, and panels meet on the way."""
-    for row in _way(report):
-        if row.sign == "fails":
-            yield row
-            continue
-        if report.freedom.one_motion:
-            known = "" if report.feasible is None else "in one motion: "
-            yield replace(row, finding=f"{known}{row.finding}")
-            continue
-        words, changes = "", {}
-        if joining is not None:
-            words, changes = f"with {joining.words} one motion (tried)", joining.change.changes
-        said = f"{report.freedom.in_words()}; along one of its motions: {row.finding}"
-        yield Row("warns", "folds", said, words, changes)
 
 
 def _way(report: Report) -> Iterator[Row]:
@@ -208,30 +178,12 @@ def _locks(report: Report) -> Iterator[Row]:
         sign = "warns" if push > 0 and held.opening is None else "holds"
     text = f"{CLOSING[held.closing]}; {opening}"
     if not report.freedom.one_motion:
-        yield Row("warns", "locks", f"{where}: {_of_several(report)}")
+        yield Row("warns", "locks", f"{where}: {held_of_several(report, CLOSING)}")
         return
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"
     subject = "held" if held.closing is None and held.opening is not None else "locks"
     yield Row(sign, subject, f"{where}: {text}")
-
-
-def _of_several(report: Report) -> str:
-    """What keeps a shell that has more motions than one at its target."""
-    held = report.deployment
-    several = "all of its motions"
-    if report.degrees_of_freedom is not None and report.degrees_of_freedom > 1:
-        several = f"all {report.degrees_of_freedom} of its motions"
-    closing = "only its supports stop them closing"
-    if report.lock.closes_to <= report.lock.target_drive or held.flap_attachment == "clipped":
-        closing = f"not known whether anything stops {several} closing"
-    if held.closing is not None:
-        closing = f"{CLOSING[held.closing]}, in {several}"
-    opening = "only its supports stop them opening"
-    if held.ties:
-        many = len(held.ties)
-        opening = f"not known whether {many} ties stop them opening, and are slack before"
-    return f"{closing}; {opening}"
 
 
 def _packs(report: Report) -> Iterator[Row]:

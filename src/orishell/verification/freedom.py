@@ -36,9 +36,7 @@ def freedom_of_frames(
     # Those in the middle of the motion: at its ends creases may be folded flat.
     some = {int(np.abs(angles - share * angles[-1]).argmin()) for share in FREEDOM_AT}
     return tuple(
-        find_freedom(
-            closure, measure_mesh_folds(mesh, listed[each][1].positions)[closure.edges]
-        )
+        find_freedom(closure, measure_mesh_folds(mesh, listed[each][1].positions)[closure.edges])
         for each in sorted(some)
     )
 

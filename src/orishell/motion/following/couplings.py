@@ -59,7 +59,9 @@ def find_couplings(
     ends, vertices, rates = motions
     moves = gap.told(np.abs(rates))
     fixed = np.zeros(len(closure.edges), np.bool_) if held is None else held
-    inner = np.bincount(ends, minlength=len(closure.edges))  # how many ends of each crease are inner
+    inner = np.bincount(
+        ends, minlength=len(closure.edges)
+    )  # how many ends of each crease are inner
     # Both ends of creases between inner vertices, the two beside each other.
     order = np.argsort(ends, kind="stable")
     pairs = order[inner[ends[order]] == 2].reshape(-1, 2)
@@ -150,7 +152,7 @@ def _vertex_motions(directions: Array, gap: _Gap) -> Array | None:
     if degree == 4:
         rates = np.stack([_minor(directions, left) for left in range(4)], axis=1)
         size = np.sqrt((rates**2).sum(axis=1))
-        rest = size < SPANNED
+        rest = np.asarray(size < SPANNED)
         gap.told(size[~rest])
     if rest.any():
         _, sizes, turned = np.linalg.svd(np.swapaxes(directions[rest], 1, 2))
@@ -179,7 +181,7 @@ def _disagreements(parts: Integers, at: Integers, rates: Array) -> Array:
     at: Vertices (C, 2) that are coupled.
     rates: Rates (C, 2) of the crease between them, in the motion of each.
     """
-    from scipy.sparse import coo_array
+    from scipy.sparse import csr_array
     from scipy.sparse.csgraph import breadth_first_order
 
     if not len(at):
@@ -191,8 +193,8 @@ def _disagreements(parts: Integers, at: Integers, rates: Array) -> Array:
     links = np.concatenate([at, starts])
     number = np.arange(1, len(links) + 1)
     shape = (count + 1, count + 1)
-    graph = coo_array((np.concatenate([number, number]), np.hstack([links.T, links.T[::-1]])), shape)
-    graph = graph.tocsr()
+    both_ways = np.hstack([links.T, links.T[::-1]])
+    graph = csr_array((np.concatenate([number, number]), (both_ways[0], both_ways[1])), shape)
     _, before = breadth_first_order(graph, count, directed=False)
     before[count] = count
     steps = np.zeros(count + 1, np.int64)
