@@ -161,7 +161,7 @@ def _vertex_motions(directions: Array, gap: _Gap) -> Array | None:
         if (spanned.sum(axis=1) < degree - 1).any():
             return None
         # The last of them is orthogonal to all that is spanned.
-        rates[rest] = np.where(spanned.all(axis=1)[:, None], 0.0, turned[:, -1])
+        rates[rest] = np.where(spanned.all(axis=1, keepdims=True), 0.0, turned[:, -1])
     largest = np.abs(rates).max(axis=1, keepdims=True)
     return np.asarray(rates / np.where(largest > 0, largest, 1.0))
 
