@@ -134,7 +134,9 @@ def test_contact_not_looked_for_or_allowed(tmp_path: Path) -> None:
         frames.append(json.loads((tmp_path / "out" / "shell.fold").read_text())["file_frames"])
         looked = option == "--allow-clash"
         assert report(tmp_path)["feasible"] is (True if looked else None)
-        assert ("folds     nothing touches from flat to 180 degrees" in done.stdout) is looked
+        assert (
+            "folds     in one motion: nothing touches from flat to 180 degrees" in done.stdout
+        ) is looked
     assert frames[0] == frames[1]
 
 

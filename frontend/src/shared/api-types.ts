@@ -312,9 +312,9 @@ export interface DeploymentReport {
   largest_thickness: number | null;
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
   closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
   opening: "ties" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
@@ -565,8 +565,10 @@ export interface FamilyTrial {
   sheet_area: number | null;
   /** Whether its motion ends with all panels in one plane. */
   packs_flat: boolean | null;
-  /** Whether anything in it stops it closing at the target. */
+  /** Whether anything in it stops it closing at the target, in all of its motions. */
   locks: boolean | null;
+  /** How many motions its sheet has; None if that is not known, or there is no shell. */
+  degrees_of_freedom: number | null;
   /** Why there is no shell. */
   why_not: string;
 }
@@ -682,6 +684,24 @@ export interface Foot {
   gap: number;
   /** The share of its friction that it uses; None without, or where it is lifted. */
   used: number | null;
+}
+
+/** How many motions a sheet has, and what folds by itself. */
+export interface FreedomOfSheet {
+  /** Whether the sheet has one motion only, in which all of it is felt to move. */
+  one_motion: boolean;
+  /** How many there would be without couplings too weak to be felt; None if that is not known. */
+  nearly: number | null;
+  /** What folds by itself; None if it is one motion, or parts of no whole lines. */
+  lines: "rows" | "columns" | null;
+  /** First and last row or column of inner vertices (the grid's numbers) of each part that folds by itself. */
+  parts: [number, number][];
+  /** In how many folded states they were counted. */
+  states: number;
+  /** The largest number that counts as zero there. */
+  largest_zero: number;
+  /** The least that does not; None if there is none. */
+  least_other: number | null;
 }
 
 /** A design that no other beats. */
@@ -1386,6 +1406,10 @@ export interface Report {
   fitted: FittedSize | null;
   /** Whether it reaches its target without contact; None if that was not examined. */
   feasible: boolean | null;
+  /** How many motions its sheet has, of a sheet in pieces that of the piece that has most; None if that is not known. */
+  degrees_of_freedom: number | null;
+  /** What tells them, and what folds by itself. */
+  freedom: FreedomOfSheet;
   /** Sentences a user should read. */
   warnings: string[];
   /** How exactly it folds; None if that was not measured. */

@@ -77,6 +77,7 @@ def check(
         report = inspection.as_dict() if inspection else {}
         if verdict is not None:
             report = report | ({"pattern": verdict.as_dict()} if inspection else verdict.as_dict())
+            report["degrees_of_freedom"] = verdict.degrees_of_freedom
         say(json.dumps(report, indent=2, allow_nan=False))
     elif inspection is not None:
         _print_summary(inspection, verdict)
@@ -140,6 +141,8 @@ def _print_verdict(verdict: PatternVerdict) -> None:
 
 
 def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> None:
+    from orishell.verification.pattern.rows import of_freedom
+
     report = inspection.as_dict()
     flat, frames = report["flat_frame"], len(report["frames"])
     say(
@@ -158,6 +161,8 @@ def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> No
         outcome = "PASS" if each.passed else "FAIL"
         name = each.name.replace("_", " ")
         say(f"{outcome}  {name:{width}}  {each.text}")
+    if inspection.freedom:
+        say("\n".join(lines_of(of_freedom(inspection.freedom))))
     for row in () if verdict is None else verdict.rows:
         say("\n".join(lines_of(row)))
     for text in inspection.not_checked:

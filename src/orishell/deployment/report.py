@@ -20,6 +20,7 @@ from orishell.design import Design, PanelSpec
 from orishell.document import Document
 from orishell.document.ground import GroundPlan
 from orishell.locking import Cause, Lock
+from orishell.motion.freedom import FreedomOfSheet, held_by_flaps
 from orishell.motion.layout import has_flaps
 from orishell.solids import largest_thickness
 
@@ -37,7 +38,8 @@ class DeploymentReport:
     thickness: float
     largest_thickness: float | None
     end_drive: Angle  # as far as it closes, proved if its path was examined
-    # what keeps it from closing, and from opening, beyond its target; None if nothing does
+    # what keeps it from closing, and from opening, beyond its target; None if nothing does, or if
+    # it is not known to keep all motions of a sheet from it that has several
     closing: Cause | Literal["clipped flaps"] | None
     opening: Literal["ties"] | None
     # the state that packs smallest, of the largest piece where there are pieces; None if that was
@@ -58,8 +60,12 @@ class DeploymentReport:
         return self.ground is not None and self.ground.swept is None
 
 
-def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) -> DeploymentReport:
+def describe_deployment(
+    design: Design, lock: Lock, site: Site, start: Start, freedom: FreedomOfSheet
+) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
+
+    Where its sheet has more motions than one, ties are proved slack along none of the others.
 
     Raises InputError if ties do not fit the sheet.
     """
@@ -69,6 +75,11 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
     # Where the proof ends nothing is known to hold it.
     ends = lock.closes_to <= lock.target_drive and lock.cause != "unproved"
     caught = lock.cause if ends else None
+    closing: Cause | Literal["clipped flaps"] | None = "clipped flaps" if clipped else caught
+    if not freedom.one_motion:
+        ties = tuple(replace(tie, slack=None if tie.slack else tie.slack) for tie in ties)
+        if design.clipped is None or not held_by_flaps(design.clipped):
+            closing = None
     return DeploymentReport(
         start=start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
@@ -76,8 +87,8 @@ def describe_deployment(design: Design, lock: Lock, site: Site, start: Start) ->
         thickness=thickness,
         largest_thickness=None,
         end_drive=lock.closes_to,
-        closing="clipped flaps" if clipped else caught,
-        opening="ties" if ties else None,
+        closing=closing,
+        opening="ties" if ties and freedom.one_motion else None,
         packed=None,
         pieces=(),
         ties=ties,

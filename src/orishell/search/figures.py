@@ -144,6 +144,7 @@ _OF_SHELL: Mapping[str, tuple[str, Step | None, Read]] = {
     "crease_length": ("{unit}", None, _crease_length),
     "cut_length": ("{unit}", None, lambda report: report.quantities.outline_length),
     "utilisation": ("", "structure", _utilisation),
+    "degrees_of_freedom": ("", None, lambda report: report.degrees_of_freedom),
 }
 _OF_CASE: Mapping[str, tuple[str, Share]] = {
     "deflection": ("{unit}", lambda each: each.displacement.size),

@@ -18,6 +18,7 @@ from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.motion import FoldingMotion
+from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.shell.board_limits import require_boards
 from orishell.shell.designed import designed, ended
 from orishell.shell.fit.proved import fit_size
@@ -42,6 +43,7 @@ class Candidate:
     choice: Choice | None  # how rows and columns were chosen, if there was a tolerance
     fitted: FittedSize | None  # how its target was scaled, if sizes were asked for
     design: Design  # what the family made of it
+    freedom: FreedomOfSheet  # how many motions it has
     lock: Lock  # how its motion ends
     motion: FoldingMotion  # its states
     feet: Feet | None  # what it stands on; None if it cannot stand
@@ -113,6 +115,8 @@ def _proved(
     )
     deviation = describe_deviation(design, measured="deviation" not in skip)
     clock.lap("deviation")
+    freedom = find_freedom_of_sheet(design.mechanism, design.hinges)
+    clock.lap("freedom")
     end = None if file.deployment.start == "flat" else lock.closes_to
     return Candidate(
         file=file,
@@ -120,12 +124,13 @@ def _proved(
         choice=None,
         fitted=None,
         design=design,
+        freedom=freedom,
         lock=lock,
         motion=FoldingMotion(design.mechanism, file.frames, end),
         feet=feet,
         site=site,
         deviation=deviation,
-        deployment=describe_deployment(design, lock, site, file.deployment.start),
+        deployment=describe_deployment(design, lock, site, file.deployment.start, freedom),
     )
 
 

@@ -23,16 +23,23 @@ SMALLER = 0.5
 
 
 def warn_of_deployment(
-    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, *, mended: bool = True
+    file: DesignFile,
+    design: Design,
+    lock: Lock,
+    report: DeploymentReport,
+    *,
+    mended: bool = True,
+    one: bool = True,
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds.
 
     mended: Whether changes that would mend them are tried.
+    one: Whether the sheet has one motion only, whose weight is said.
     """
     return [
         *_of_pack(file, design, lock, report, mended=mended),
         *_of_ties(report),
-        *(_of_weight(design, report, report.weight) if report.weight is not None else ()),
+        *(_of_weight(design, report, report.weight) if report.weight and one else ()),
     ]
 
 

@@ -34,7 +34,10 @@ class FamilyTrial:
     panels: int | None = None  # number of panels
     sheet_area: float | None = None  # area of its flat sheet
     packs_flat: bool | None = None  # whether its motion ends with all panels in one plane
-    locks: bool | None = None  # whether anything in it stops it closing at the target
+    # whether anything in it stops it closing at the target, in all of its motions
+    locks: bool | None = None
+    # how many motions its sheet has; None if that is not known, or there is no shell
+    degrees_of_freedom: int | None = None
     why_not: str = ""  # why there is no shell
 
     def in_words(self, unit: str) -> str:
@@ -45,8 +48,14 @@ class FamilyTrial:
             f"{self.family}: within {plain(self.distance)} {unit}, {self.panels} panels, "
             f"{plain(self.sheet_area)} {unit}2 of sheet, "
             f"{'packs flat' if self.packs_flat else 'does not pack flat'}, "
-            f"{'locks' if self.locks else 'does not lock'}"
+            f"{'locks' if self.locks else 'does not lock'}{self._motions()}"
         )
+
+    def _motions(self) -> str:
+        count = self.degrees_of_freedom
+        if count == 1:
+            return ""
+        return f", {'an unknown number of' if count is None else count} degrees of freedom"
 
 
 @record
@@ -137,7 +146,8 @@ def _measured(found: Candidate) -> FamilyTrial:
         panels=len(Layout.of(mechanism).faces),
         sheet_area=area_of(mechanism),
         packs_flat=packs_flat(mechanism, lock.closes_to),
-        locks=found.deployment.closing is not None,
+        locks=found.deployment.closing is not None and found.freedom.one_motion,
+        degrees_of_freedom=found.freedom.count,
     )
 
 

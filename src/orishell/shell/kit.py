@@ -266,6 +266,9 @@ def _readme(
     yield f"- Flat sheet: {box(facts.sheet, unit)}"
     if facts.mass is not None:
         yield f"- Mass: {plain(facts.mass, 3)} kg"
+    if facts.freedoms is not None:
+        kind, count = facts.freedoms
+        yield f"- Motion: {words.say(f'more.several_{kind}', freedoms=count)}"
     yield ""
     yield "| part | count |"
     yield "|---|---|"

@@ -28,6 +28,7 @@ from orishell.shell.candidate import ClashPolicy, find_candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting, warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.families import choose_family
+from orishell.shell.one_motion import find_joining, warn_of_freedom
 from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import BoxReport, Report, SheetReport, describe_assignment
@@ -136,6 +137,12 @@ def _analysed(file: DesignFile, progress: Progress) -> Analysis | None:
     return _made(file, progress, "refused", (*MEASURES, "remedies", "stock")).analysis
 
 
+def _joined(file: DesignFile, progress: Progress) -> bool:
+    """Whether the shell of a file that is tried has one motion and reaches its target."""
+    skip: tuple[Step, ...] = (*MEASURES, "remedies", "stock", "structure", "verification")
+    return _made(file, progress, "refused", skip).report.freedom.one_motion
+
+
 def _made(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
@@ -206,12 +213,22 @@ def _step_by_step(
         chosen=found.choice,
         fitted=found.fitted,
         feasible=None if clash == "unexamined" else lock.reaches_target,
+        degrees_of_freedom=found.freedom.count,
+        freedom=found.freedom,
         warnings=(
             *design.warnings,
             *lock.warnings,
+            *warn_of_freedom(found.freedom),
             *warn_of_building(design, lock, feet, file.unit, file.workshop),
             *warn_of_joints(design, lock, file.unit),
-            *warn_of_deployment(file, design, lock, deployment, mended="remedies" not in skip),
+            *warn_of_deployment(
+                file,
+                design,
+                lock,
+                deployment,
+                mended="remedies" not in skip,
+                one=found.freedom.one_motion,
+            ),
             *warn_of_cutting(design, cutting, file.unit),
             *(() if analysis is None else analysis.warnings),
         ),
@@ -233,7 +250,12 @@ def _step_by_step(
     if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
         stronger = find_stronger(file, analysis, _analysed, progress)
         clock.lap("remedies")
-    report = replace(report, verdict=find_verdict(report, stronger, file.workshop.stock))
+    joining = None
+    if not found.freedom.one_motion and clash != "unexamined" and "remedies" not in skip:
+        joining = find_joining(file, _joined, progress)
+        clock.lap("remedies")
+    verdict = find_verdict(report, stronger, file.workshop.stock, joining)
+    report = replace(report, verdict=verdict)
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
         file=file,

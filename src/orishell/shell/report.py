@@ -21,6 +21,7 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
+from orishell.motion.freedom import FreedomOfSheet
 from orishell.shell.families import FamilyChoice
 from orishell.shell.fit.report import FittedSize
 from orishell.shell.size_trials import Choice
@@ -86,6 +87,10 @@ class Report:
     fitted: FittedSize | None  # how its target was scaled, if sizes were asked for
     # whether it reaches its target without contact; None if that was not examined, or not proved
     feasible: bool | None
+    # how many motions its sheet has, of a sheet in pieces that of the piece that has most; None if
+    # that is not known
+    degrees_of_freedom: int | None
+    freedom: FreedomOfSheet  # what tells them, and what folds by itself
     warnings: tuple[str, ...]  # sentences a user should read
     # how exactly it folds; None if that was not measured
     residuals: Residuals | None

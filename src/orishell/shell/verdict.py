@@ -13,6 +13,7 @@ from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.deviation.verdict import surface_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
+from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.workshop.order import order_in_words
 
@@ -46,31 +47,35 @@ def find_verdict(
     report: Report,
     stronger: Mapping[str, float] | None = None,
     stock: tuple[float, float] | None = None,
+    joining: Joining | None = None,
 ) -> tuple[Row, ...]:
     """The findings of a report, worst first.
 
     stronger: The thickness of panels that would carry its loads, by its key, which has been tried.
     stock: Size of the sheets that it is cut from, where they are known.
+    joining: What leaves a sheet one motion that has several, which has been tried.
     """
     rows = [
         *_stands(report, stronger or {}),
-        *_folds(report),
+        *folds_rows(report, _way(report), joining),
         *_locks(report),
         *_packs(report),
         *_fits(report, stock),
         *order_in_words(report.quantities.order),
         *_unchecked(report),
-        *_boards(report),
-        *_hinges(report),
+        *of_one_motion(report, _boards(report)),
+        *of_one_motion(report, _hinges(report)),
         *_feet(report),
         *surface_rows(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
         *(() if report.fitted is None else report.fitted.rows(report.unit)),
         *_sizes(report),
-        *weight_rows(report.deployment),
-        *(() if report.cutting is None else report.cutting.rows(report.unit)),
-        *ground_rows(report.deployment, report.quantities.carried_by, report.unit),
+        *of_one_motion(report, weight_rows(report.deployment)),
+        *of_one_motion(report, () if report.cutting is None else report.cutting.rows(report.unit)),
+        *of_one_motion(
+            report, ground_rows(report.deployment, report.quantities.carried_by, report.unit)
+        ),
     ]
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
@@ -87,7 +92,7 @@ def _stands(report: Report, stronger: Mapping[str, float]) -> Iterator[Row]:
         yield Row("warns", "stands", "not known: the structure was not analysed")
 
 
-def _folds(report: Report) -> Iterator[Row]:
+def _way(report: Report) -> Iterator[Row]:
     """Whether panels meet before the shell stands at its target, and what is proved beyond."""
     lock, aim = report.lock, "stage" if report.deviation is None else "target"
     exact = ""
@@ -119,7 +124,7 @@ def _folds(report: Report) -> Iterator[Row]:
         end = _degrees(report.deployment.end_drive)
         yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
     else:
-        yield Row("holds", "folds", f"in one motion{exact}")
+        yield Row("holds", "folds", f"no contact to look for{exact}")
 
 
 def _not_proved(report: Report, contact: Contact, aim: str, rest: str) -> Row:
@@ -193,6 +198,9 @@ def _locks(report: Report) -> Iterator[Row]:
     if any(tie.slack is False for tie in held.ties):
         sign = "warns"  # what is not proved slack may stop it short, or hold nothing
     text = f"{CLOSING[held.closing]}; {opening}"
+    if not report.freedom.one_motion:
+        yield Row("warns", "locks", f"{where}: {held_of_several(report, CLOSING)}")
+        return
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"
     subject = "held" if held.closing is None and held.opening is not None else "locks"

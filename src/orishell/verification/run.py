@@ -10,9 +10,11 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
-from orishell.io import FoldFile
+from orishell.io import FoldFile, FoldFrame
+from orishell.motion.following.dofs import Freedom, least_count
 from orishell.verification.findings import Check, Names
 from orishell.verification.folds import AssignmentTest, FoldAngleTest
+from orishell.verification.freedom import freedom_of_frames
 from orishell.verification.rigidity import (
     ClashTest,
     ConvexTest,
@@ -47,6 +49,12 @@ class Inspection:
     checks: tuple[Check, ...]  # the outcome of every test that could be made
     not_checked: tuple[str, ...]  # what could not be tested
     folded: bool  # whether there is a folded state among the frames
+    freedom: tuple[Freedom, ...]  # degrees of freedom in some of its folded states
+
+    @property
+    def degrees_of_freedom(self) -> int | None:
+        """The least of these; None if no gap tells it, or there are no such states."""
+        return least_count(self.freedom)
 
     @property
     def passed(self) -> bool:
@@ -71,6 +79,7 @@ class Inspection:
             "flat_frame": self.sheet.frame.number if self.sheet.flat else None,
             "diagonal": self.sheet.diagonal,
             "tolerance": self.tolerance,
+            "degrees_of_freedom": self.degrees_of_freedom,
             "checks": {check.name: check.as_dict() for check in self.checks},
             "not_checked": list(self.not_checked),
         }
@@ -103,13 +112,16 @@ def inspect_fold(
     tests: list[FrameTest] = [developable, rigid, angles, assignment]
     if convex.passed:
         tests.append(clash)
-    folded = False
+    largest_folds: list[tuple[float, FoldFrame]] = []
     for frame in followed(file.frames, len(file.frames), progress, "checking"):
         state = sheet.state(frame)
-        folded = folded or state.folded
+        if state.folded:
+            largest_folds.append((float(np.abs(state.folds).max()), frame))
         for test in tests:
             test.see(state)
 
+    folded = bool(largest_folds)
+    freedom = freedom_of_frames(file, sheet, largest_folds)
     maekawa, vertices_untested = assignment.maekawa()
     rigid_checks = rigid.checks()
     checks = (
@@ -129,6 +141,7 @@ def inspect_fold(
     without = [] if sheet.flat and not folded else angles.frames_without
     untested = [
         (not folded, "folded states (the file has none): rigid panels, fold angles, contact"),
+        (folded and not freedom, "degrees of freedom (no flat sheet in one plane)"),
         (not sheet.flat, f"the flat sheet (the file has none): lengths are those of frame "
         f"{sheet.frame.number}, overlaps of the pattern are not seen"),
         (digit > DIGITS, f"lengths to better than {digit:.1e} of the diagonal (coordinates of "
@@ -158,6 +171,7 @@ def inspect_fold(
         checks,
         tuple(text for applies, text in untested if applies),
         folded,
+        freedom,
     )
 
 

@@ -1,15 +1,27 @@
-"""Degrees of freedom of folded states: fold angles less what closure takes from them."""
+"""Degrees of freedom of folded states: fold angles less what closure takes from them.
+
+Where every vertex has one motion they are counted from vertex to vertex (:mod:`.couplings`), at a
+cost that grows with the sheet; elsewhere by singular values.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.following.couplings import find_couplings
 from orishell.motion.following.system import Closure
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 DENSE = 1000
 """Up to so many creases all singular values are found, beyond only the least."""
+LARGEST = 50_000
+"""Beyond so many creases singular values are not looked for."""
+CLOSED = 1e-10
+"""By how much vertices miss closing in a state that closes but for rounding, at most."""
 BLOCK = 16
 """Singular values that are found first of larger sheets; twice as many, until there is a gap."""
 ROUNDS = 12
@@ -29,10 +41,31 @@ class Freedom:
     """How many ways there are to go on from one folded state, to first order."""
 
     drive: float  # the state's largest fold angle (radians)
-    # degrees of freedom: the singular values that are zero; None if no gap tells which these are
+    # degrees of freedom; None if no gap tells which numbers are zero
     count: int | None
-    largest_zero: float  # the largest singular value that counts as zero; 0 if there is none
-    least_other: float  # the least that does not; infinite if there is none
+    # the largest number that counts as zero, 0 if there is none, and the least that does not,
+    # infinite if there is none: singular values, or rates of creases and sizes at vertices
+    largest_zero: float
+    least_other: float
+    # how many there would be without couplings too weak to be felt; None if that is not known
+    nearly: int | None = None
+    # the part (I,) that each inner vertex, in their order in the closure, moves with; -1 where it
+    # stands still; None if that is not known
+    parts: Integers | None = None
+    by_rank: bool = False  # whether singular values told it, and not the motions of vertices
+
+
+def least_count(states: Sequence[Freedom]) -> int | None:
+    """Degrees of freedom of a motion by those of some of its states: the least; None if not known.
+
+    A state may have more than others, to first order, none has fewer than its motion. So one with a
+    single one settles it.
+    """
+    counts = [each.count for each in states]
+    known = [each for each in counts if each is not None]
+    if not known or (min(known) > 1 and len(known) < len(counts)):
+        return None
+    return min(known)
 
 
 def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Freedom:
@@ -51,9 +84,18 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
     if not closure.fans:
         return Freedom(drive, unknowns, 0.0, np.inf)
-    left, entries = closure.residuals(folds)
+    left, along = closure.turns(folds)
     missed = float(np.abs(left).max())
     zero = max(ZERO, (NEAR if nearly else UNCERTAIN) * missed)
+    coupled = None
+    if not nearly and missed <= CLOSED:
+        coupled = find_couplings(closure, along)
+        if coupled is not None and (coupled.count is not None or unknowns > LARGEST):
+            zero_to_other = coupled.largest_zero, coupled.least_other
+            return Freedom(drive, coupled.count, *zero_to_other, coupled.nearly, coupled.parts)
+    if unknowns > LARGEST:
+        return Freedom(drive, None, 0.0, np.inf)
+    entries = np.concatenate([each.ravel() for each in along])[closure.kept]
     block = unknowns if unknowns <= DENSE else BLOCK
     while True:
         values = _least_values(closure, entries, min(block, unknowns))
@@ -66,7 +108,8 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     clear = other >= (NEARLY if nearly else GAP) * max(largest, np.finfo(float).eps)
     if nearly and not zeros:  # there is a motion nearly
         clear = False
-    return Freedom(drive, zeros if clear else None, largest, other)
+    found = Freedom(drive, zeros if clear else None, largest, other, by_rank=True)
+    return found if coupled is None else replace(found, nearly=coupled.nearly, parts=coupled.parts)
 
 
 def _least_values(closure: Closure, entries: Array, count: int) -> Array:

@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following.dofs import Freedom, find_freedom
+from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.path import FOLLOWING, End, Path, follow_path, states_at
 from orishell.motion.following.placing import Placing
 from orishell.motion.following.rigid import Rigid, find_rigid
@@ -49,9 +49,8 @@ class Followed:
 
     @property
     def degrees_of_freedom(self) -> int | None:
-        """That of all states looked at; None where they differ, or no gap tells it."""
-        counts = {each.count for each in self.freedom}
-        return counts.pop() if len(counts) == 1 else None
+        """The least of all states looked at; None where no gap tells it."""
+        return least_count(self.freedom)
 
     @cached_property
     def placing(self) -> Placing:

@@ -78,9 +78,18 @@ class Closure:
         folds
             Fold angles (N,) of the unknowns, valley positive (radians).
         """
+        left, along = self.turns(folds)
+        entries = np.concatenate([np.zeros(0), *(each.ravel() for each in along)])
+        return left, entries[self.kept]
+
+    def turns(self, folds: Array) -> tuple[Array, list[Array]]:
+        """By how much every vertex does not close (I, 3), and for every fan along what (I', 3, D).
+
+        The latter are unit vectors along the creases around each vertex, in a frame of its own; see
+        :meth:`residuals`.
+        """
+        left, found = [np.zeros((0, 3))], []
         sines, cosines = np.append(np.sin(folds), 0.0), np.append(np.cos(folds), 1.0)
-        left = [np.zeros((0, 3))]
-        entries = [np.zeros(0)]
         for unknowns, sectors in self.fans:
             # Axes (I', 3) of the running frame: x along the crease, z the panel's normal.
             x, y, z = (np.broadcast_to(axis, (len(unknowns), 3)) for axis in np.eye(3))
@@ -93,8 +102,8 @@ class Closure:
                 x, y = c * x + s * y, c * y - s * x
             turn = np.stack([y[:, 2] - z[:, 1], z[:, 0] - x[:, 2], x[:, 1] - y[:, 0]], axis=-1)
             left.append(turn / 2)
-            entries.append(along.ravel())
-        return np.concatenate(left), np.concatenate(entries)[self.kept]
+            found.append(along)
+        return np.concatenate(left), found
 
     def matrix(self, entries: Array) -> csr_array:
         """The derivatives as a matrix (3 I, N)."""

@@ -18,7 +18,7 @@ from orishell.families.drawn import Decided, decide
 from orishell.families.drawn.nearest import Nearby, find_nearby
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import TOLERANCE, follow
-from orishell.motion.following.dofs import Freedom, find_freedom
+from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
 from orishell.motion.following.rigid import find_rigid
@@ -103,9 +103,8 @@ class FoldingMotion:
 
     @property
     def degrees_of_freedom(self) -> int | None:
-        """That of all states looked at; None if they differ, or no gap tells, or there are none."""
-        counts = {each.count for each in self.freedom}
-        return counts.pop() if len(counts) == 1 else None
+        """The least of all states looked at; None if no gap tells it, or there are none."""
+        return least_count(self.freedom)
 
     @property
     def proved_clear(self) -> float:

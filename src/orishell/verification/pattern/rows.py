@@ -16,7 +16,7 @@ from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following.dofs import Freedom
+from orishell.motion.following.dofs import Freedom, least_count
 from orishell.verification.pattern.loose import LARGEST, WIDEST, LooseMotion
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
@@ -185,7 +185,8 @@ class Judged:
             at = f"{in_degrees(contact.drive)} degrees"
             said = f"panels {first} and {second} meet there"
             return Row("warns", "reaches", f"{at}: {said}; {clear}")
-        said = f"panels {first} and {second} are {self._length(contact.apart)} apart there and may meet"
+        apart = self._length(contact.apart)
+        said = f"panels {first} and {second} are {apart} apart there and may meet"
         return Row("warns", "reaches", f"not proved beyond {upto}: {said}; {clear}")
 
     def _nearby(self, motion: FoldingMotion) -> str:
@@ -277,18 +278,24 @@ def of_freedom(states: Sequence[Freedom], within: str = "") -> Row:
     """Degrees of freedom in states, and the gap that tells them, to within a gap of hinges."""
     if not states:
         return Row("warns", "freedom", "not known: what folds to a tolerance only has none")
-    counts = {each.count for each in states}
-    count = counts.pop()
-    if counts or count is None:
-        said = "not known: states differ, or no gap of singular values tells it"
-        return Row("warns", "freedom", said)
-    zero = max(each.largest_zero for each in states)
-    other = min(each.least_other for each in states)
+    count = least_count(states)
+    if count is None:
+        return Row("warns", "freedom", "not known: no gap between numbers tells it")
+    alike = [each for each in states if each.count == count]
+    zero = max(each.largest_zero for each in alike)
+    other = min(each.least_other for each in alike)
     ways = "1 degree of freedom" if count == 1 else f"{count} degrees of freedom"
     below = f"{zero:.1g} below" if zero > 0 else "none below,"
-    ways += f" in {len(states)} folded states" + (f", to within {within}" if within else "")
-    said = f"{ways} (singular values: {below} and {other:.1g} above)"
-    return Row("says", "freedom", said if count == 1 else f"{said}: this is one of many motions")
+    ways += f" in {len(alike)} folded states" + (f", to within {within}" if within else "")
+    told = "singular values" if any(each.by_rank for each in alike) else "rates at vertices"
+    said = f"{ways} ({told}: {below} and {other:.1g} above)"
+    if count > 1:
+        said += ": this is one of many motions"
+    felt = [each.nearly for each in alike if each.nearly is not None]
+    if felt and min(felt) > count:
+        weak = "some creases that join its parts hardly fold"
+        return Row("warns", "freedom", f"{said}, and nearly {min(felt)}: {weak}")
+    return Row("says", "freedom", said)
 
 
 def _all(count: int) -> str:

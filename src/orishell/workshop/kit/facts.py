@@ -43,6 +43,9 @@ class KitFacts:
     flaps: int  # parts that are clipped on
     clipped_panels: int  # their panels
     model: bool  # whether it is a model
+    # how its sheet folds where that is not one motion: "known", "nearly" or "unknown", and how many
+    # degrees of freedom; None where it is
+    freedoms: tuple[str, str] | None
 
 
 def find_facts(document: Document) -> KitFacts:
@@ -84,7 +87,17 @@ def find_facts(document: Document) -> KitFacts:
         flaps=len(document.clipped),
         clipped_panels=sum(len(each.mesh.faces) for each in document.clipped),
         model=model,
+        freedoms=_freedoms(document.report),
     )
+
+
+def _freedoms(report: Mapping[str, object]) -> tuple[str, str] | None:
+    freedom, count = _table(report, "freedom"), report.get("degrees_of_freedom")
+    if not freedom or freedom["one_motion"]:
+        return None
+    if count is None:
+        return "unknown", ""
+    return ("nearly", str(freedom["nearly"])) if count == 1 else ("known", str(count))
 
 
 def _sides(*pieces: Document) -> tuple[float, float, float]:

@@ -88,6 +88,9 @@ def _also(parts: set[str], words: Mapping[str, str]) -> tuple[str, ...]:
 def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
     unit, piece = document.unit, facts.pieces[0] if len(facts.pieces) > 1 else None
     said = {"opened": box(facts.opened, unit), "pieces": plain(len(facts.pieces))}
+    several: tuple[str, ...] = ()
+    if facts.freedoms is not None:
+        several, said["freedoms"] = (f"several_{facts.freedoms[0]}",), facts.freedoms[1]
     standing = "shut" if facts.shuts else ""
     if facts.apart is not None:
         said["apart"] = _between(*facts.apart, unit)
@@ -107,14 +110,14 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         half = middle_state(document, "pack")
         if piece is None:
             name = "open" if loaded else "open_bare"
-            yield Step(name, said, half, check=standing)
+            yield Step(name, said, half, check=standing, more=several)
         else:
             name = "open_pieces" if loaded else "open_pieces_bare"
-            yield Step(name, said, half, piece, check="open_piece")
+            yield Step(name, said, half, piece, check="open_piece", more=several)
             yield Step("join", said, SHELL, check=standing)
     else:
         yield from mark
-        yield Step("fold", said, middle_state(document, FLAT), check=standing)
+        yield Step("fold", said, middle_state(document, FLAT), check=standing, more=several)
     if not facts.ties_early:
         yield from tie
     if facts.flaps:

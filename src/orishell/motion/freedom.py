@@ -1,0 +1,181 @@
+"""Degrees of freedom of a folding sheet: how many motions it has, and what folds by itself.
+
+They are counted in folded states on the way to the target, where its panels and all of its creases
+are hinged, those that stay unfolded included. Whole boards on hinges beside their creases have as
+many: at a vertex where panels move, the conditions under which boards move with them
+(:mod:`.hinges`) hold for any multiple of that motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.couplings import find_couplings
+from orishell.motion.following.dofs import Freedom, find_freedom, least_count
+from orishell.motion.following.followed import FREEDOM_AT
+from orishell.motion.following.system import Closure
+from orishell.motion.grid import Grid
+from orishell.motion.hinges import Hinges
+from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
+from orishell.motion.mechanism import Mechanism
+from orishell.numerics.arrays import Array, Integers
+
+Lines = Literal["rows", "columns"]
+
+
+@record
+class FreedomOfSheet:
+    """How many motions a sheet has, and what folds by itself."""
+
+    WRITTEN = ("one_motion", "nearly", "lines", "parts", "states", "largest_zero", "least_other")
+
+    # degrees of freedom: the least of the states that were looked at, of the piece that has most;
+    # None if no gap tells them
+    count: int | None
+    # how many there would be without couplings too weak to be felt; None if that is not known
+    nearly: int | None
+    lines: (
+        Lines | None
+    )  # what folds by itself; None if it is one motion, or parts of no whole lines
+    # first and last row or column of inner vertices (the grid's numbers) of each part that folds by
+    # itself
+    parts: tuple[tuple[int, int], ...]
+    states: int  # in how many folded states they were counted
+    largest_zero: float  # the largest number that counts as zero there
+    least_other: float | None  # the least that does not; None if there is none
+
+    @property
+    def one_motion(self) -> bool:
+        """Whether the sheet has one motion only, in which all of it is felt to move."""
+        return self.count == 1 and self.nearly in {1, None}
+
+    def in_words(self) -> str:
+        """How many there are, and what they are of: "5 degrees of freedom, ...", in a line."""
+        if self.count is None:
+            return "degrees of freedom not known: no gap tells them"
+        if self.count == 1 and not self.one_motion:
+            weak = "some creases that join its parts hardly fold"
+            return f"1 degree of freedom, but nearly {self.nearly}: {self._parts(weak)}"
+        if self.count == 1:
+            return "1 degree of freedom"
+        return f"{self.count} degrees of freedom: {self._parts('parts of it fold by themselves')}"
+
+    def _parts(self, otherwise: str) -> str:
+        if self.lines is None:
+            return otherwise
+        if all(first == last for first, last in self.parts):
+            numbers = [first for first, _ in self.parts]
+            ends = f"{numbers[0]} to {numbers[-1]}"
+            if numbers != list(range(numbers[0], numbers[-1] + 1)):
+                ends = ", ".join(map(str, numbers))
+            return f"{self.lines} {ends} fold by themselves"
+        groups = (str(a) if a == b else f"{a} to {b}" for a, b in self.parts)
+        return f"{self.lines} {'; '.join(groups)} fold each by themselves"
+
+
+def find_freedom_of_sheet(mechanism: Mechanism, hinges: Hinges | None = None) -> FreedomOfSheet:
+    """Count the motions of a sheet in folded states on the way to its target.
+
+    Parameters
+    ----------
+    hinges
+        Those of whole boards: pieces that are joined at the target fold by themselves before. Then
+        it is that of the piece that has most.
+    """
+    whole = _pattern(mechanism)
+    drives = [share * mechanism.target_drive for share in FREEDOM_AT]
+    folds = [edge_folds(mechanism, drive) for drive in drives]
+    found = [_counted(mechanism, each, folds) for each in _of_pieces(whole, mechanism, hinges)]
+    return max(found, key=lambda each: (each.count is None, each.count, each.nearly or 0))
+
+
+def held_by_flaps(mechanism: Mechanism) -> bool:
+    """Whether all of a sheet stands still at its target while its flaps stay as they are there.
+
+    So no part of it closes further: at a vertex beside a flap that is shut, the sheet is as far
+    closed as it goes.
+    """
+    pattern, folds = _pattern(mechanism), edge_folds(mechanism, mechanism.target_drive)
+    flaps = np.append(Layout.of(mechanism).flaps, False)
+    shut = flaps[pattern.edge_faces].all(axis=1) & pattern.crease
+    closure = Closure.of(pattern)
+    _, along = closure.turns(folds[closure.edges])
+    found = find_couplings(closure, along, shut[closure.edges])
+    return found is not None and found.count == 0
+
+
+def _pattern(mechanism: Mechanism) -> CreasePattern:
+    """The flat sheet, all of its creases hinged."""
+    mesh = mesh_of(mechanism)
+    letters = np.where(mesh.crease, "U", "B")
+    flat = points_of(mechanism, 0.0)[:, :2]
+    return CreasePattern(flat, mesh.edges, letters, mesh.loops, mesh.edge_faces)
+
+
+def _of_pieces(
+    whole: CreasePattern, mechanism: Mechanism, hinges: Hinges | None
+) -> Iterator[CreasePattern]:
+    """The sheet, or each of its pieces, parted from all others."""
+    if hinges is None or hinges.joints is None:
+        yield whole
+        return
+    rows = whole.edge_faces // (mechanism.grid.columns - 1)
+    for piece in hinges.pieces:
+        inside = ((rows >= piece.start) & (rows < piece.stop)).all(axis=1)
+        yield replace(whole, letters=np.where(whole.crease & ~inside, "C", whole.letters))
+
+
+def _counted(mechanism: Mechanism, pattern: CreasePattern, folds: list[Array]) -> FreedomOfSheet:
+    """The motions of a pattern in states with fold angles (E,)."""
+    closure = Closure.of(pattern)
+    found = [find_freedom(closure, each[closure.edges]) for each in folds]
+    felt = [each.nearly for each in found if each.nearly is not None]
+    least = min((each for each in found if each.parts is not None), key=_felt, default=None)
+    lines, parts = (None, ()) if least is None else _in_lines(least.parts, closure, mechanism.grid)
+    other = min(each.least_other for each in found)
+    return FreedomOfSheet(
+        count=least_count(found),
+        nearly=min(felt, default=None),
+        lines=lines,
+        parts=parts,
+        states=len(found),
+        largest_zero=max(each.largest_zero for each in found),
+        least_other=other if np.isfinite(other) else None,
+    )
+
+
+def _felt(found: Freedom) -> int:
+    return found.nearly or 0
+
+
+def _in_lines(
+    parts: Integers | None, closure: Closure, grid: Grid
+) -> tuple[Lines | None, tuple[tuple[int, int], ...]]:
+    """Rows or columns of inner vertices that each part is of, if it is of whole ones.
+
+    parts: The part (I,) of every inner vertex; -1 where it stands still.
+    """
+    if parts is None:
+        return None, ()
+    inside = (closure.vertices < grid.vertex_count) & (parts >= 0)
+    labels = parts[inside]
+    kinds: tuple[Lines, ...] = ("rows", "columns")
+    for name, lines in zip(kinds, np.divmod(closure.vertices[inside], grid.columns), strict=True):
+        pairs = np.unique(np.stack([labels, lines], axis=1), axis=0)
+        if len(np.unique(pairs[:, 1])) < len(pairs) or len(np.unique(labels)) < 2:
+            continue
+        ends = sorted((int(own.min()), int(own.max()), len(own)) for own in _by_label(pairs))
+        if all(last - first + 1 == count for first, last, count in ends):
+            return name, tuple((first, last) for first, last, _ in ends)
+    return None, ()
+
+
+def _by_label(pairs: Integers) -> list[Integers]:
+    """Lines of each part, of pairs (N, 2) of part and line that are sorted."""
+    return np.split(pairs[:, 1], np.flatnonzero(np.diff(pairs[:, 0])) + 1)

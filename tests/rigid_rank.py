@@ -1,0 +1,72 @@
+"""Degrees of freedom by the tests' own count: rigid bodies joined along hinges, moved a little.
+
+Every panel may move as a rigid body. Two panels beside a hinge move both of its ends alike. What is
+left, less the six motions of the whole, is what the sheet can do: the unknowns less the rank of
+these equations. It is found from coordinates of one state alone, and knows nothing of vertices.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.motion import Mechanism
+from orishell.motion.hinges import Hinges
+from orishell.motion.layout import mesh_of, points_of
+from orishell.motion.mechanism import panel_normals
+from orishell.numerics.arrays import Array, Integers
+
+GAP = 1e4
+"""Singular values that are zero are less than all others by this factor at least."""
+
+
+def freedoms(ends: Array, bodies: Integers, count: int) -> int:
+    """How many motions bodies have that are joined along hinges.
+
+    Parameters
+    ----------
+    ends
+        Both ends (H, 2, 3) of every hinge.
+    bodies
+        The two bodies (H, 2) that it joins.
+    count
+        How many bodies there are.
+    """
+    places = ends - ends.mean(axis=(0, 1))
+    places = places / np.abs(places).max()
+    matrix = np.zeros((len(ends), 2, 3, count, 6))
+    for k in range(2):
+        for body, sign in zip(bodies.T, (1.0, -1.0), strict=True):
+            hinge = np.arange(len(ends))
+            for axis in range(3):
+                matrix[hinge, k, axis, body, axis] = sign
+                # The velocity of a point x of a body that turns at w is w x x.
+                for turn in range(3):
+                    rate = np.cross(np.eye(3)[turn], places[:, k])[:, axis]
+                    matrix[hinge, k, axis, body, 3 + turn] = sign * rate
+    found = np.linalg.svd(matrix.reshape(-1, 6 * count), compute_uv=False)
+    values = np.append(found, np.zeros(max(6 * count - len(found), 0)))
+    values = np.sort(values / values.max())
+    zero = int((values < 1e-10).sum())
+    if zero < len(values):
+        assert values[zero] > GAP * max(float(values[zero - 1]), np.finfo(float).eps)
+    return zero - 6
+
+
+def freedoms_of_panels(mechanism: Mechanism, drive: float) -> int:
+    """Those of a sheet without a thickness in one state."""
+    mesh, points = mesh_of(mechanism), points_of(mechanism, drive)
+    ends = points[mesh.edges[mesh.crease]]
+    return freedoms(ends, mesh.edge_faces[mesh.crease], len(mesh.faces))
+
+
+def freedoms_of_boards(mechanism: Mechanism, hinges: Hinges, drive: float) -> int:
+    """Those of whole boards on hinges beside their creases in one state."""
+    positions = mechanism.positions(drive)
+    normals = panel_normals(positions).reshape(-1, 3)
+    shifts = hinges.shifts(normals)
+    mesh = mesh_of(mechanism)
+    first = mesh.edge_faces[mesh.crease, 0]
+    heights = hinges.heights.on_edges()[mesh.crease]
+    ends = positions.reshape(-1, 3)[mesh.edges[mesh.crease]]
+    over = shifts[first] + heights[:, None] * normals[first]
+    return freedoms(ends + over[:, None], mesh.edge_faces[mesh.crease], len(mesh.faces))
