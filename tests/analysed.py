@@ -54,6 +54,7 @@ STRUCTURE = Structure(
     thickness=THICKNESS,
     strength=5.5e6,
     crease_strength=20.0,
+    line_strength=2000.0,
     tie_stiffness=1.2e6,
     tie_strength=5000.0,
 )

@@ -119,7 +119,8 @@ def test_what_is_written(tmp_path: Path) -> None:
         [
             (
                 "cells = 1",
-                "cells = 1\nstrength = 1e9\ncrease_strength = 1e9\ntie_strength = 1e9",
+                "cells = 1\nstrength = 1e9\ncrease_strength = 1e9\nline_strength = 1e9\n"
+                "tie_strength = 1e9",
                 0,
             ),
             ("cells = 1", "cells = 1\nstrength = 10", 1),  # pascals

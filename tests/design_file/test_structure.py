@@ -86,6 +86,7 @@ def test_every_key(tmp_path: Path) -> None:
         membrane_strength = 5e7
         crease_stiffness = [5.0, "rigid"]
         crease_strength = 20
+        line_strength = 3000
         tie_stiffness = 1.2e6
         tie_strength = 5000
         cells = 2
@@ -132,6 +133,7 @@ def test_every_key(tmp_path: Path) -> None:
         membrane_modulus=1e9,
         membrane_strength=5e7,
         crease_strength=20,
+        line_strength=3000,
         tie_stiffness=1.2e6,
         tie_strength=5000,
         cells=2,

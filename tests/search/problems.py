@@ -61,6 +61,9 @@ def loaded_tables(**search: Any) -> dict[str, Any]:
         "structure": {
             "modulus": 270e6,
             "strength": 5e6,
+            "crease_strength": 1e5,
+            "line_strength": 1e6,
+            "tie_strength": 1e6,
             "thickness": 0.01,
             "cells": 1,
             "supports": [{"at": "feet", "kind": "sliding"}],

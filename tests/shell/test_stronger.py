@@ -29,6 +29,7 @@ modulus = 9e9
 strength = 40e6
 crease_stiffness = "rigid"
 crease_strength = 1e9
+line_strength = 1e9
 thickness = {thickness}
 cells = 2
 supports = [{{ at = "feet", kind = "{kind}" }}]

@@ -152,9 +152,11 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
-    plain = STRUCTURE.having(strength=None, crease_strength=None, tie_strength=None)
+    plain = STRUCTURE.having(
+        strength=None, crease_strength=None, line_strength=None, tie_strength=None
+    )
     text = words(page(analysed(plain)))
-    assert "of panels and creases and ties no strength is given" in text
+    assert "of panels and creases and hinge lines and ties no strength is given" in text
     assert "Buckling governs" in text
 
 
@@ -214,4 +216,6 @@ def test_large_displacements_have_a_picture_of_load_against_displacement(tmp_pat
         pages.append((tmp_path / name / "structure.html").read_text(encoding="utf-8"))
     assert [text.count("data:image/png;base64,") for text in pages] == [1, 2]
     assert [PATHS in text for text in pages] == [False, True]
-    assert "nonlinear: it carries all loads, large displacements followed" in words(pages[1])
+    assert "nonlinear: it is in balance under all loads, large displacements followed" in words(
+        pages[1]
+    )

@@ -138,7 +138,11 @@ def test_a_shell_carries_what_it_bears_without_sinking(
     assert found.lone_board is not None
     largest = max(found.stress.size, found.lone_board.size)
     asked = model.structure.having(
-        strength=largest / used, membrane_strength=1e12, crease_strength=1e9, tie_strength=1e9
+        strength=largest / used,
+        membrane_strength=1e12,
+        crease_strength=1e9,
+        line_strength=1e12,
+        tie_strength=1e9,
     )
     stands = replace(
         found,

@@ -17,7 +17,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
 from orishell.search.variants import VariantsPage
-from orishell.structure.equilibrium import GOVERNING
+from orishell.structure.utilisation import GOVERNING
 from orishell.studio import api, info
 from orishell.studio.refusals import make_refusal
 from samples import led_by

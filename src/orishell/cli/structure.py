@@ -129,6 +129,10 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
             f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, "
             f"{_between(found.crease)}{_used(used.creases)}"
         )
+    yield (
+        f"  lines     {Quantities(unit).per_length(found.lines.size)} at most, "
+        f"{_between(found.lines)}{_used(used.lines)}"
+    )
     if found.membrane is not None:
         yield (
             f"  membrane  {plain(found.membrane.size)} N/{unit}2 at most, "
@@ -149,6 +153,11 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+    if found.beside is not None:
+        yield (
+            f"  at crease {Quantities(unit).stress(found.beside.size)} at most, "
+            f"{_between(found.beside)}"
+        )
 
 
 def _between(found: AtCrease | CreaseMoment) -> str:
@@ -158,7 +167,7 @@ def _between(found: AtCrease | CreaseMoment) -> str:
 
 def _envelopes(report: Analysis) -> Iterator[str]:
     """What governs each limit state of a code, and how many cases it has."""
-    from orishell.structure.case import creases_in_words
+    from orishell.structure.stiffness import creases_in_words
 
     for each in report.envelopes:
         what = "in equilibrium under all of them"

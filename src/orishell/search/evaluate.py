@@ -27,6 +27,8 @@ STATES = 3
 """States of a motion, of which nothing is asked here: the fewest."""
 FAULT, LACKING = "a fault of the program", "the report lacks a figure"
 """Reasons that the search itself looks for."""
+NOT_KNOWN = "it is not known whether it carries its loads"
+"""Why a design is refused that bears something whose strength nobody gave."""
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 _VALUE = re.compile(f" = {_NUMBER.pattern}")
 
@@ -53,11 +55,15 @@ class Job:
     figures: tuple[str, ...]  # what is read off the report
     files: bool = True  # whether curves may come from files
     require: Require | None = None  # raises InputError for a variant that is not to be made
+    must_carry: bool = False  # whether a variant is refused that is not known to carry its loads
 
 
 def job_of(problem: Problem, *, files: bool = True, require: Require | None = None) -> Job:
     """What a process needs to make variants for a search."""
-    return Job(problem.path, problem.tables, tuple(problem.figures), files, require)
+    limit = _limit_of_loads(problem)
+    must_carry = limit is not None and limit.most is not None and limit.most <= 1
+    figures = tuple(problem.figures)
+    return Job(problem.path, problem.tables, figures, files, require, must_carry)
 
 
 def evaluate(job: Job, variants: Sequence[Values]) -> list[Outcome]:
@@ -111,6 +117,8 @@ def _read(job: Job, values: Values, report: Report) -> Outcome:
     moving = _moving(report)
     if moving:
         return Outcome(values, {}, "nothing holds the shell under its loads", moving)
+    if job.must_carry and (open_ := _not_known(report)):
+        return Outcome(values, {}, NOT_KNOWN, open_)
     found = {name: figure(name).read(report) for name in job.figures}
     figures = {
         key: value for key, value in found.items() if value is not None and math.isfinite(value)
@@ -128,6 +136,14 @@ def _moving(report: Report) -> str:
         (f"under {each.name!r}: {each.in_words()}" for each in cases if each.equilibrium is None),
         "",
     )
+
+
+def _not_known(report: Report) -> str:
+    """Why it is not known whether it carries its loads, where no figure says so; else empty."""
+    found = report.structure
+    if found is None or found.carries is not None:
+        return ""
+    return "" if max(case.used for case in found.cases) > 1 else found.in_words()
 
 
 def violation(problem: Problem, outcome: Outcome) -> float:
@@ -155,15 +171,22 @@ def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, in
 
 def asked_of_loads(problem: Problem) -> str:
     """What designs that keep all limits do under loads: no more than was looked at."""
-    limit = next((limit for figure, limit in problem.limits if figure.name == "utilisation"), None)
+    limit = _limit_of_loads(problem)
     if limit is None:
         return "loads were not looked at: the design file has no [structure]"
     if limit.most is None or limit.most > 1:
-        return "utilisation may be above 1, as the design file asks: such a shell buckles or breaks"
+        return (
+            "utilisation may be above 1, as the design file asks: such a shell buckles or breaks, "
+            "or is not known to carry its loads"
+        )
     return (
         f"under loads a utilisation of at most {limit.most:g}, of the strengths in the design file "
         "and of buckling, by linear analysis"
     )
+
+
+def _limit_of_loads(problem: Problem) -> Limit | None:
+    return next((limit for figure, limit in problem.limits if figure.name == "utilisation"), None)
 
 
 def said_of(problem: Problem, outcome: Outcome) -> str:

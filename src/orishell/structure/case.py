@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
+from math import inf
 
 from orishell.conventions.record import record
 from orishell.conventions.row import Sign, worst
@@ -14,8 +15,10 @@ from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.loads import Load, Vector, vector
-from orishell.structure.model import Model, Stiffness, stiffness_in_words
+from orishell.structure.model import Model
+from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.verdict import (
+    CARRIES,
     COLLAPSED,
     Finding,
     against_equilibrium,
@@ -73,39 +76,37 @@ class CaseResult:
 
     @property
     def carries(self) -> bool | None:
-        """Whether the shell carries these loads; None if the strength of something is not known."""
-        if self.sign == "fails":
-            return False
-        return None if any(each.kind == "unknown" for each in self.findings) else True
+        """Whether the shell carries these loads; None if that is not known."""
+        return CARRIES[self.sign]
 
     @property
     def used(self) -> float:
-        """The largest share of what is borne: above 1 where it does not carry its loads."""
+        """The largest share of what is borne, of the parts whose strength is known.
+
+        It is above 1 where the shell does not carry its loads, and where a figure leaves that open.
+        """
         if self.equilibrium is None:
             return float("inf")
-        if self.limit_state in STRENGTH:
-            return self.equilibrium.used
         failing = [each for each in self.findings if each.sign == "fails"]
-        too_much = [float("inf") if each.excess is None else each.excess for each in failing]
-        return max([self.equilibrium.displacement.share / COLLAPSED, *too_much])
+        beyond = [inf if each.excess is None else each.excess for each in failing]
+        beyond += [each.excess for each in self.findings if each.excess is not None]
+        if self.limit_state in STRENGTH:
+            return max([self.equilibrium.used, *beyond])
+        return max([self.equilibrium.displacement.share / COLLAPSED, *beyond])
 
     def in_words(self) -> str:
         """What the shell does under these loads."""
-        said = "; ".join(each.text for each in self.findings if each.sign == self.sign)
-        if self.sign == "fails" or not said:
-            return said or "carries its loads"
-        doubt = (
-            "carries its loads as far as is known" if self.carries is None else "carries its loads"
-        )
-        return f"{doubt}, but {said}"
+        if self.sign == "warns":
+            return f"is not known to carry its loads: it {self.said}"
+        return self.said or "carries its loads"
+
+    @property
+    def said(self) -> str:
+        """What speaks against it, in words; empty if nothing does."""
+        return "; ".join(each.text for each in self.findings if each.sign == self.sign)
 
     def load_warnings(self) -> Iterator[tuple[str, str]]:
         """Of which case, and what an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
             yield self.name, "own weight is left out (self_weight = true)"
         yield from ((load.case, load.caution) for load in self.loads if load.caution)
-
-
-def creases_in_words(creases: Stiffness) -> str:
-    """Creases of a stiffness, as the name of a case has them."""
-    return f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"

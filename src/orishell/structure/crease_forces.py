@@ -15,13 +15,22 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
+    ACROSS,
+    IN_PLANE,
+    NORMAL,
     EdgeForces,
     crease_sides,
     find_edge_forces,
     on_creases,
 )
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
-from orishell.structure.mesh.strips import board_stress, film_stress, one_board
+from orishell.structure.mesh.strips import (
+    board_stress,
+    chamfered,
+    film_stress,
+    one_board,
+    solid_stress,
+)
 from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
 from orishell.structure.settings import LoadCase
@@ -32,6 +41,9 @@ FORCES = ("pull", "push", "shear in the plane", "shear across")
 """Forces per length along a crease, as ``largest_forces`` has them."""
 ROUNDING = 1e-9
 """Forces below this share of the largest are none."""
+EQUAL = 1e-6
+"""Sizes that differ by less than this share are equal: of creases alike the first is named,
+whichever is larger by rounding."""
 UNBALANCED = 1e-6
 """Panels that miss more than this share of the loads for their balance mean a fault."""
 
@@ -182,6 +194,60 @@ def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
     return _largest(model, largest) if largest.max() >= 0 else None
 
 
+def hinge_line(model: Model, found: EdgeForces) -> AtCrease:
+    """The largest force per length over a crease that nothing else is known to bear.
+
+    That is all of it, pull, push and shear, but of a membrane whose strength is known, which bears
+    pull and shear in its plane.
+    """
+    values = _spread(model, found)
+    normal, in_plane, across = (values[..., k] for k in (NORMAL, IN_PLANE, ACROSS))
+    build = model.design.panel
+    if build is not None and build.membrane and model.structure.membrane_strength is not None:
+        normal, in_plane = np.minimum(normal, 0.0), 0.0 * in_plane
+    size = np.sqrt(normal**2 + in_plane**2 + across**2)
+    return _largest(model, size.max(axis=(1, 2)))
+
+
+def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
+    """The largest stress of solid panels right beside creases; None if panels are not solid.
+
+    It follows from the forces along a quarter of a crease, and is not averaged over patches. Where
+    a board is chamfered only the half of it on the other side of the hinge plane is left.
+    """
+    build, boards, values = model.design.panel, model.boards, _spread(model, found)
+    if build is None:
+        stress = solid_stress(values, model.thickness)
+    elif build.construction == "bevel" and boards is not None:
+        flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices()][..., :2]
+        alone = on_creases(chamfered(boards, flat)[..., None, None], model.grid)[..., 0]
+        half, whole = board_stress(values, build), solid_stress(values, build.thickness)
+        stress = np.where(alone, half, whole)
+    else:
+        return None
+    return _largest(model, stress.max(axis=(1, 2)))
+
+
+def _spread(model: Model, found: EdgeForces) -> Array:
+    """Forces per length (C, 2, S, 4) on stretches of creases, over a thickness of panels at least.
+
+    What acts on a shorter piece of a crease spreads over about as much of its panels: a crease of a
+    few millimetres has large forces per length, and hardly any force.
+    """
+    values = on_creases(found.per_length, model.grid)
+    edges, _ = crease_sides(model.grid)
+    ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
+    stretch = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / values.shape[2]
+    count = np.clip(np.ceil(model.thickness / stretch), 1, values.shape[2])
+    spread = values.copy()
+    for many in range(2, values.shape[2] + 1):
+        windows = np.lib.stride_tricks.sliding_window_view(values, many, axis=2).mean(axis=-1)
+        more = np.pad(windows, ((0, 0), (0, 0), (0, many - 1), (0, 0)))
+        spread = np.where((count == many)[:, None, None, None], more, spread)
+    share = np.minimum(1.0, count * stretch / model.thickness)
+    return np.asarray(share[:, None, None, None] * spread)
+
+
 def arms(model: Model, found: EdgeForces) -> AtCrease | None:
     """The largest stress of the arms that hinges stand on; None if there are none."""
     hinges, build = model.mesh.offsets, model.design.panel
@@ -192,7 +258,7 @@ def arms(model: Model, found: EdgeForces) -> AtCrease | None:
 
 def _largest(model: Model, sizes: Array) -> AtCrease:
     """The largest of sizes (C,) of creases."""
-    crease = int(sizes.argmax())
+    crease = int((sizes >= (1 - EQUAL) * sizes.max()).argmax())
     _, sides = crease_sides(model.grid)
     first, second = (model.panel_at(int(panel)) for panel in sides[crease, :, 0])
     return AtCrease(float(sizes[crease]), (first, second))

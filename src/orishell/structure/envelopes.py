@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from orishell.conventions.record import record
 from orishell.structure.combinations import LimitState
-from orishell.structure.model import Stiffness
+from orishell.structure.stiffness import Stiffness
 
 if TYPE_CHECKING:
     from orishell.structure.case import CaseResult

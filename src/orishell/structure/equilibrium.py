@@ -5,7 +5,6 @@ Forces are in newtons; vertices and panels are rows and columns of the folding s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cached_property
 from typing import Literal
 
@@ -18,8 +17,10 @@ from orishell.structure.crease_forces import (
     AtCrease,
     CreaseForces,
     arms,
+    beside_creases,
     by_kind,
     film,
+    hinge_line,
     lone_board,
 )
 from orishell.structure.feet import Foot
@@ -27,19 +28,8 @@ from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
+from orishell.structure.utilisation import Utilisation, find_utilisation
 from orishell.structure.verdict import COLLAPSED
-
-Limiting = Literal["panels", "membrane", "creases", "arms", "ties", "buckling"]
-"""What may be at the end of what it bears."""
-GOVERNING: Mapping[Limiting, str] = {
-    "panels": "the stress in panels",
-    "membrane": "the stress in the membrane between boards",
-    "creases": "the moment of creases",
-    "arms": "the stress in the arms of hinges",
-    "ties": "the force in a tie",
-    "buckling": "buckling",
-}
-"""What governs, in the words of terminal, page and studio."""
 
 
 @record
@@ -90,39 +80,13 @@ class Stress:
 
 
 @record
-class Utilisation:
-    """Shares of what is borne, by what can be borne."""
-
-    WRITTEN = ("panels", "membrane", "creases", "arms", "ties", "buckling", "governs")
-
-    # of their strength; None where that is not known
-    panels: float | None
-    membrane: float | None  # None, too, where panels have none
-    creases: float | None
-    arms: float | None  # None, too, where hinges have none
-    ties: float | None
-    buckling: float | None  # of the load at which the shell buckles; None if it does not
-
-    @property
-    def shares(self) -> dict[Limiting, float | None]:
-        """All of them by name."""
-        return {part: getattr(self, part) for part in GOVERNING}
-
-    @property
-    def governs(self) -> Limiting | None:
-        """The largest of these; None if there is none."""
-        known = [(share, part) for part, share in self.shares.items() if share]
-        return max(known)[1] if known else None
-
-
-@record
 class Equilibrium:
     """A shell in equilibrium with its loads."""
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
-        "crease", "creases", "stress", "lone_board", "membrane", "arms", "panel_residual",
-        "utilisation",
+        "crease", "creases", "lines", "stress", "beside", "lone_board", "membrane", "arms",
+        "panel_residual", "utilisation",
         "buckling", "buckling_factors", "frequencies", "path",
     )  # fmt: skip
 
@@ -247,23 +211,19 @@ class Equilibrium:
         )
 
     @cached_property
+    def lines(self) -> AtCrease:
+        """The largest force per length over a crease that nothing else is known to bear."""
+        return hinge_line(self.model, self.edges)
+
+    @cached_property
+    def beside(self) -> AtCrease | None:
+        """The largest stress of solid panels right beside creases; None if panels are not solid."""
+        return beside_creases(self.model, self.edges)
+
+    @cached_property
     def utilisation(self) -> Utilisation:
         """Of panels, membrane, creases and ties."""
-        asked, crease, alone, film = (
-            self.model.structure,
-            self.crease,
-            self.lone_board,
-            self.membrane,
-        )
-        boards = 0.0 if alone is None else alone.size
-        return Utilisation(
-            panels=_share(max(self.stress.size, boards), asked.strength),
-            membrane=None if film is None else _share(film.size, asked.membrane_strength),
-            creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
-            arms=None if self.arms is None else _share(self.arms.size, asked.arm_strength),
-            ties=_share(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
-            buckling=None if self.buckling is None else 1 / self.buckling,
-        )
+        return find_utilisation(self)
 
     @property
     def used(self) -> float:
@@ -271,26 +231,8 @@ class Equilibrium:
         known = (share or 0.0 for share in self.utilisation.shares.values())
         return max(self.displacement.share / COLLAPSED, *known)
 
-    @property
-    def unknown(self) -> tuple[Limiting, ...]:
-        """What bears something, and nobody said how much it can."""
-        bears: dict[Limiting, bool] = {
-            "panels": True,
-            "membrane": self.membrane is not None and self.membrane.size > 0,
-            "creases": self.crease is not None,
-            "arms": self.arms is not None and self.arms.size > 0,
-            "ties": bool(self.tie_forces.any()),
-        }
-        return tuple(
-            part for part, any_ in bears.items() if any_ and self.utilisation.shares[part] is None
-        )
-
 
 def _pairs(ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:
     """Forces between pairs of vertices, the largest first, none left out."""
     order = np.argsort(-forces, kind="stable").tolist()
     return tuple(PairForce(ends[number], float(forces[number])) for number in order)
-
-
-def _share(found: float, strength: float | None) -> float | None:
-    return None if strength is None else found / strength

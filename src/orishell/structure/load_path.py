@@ -39,7 +39,7 @@ class LoadPath:
         """How it ends."""
         share = f"{plain(100 * self.reached, 3)} % of its loads"
         return {
-            "carries": "carries all loads, large displacements followed",
+            "carries": "is in balance under all loads, large displacements followed",
             "snaps": f"gives way at {share}: beyond that it snaps into another shape",
             "branches": f"buckles at {share}, and no shape beside it was found that holds",
             "lost": f"was followed to {share} only: no balance was found beyond",

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import fields, replace
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +17,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
+from orishell.structure.chamfers import Thinned, most_thinned
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.flaps import between_flaps, hung_area, kept_apart
 from orishell.structure.loads import Exposure
@@ -32,16 +32,9 @@ from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
+from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.supports import Supports, find_supports
 from orishell.structure.whole_boards import corners_at_vertices, plates_of
-
-Stiffness = float | Literal["free", "rigid"]
-"""Of creases: moment per length and angle (N), 0 and infinite said in words."""
-
-
-def stiffness_in_words(stiffness: float) -> Stiffness:
-    """A stiffness of creases (force per radian), 0 and infinite in words."""
-    return "free" if not stiffness else "rigid" if np.isinf(stiffness) else stiffness
 
 
 @record
@@ -54,8 +47,8 @@ class Model:
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
-        "structure.membrane_strength", "structure.arm_modulus", "structure.arm_strength",
-        "structure.supports",
+        "structure.line_strength", "structure.membrane_strength", "structure.arm_modulus",
+        "structure.arm_strength", "structure.supports",
     )  # fmt: skip
 
     design: Design  # the design
@@ -197,6 +190,11 @@ class Model:
         if built is None:
             return None
         return between_flaps(built.boards, self.design.mechanism.grid, self.grid, self.before)
+
+    @cached_property
+    def thinned(self) -> Thinned | None:
+        """The board of which chamfers take most; None if none is chamfered."""
+        return most_thinned(self)
 
     @cached_property
     def exposure(self) -> Exposure:

@@ -10,15 +10,18 @@ from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
 from orishell.document.loaded import LoadedShell
 from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
-from orishell.structure.case import CaseResult, creases_in_words
+from orishell.structure.case import CaseResult
+from orishell.structure.chamfers import thinned_in_words
 from orishell.structure.changes import refinement_warnings
 from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, few, told
-from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
+from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loaded import loaded_shell
-from orishell.structure.model import Model, Stiffness
+from orishell.structure.model import Model
 from orishell.structure.plausibility import doubts
 from orishell.structure.point_supports import warn_of_points
-from orishell.structure.verdict import misleads
+from orishell.structure.stiffness import Stiffness, creases_in_words
+from orishell.structure.utilisation import GOVERNING, Limiting
+from orishell.structure.verdict import CARRIES, misleads
 from orishell.structure.whole_boards import arm_warnings
 
 LINEAR = "large displacements: all is linear, from the shape as it was designed"
@@ -62,7 +65,9 @@ class Analysis:
     @property
     def not_covered(self) -> tuple[str, ...]:
         """What the analysis says nothing of."""
-        return (FOLLOWED if self.model.structure.nonlinear else LINEAR, *NOT_COVERED)
+        first = FOLLOWED if self.model.structure.nonlinear else LINEAR
+        thinned = thinned_in_words(self.model.thinned)
+        return (first, *([thinned] if thinned else ()), *NOT_COVERED)
 
     @property
     def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:
@@ -87,9 +92,8 @@ class Analysis:
 
     @property
     def carries(self) -> bool | None:
-        """Whether it carries all cases; None if the strength of something is not known."""
-        found = {case.carries for case in self.cases}
-        return False if False in found else None if None in found else True
+        """Whether it carries all cases; None if that is not known."""
+        return CARRIES[self.sign]
 
     @cached_property
     def governs(self) -> Governing | None:
@@ -105,12 +109,12 @@ class Analysis:
     def in_words(self) -> str:
         """Whether it carries all cases, and what the worst does: for one line."""
         first, fails = self.ranked[0], sum(case.sign == "fails" for case in self.cases)
-        under = f"under {self.name_of(first)} it {first.in_words()}"
+        under = f"under {self.name_of(first)} it {first.said}"
         if fails:
             of = "" if len(self.cases) == 1 else f"{fails} of {len(self.cases)} cases fail; "
             return f"no: {of}{under}"
         if first.sign == "warns":
-            return f"{'not known' if self.carries is None else 'not safely'}: {under}"
+            return f"not known: {under}"
         found, case = max(self.balanced, key=lambda each: each[0].displacement.size)
         most, unit = found.displacement, self.model.site.unit
         return (
@@ -123,7 +127,7 @@ class Analysis:
         """What governs, and how near it comes to what it bears."""
         governs = self.governs
         if governs is None:
-            return "no strengths are given, and it does not buckle"
+            return "nothing bears anything whose strength is known, and it does not buckle"
         share = governs.utilisation
         if governs.part == "buckling":
             borne = f"under {plain(1 / share, 3)} times the loads of"

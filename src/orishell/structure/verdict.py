@@ -1,19 +1,23 @@
 """Whether a case carries its loads, and what speaks against it: the words of all pages.
 
-A case carries if the shell is in equilibrium, stays within its strengths, does not buckle, and is
-not displaced so far that it is another shell.
+A case carries if the shell is in equilibrium, stays within its strengths, is far from buckling,
+and is not displaced so far that it is another shell. It fails if one of that is known not to be so.
+Otherwise nobody knows: then sign, field, words and exit status say that and no more.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Literal
 
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import Quantities, plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
+from orishell.structure.chamfers import MOST_THINNED, thinned_boards
+from orishell.structure.utilisation import NAMED, find_unknown
 
 if TYPE_CHECKING:
+    from orishell.structure.crease_forces import AtCrease
     from orishell.structure.equilibrium import Equilibrium
     from orishell.structure.free_motion import FreeMotion
 
@@ -28,13 +32,16 @@ Kind = Literal[
     "unknown",
 ]
 """How a case fails, or may."""
+CARRIES: Mapping[Sign, bool | None] = {"fails": False, "warns": None, "holds": True}
+"""Whether a shell carries its loads, by the sign of what was found; None if that is not known."""
 COLLAPSED = 0.25
 """A shell displaced by this share of its height is no longer the shell that was analysed."""
 LARGE = 0.05
 """Displacements above this share of the shell's height are too large for linear theory: the thrust
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
 LEAST_BUCKLING = 3.0
-"""Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
+"""Below this factor a shell may well buckle: imperfect ones do before linear theory says so. It is
+not known to carry its loads then, unless large displacements are followed."""
 
 
 @record
@@ -44,7 +51,7 @@ class Finding:
     sign: Sign  # whether it fails, or wants attention
     kind: Kind  # how
     text: str  # by how much: what follows on "the shell"
-    # how many times too much it is; None where nothing resists, or that is not known
+    # how many times too much it is, for what is known; None where nothing resists, or no measure is
     excess: float | None
 
 
@@ -82,30 +89,59 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
         if sign == "warns" and path is None:
             text += ", too far for linear theory"
         if sign == "fails" or path is None:
-            yield Finding(sign, "displaced", text, most.share / COLLAPSED)
+            most_share = COLLAPSED if sign == "fails" else LARGE
+            yield Finding(sign, "displaced", text, most.share / most_share)
 
 
 def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     used = found.utilisation
-    for name, part in (
-        ("panels", used.panels),
-        ("membrane", used.membrane),
-        ("creases", used.creases),
-        ("arms", used.arms),
-        ("ties", used.ties),
-    ):
-        if part is not None and part > 1:
-            text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
+    for name, part in used.shares.items():
+        if name != "buckling" and part is not None and part > 1:
+            of = f"strength of its {NAMED.get(name, name)}"
+            at = f" between {_beside(found.lines)}" if name == "lines" else ""
+            text = f"uses {plain(100 * part, 3)} % of the {of}{at}"
             yield Finding("fails", "exceeds strength", text, part)
     factor = found.buckling
     if found.path is None and factor is not None and factor < LEAST_BUCKLING:
         text = f"buckles under {plain(factor, 3)} times its loads"
         if factor >= 1:
-            text += " by linear theory, and earlier with imperfections"
-        yield Finding("fails" if factor < 1 else "warns", "buckles", text, 1 / factor)
-    if found.unknown:
-        text = f"is loaded in {' and '.join(found.unknown)}, whose strength is not given"
+            text += (
+                f" by linear theory, and earlier with imperfections ({LEAST_BUCKLING:g} is asked "
+                "for, or nonlinear = true)"
+            )
+        excess = (1 if factor < 1 else LEAST_BUCKLING) / factor
+        yield Finding("fails" if factor < 1 else "warns", "buckles", text, excess)
+    yield from _not_known(found)
+
+
+def _not_known(found: Equilibrium) -> Iterator[Finding]:
+    """What is loaded, and it is not known whether it bears that."""
+    model = found.model
+    said = Quantities(model.site.unit)
+    unknown = find_unknown(found)
+    if unknown:
+        names = [NAMED.get(part, part) for part in unknown]
+        text = f"is loaded in {' and '.join(names)}, whose strength is not given"
+        if "lines" in unknown:
+            text += f" ({said.per_length(found.lines.size)} between {_beside(found.lines)})"
         yield Finding("warns", "unknown", text, None)
+    beside, strength = found.beside, model.structure.strength
+    if beside is not None and strength is not None and beside.size > strength:
+        text = (
+            f"may bear {said.stress(beside.size)} in its panels at the crease between "
+            f"{_beside(beside)}, {plain(100 * beside.size / strength, 3)} % of their strength: on "
+            f"average over patches there are {said.stress(found.stress.size)} at most"
+        )
+        yield Finding("warns", "unknown", text, beside.size / strength)
+    thinned = model.thinned
+    if thinned is not None and thinned.share > MOST_THINNED:
+        yield Finding("warns", "unknown", f"has {thinned_boards(thinned)}", None)
+
+
+def _beside(found: AtCrease) -> str:
+    """The two panels beside a crease."""
+    (row, column), (other, last) = found.panels
+    return f"panels {row}, {column} and {other}, {last}"
 
 
 def misleads(found: Equilibrium) -> bool:

@@ -76,7 +76,7 @@ def panel_sections(
         return Section.solid(modulus, thickness, nu)
     board = 0.5 * (build.thickness - build.membrane)
     away = 0.5 * (board + build.membrane)
-    places = _places(flat)
+    places = places_in(flat, SAMPLES)
     top, bottom = (_covered(boards.chosen(boards.sides == side), places) for side in (1, -1))
     number = top.astype(np.int64) + bottom  # boards (F, S, S) at every place
     plane, fabric = (each / (1 - nu**2) for each in (modulus, structure.membrane_modulus))
@@ -94,9 +94,9 @@ def panel_sections(
     )
 
 
-def _places(flat: Array) -> Array:
+def places_in(flat: Array, samples: int) -> Array:
     """Places (F, S, S, 2) in panels with corners (F, 4, 2), downwards and to the right."""
-    share = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    share = (np.arange(samples) + 0.5) / samples
     down, right = share[:, None, None], share[:, None]
     a, b, c, d = (each[:, None, None] for each in flat.swapaxes(0, 1))
     return np.asarray(

@@ -63,7 +63,7 @@ def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: st
 
 VERDICTS = {
     "fails": "it does not carry its loads",
-    "warns": "it carries its loads, but not safely, or not as far as is known",
+    "warns": "it is not known to carry its loads",
     "holds": "it carries its loads",
 }
 """What an analysis found, as a heading says it."""
@@ -75,4 +75,5 @@ def _note(case: CaseResult, said: Quantities) -> str:
         return ", ".join(dict.fromkeys(each.kind for each in case.findings if each.sign == "fails"))
     assert case.equilibrium is not None
     most = case.equilibrium.displacement
-    return f"{said.displacement(most.size)} at panel {most.panel[0]}, {most.panel[1]}"
+    where = f"{said.displacement(most.size)} at panel {most.panel[0]}, {most.panel[1]}"
+    return f"not known; {where}" if case.sign == "warns" else where

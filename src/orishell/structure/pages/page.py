@@ -6,16 +6,15 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.structure.case import CaseResult, creases_in_words
-from orishell.structure.crease_forces import AtCrease
-from orishell.structure.envelopes import STRENGTH
-from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
+from orishell.structure.case import CaseResult
+from orishell.structure.equilibrium import PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.pages.anchor_tables import anchor_parts
 from orishell.structure.pages.crease_tables import crease_notes, crease_table
+from orishell.structure.pages.details import details, percent, vertex
 from orishell.structure.pages.model_page import model_parts
 from orishell.structure.results import Analysis
-from orishell.structure.verdict import COLLAPSED
+from orishell.structure.stiffness import creases_in_words
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
@@ -144,9 +143,8 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
-        "Used is the largest share of what panels, membrane, creases and ties can bear, of the "
-        "load at which the shell buckles, and of a displacement of "
-        f"{100 * COLLAPSED:g} % of its height.",
+        "Used is the largest share of what panels, membrane, creases, hinge lines and ties can "
+        "bear, as far as their strength is given, and of the load at which the shell buckles.",
         "soft",
     )
 
@@ -161,7 +159,7 @@ def _envelopes(report: Analysis) -> Iterator[str]:
             f"{each.cases}",
             f"{each.moves}",
             f"{each.case}, {creases_in_words(each.creases)}",
-            NOTHING if each.share is None else f"{each.part}: {_share(each.share)}",
+            NOTHING if each.share is None else f"{each.part}: {percent(each.share)}",
         )
         for each in report.envelopes
     ]
@@ -181,7 +179,7 @@ def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
     known = [share for share in used.shares.values() if share is not None]
     return (
         said.displacement(found.displacement.size),
-        _share(found.displacement.share),
+        percent(found.displacement.share),
         said.stress(found.stress.size),
         NOTHING
         if found.crease is None or case.creases == "free"
@@ -189,7 +187,7 @@ def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
         quantity(found.ties[0].force, "N") if found.ties and found.ties[0].force else NOTHING,
         NOTHING if found.buckling is None else figure(found.buckling),
         quantity(found.frequencies[0], "Hz") if found.frequencies else NOTHING,
-        _share(max(known)) if known else NOTHING,
+        percent(max(known)) if known else NOTHING,
     )
 
 
@@ -199,9 +197,9 @@ def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]
     if found is None:
         yield paragraph(f"The shell {case.in_words()}. Nothing else was found of it.", case.sign)
         return
-    yield table((), _details(case, found, said))
+    yield table((), details(case, found, said))
     yield from crease_table(found, said)
-    reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
+    reactions = [(vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
     half = -(-len(reactions) // 2)
     reactions += [4 * ("",)] * (2 * half - len(reactions))
     yield table(
@@ -214,72 +212,10 @@ def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]
     yield _pairs("Flaps: the force with which they press on each other", found.flaps, "apart")
 
 
-def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
-    """Names and values of what was found."""
-    moved, stress, used = found.displacement, found.stress, found.utilisation
-    x, y, z = (said.displacement(each) for each in moved.vector)
-    yield (
-        "Largest displacement",
-        f"{said.displacement(moved.size)} in panel {_vertex(moved.panel)} (along x, y, z: "
-        f"{x}, {y}, {z}), {_share(moved.share)} of the shell's height",
-    )
-    yield (
-        "Largest stress",
-        f"{said.stress(stress.size)} by von Mises, in panel {_vertex(stress.panel)} on its "
-        f"{stress.face} face; principal stresses from {said.stress(stress.least)} to "
-        f"{said.stress(stress.largest)}",
-    )
-    alone, film = found.lone_board, found.membrane
-    if alone is not None:
-        yield (
-            "Where one board is left",
-            f"{said.stress(alone.size)} by von Mises, {_between(alone)}",
-        )
-    if film is not None:
-        yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
-    if found.arms is not None:
-        yield "Largest stress of an arm", f"{said.stress(found.arms.size)} {_between(found.arms)}"
-    if found.crease is not None and case.creases != "free":
-        yield (
-            "Largest moment of a crease",
-            f"{said.moment(found.crease.moment)} {_between(found.crease)}",
-        )
-    buckles = "by linear theory it does not"
-    if case.limit_state not in STRENGTH:
-        buckles = "found for ULS only"
-    if found.buckling_factors:
-        lowest, *others = map(figure, found.buckling_factors)
-        further = f"; in other ways under {' and '.join(others)} times" if others else ""
-        buckles = f"under {lowest} times these loads{further}, by linear theory"
-    if found.path is not None:
-        path = found.path
-        linear = (
-            f"By linear theory it is displaced by {said.displacement(path.linear_displacement)}"
-        )
-        if path.linear_buckling is not None:
-            linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
-        buckles = f"nonlinear: it {path.in_words()}. {linear}"
-    yield "Buckling", buckles
-    if hertz := ", ".join(map(figure, found.frequencies)):
-        yield "Natural frequencies", f"{hertz} Hz"
-    words = [f"{name} {_share(share)}" for name, share in used.shares.items() if share is not None]
-    there = {"membrane": film, "arms": found.arms, "buckling": None}
-    bare = {name for name, part in there.items() if part is None}
-    unknown = [name for name, share in used.shares.items() if share is None and name not in bare]
-    if unknown:
-        words.append(f"of {' and '.join(unknown)} no strength is given")
-    yield "Share used", "; ".join(words)
-
-
-def _between(found: AtCrease | CreaseMoment) -> str:
-    one, other = map(_vertex, found.panels)
-    return f"between panels {one} and {other}"
-
-
 def _pairs(caption: str, pairs: Sequence[PairForce], idle: str) -> str:
     """Forces between two vertices; those without any are counted, and called by a word."""
     rows = [
-        (f"{_vertex(each.ends[0])} to {_vertex(each.ends[1])}", figure(each.force))
+        (f"{vertex(each.ends[0])} to {vertex(each.ends[1])}", figure(each.force))
         for each in pairs
         if each.force
     ]
@@ -293,11 +229,3 @@ def _vector(force: Vector, load: Vector) -> Iterator[str]:
     """Components of a force; 0 where they are rounding errors of a load."""
     least = ROUNDING * max(map(abs, load))
     return (figure(each if abs(each) > least else 0.0) for each in force)
-
-
-def _vertex(at: tuple[int, int]) -> str:
-    return f"{at[0]},{at[1]}"
-
-
-def _share(share: float) -> str:
-    return quantity(100 * share, "%", 3)

@@ -1,0 +1,96 @@
+"""What of a shell bears something, and how near it is to the end of what it can bear."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Literal
+
+from orishell.conventions.quantities import conversion
+from orishell.conventions.record import record
+
+if TYPE_CHECKING:
+    from orishell.structure.equilibrium import Equilibrium
+
+Limiting = Literal["panels", "membrane", "creases", "lines", "arms", "ties", "buckling"]
+"""What may be at the end of what it bears."""
+GOVERNING: Mapping[Limiting, str] = {
+    "panels": "the stress in panels",
+    "membrane": "the stress in the membrane between boards",
+    "creases": "the moment of creases",
+    "lines": "the force along a hinge line",
+    "arms": "the stress in the arms of hinges",
+    "ties": "the force in a tie",
+    "buckling": "buckling",
+}
+"""What governs, in the words of terminal, page and studio."""
+NAMED: Mapping[Limiting, str] = {"lines": "hinge lines"}
+"""What bears, where its name is not the word for it."""
+LEAST_LINE = 100.0
+"""What any hinge line bears (N/m): masking tape is peeled off by 200 and more, newsprint tears
+across its grain at some 700."""
+
+
+@record
+class Utilisation:
+    """Shares of what is borne, by what can be borne."""
+
+    WRITTEN = ("panels", "membrane", "creases", "lines", "arms", "ties", "buckling", "governs")
+
+    # of their strength; None where that is not known
+    panels: float | None
+    membrane: float | None  # None, too, where panels have none
+    creases: float | None  # of the moments that they bear
+    lines: float | None  # of the forces that creases bear as hinge lines
+    arms: float | None  # None, too, where hinges have none
+    ties: float | None
+    buckling: float | None  # of the load at which the shell buckles; None if it does not
+
+    @property
+    def shares(self) -> dict[Limiting, float | None]:
+        """All of them by name."""
+        return {part: getattr(self, part) for part in GOVERNING}
+
+    @property
+    def governs(self) -> Limiting | None:
+        """The largest of these; None if there is none."""
+        known = [(share, part) for part, share in self.shares.items() if share]
+        return max(known)[1] if known else None
+
+
+def find_utilisation(found: Equilibrium) -> Utilisation:
+    """The share of its strength that every part of a shell in equilibrium bears."""
+    asked, crease, alone, film = (
+        found.model.structure,
+        found.crease,
+        found.lone_board,
+        found.membrane,
+    )
+    boards = 0.0 if alone is None else alone.size
+    return Utilisation(
+        panels=_share(max(found.stress.size, boards), asked.strength),
+        membrane=None if film is None else _share(film.size, asked.membrane_strength),
+        creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
+        lines=_share(found.lines.size, asked.line_strength),
+        arms=None if found.arms is None else _share(found.arms.size, asked.arm_strength),
+        ties=_share(found.ties[0].force if found.ties else 0.0, asked.tie_strength),
+        buckling=None if found.buckling is None else 1 / found.buckling,
+    )
+
+
+def find_unknown(found: Equilibrium) -> tuple[Limiting, ...]:
+    """What bears something, and nobody said how much it can."""
+    least = LEAST_LINE * conversion(found.model.site.unit, "m")
+    bears: dict[Limiting, bool] = {
+        "panels": True,
+        "membrane": found.membrane is not None and found.membrane.size > 0,
+        "creases": found.crease is not None,
+        "lines": found.lines.size > least,
+        "arms": found.arms is not None and found.arms.size > 0,
+        "ties": bool(found.tie_forces.any()),
+    }
+    shares = found.utilisation.shares
+    return tuple(part for part, any_ in bears.items() if any_ and shares[part] is None)
+
+
+def _share(found: float, strength: float | None) -> float | None:
+    return None if strength is None else found / strength
