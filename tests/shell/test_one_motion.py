@@ -97,7 +97,7 @@ def test_what_rests_on_one_motion_is_said_of_one_only(several: Shell) -> None:
 
 def test_what_leaves_one_motion_has_been_tried(several: Shell, tmp_path: Path) -> None:
     found = row(several, "folds")
-    assert found.remedy == "with a zigzag row one motion (tried)"
+    assert found.remedy == "with a zigzag row: one motion (tried)"
     changed = make_shell(several.file.changed(found.changes), skip=MENDED)
     assert changed.report.degrees_of_freedom == 1
     assert row(changed, "folds").sign == "holds"
