@@ -147,6 +147,15 @@ def test_rows_of_a_straight_g_fold_by_themselves(text: str) -> None:
     assert find_freedom_of_sheet(straight(text)).one_motion
 
 
+def test_rows_of_a_strip_fold_by_themselves() -> None:
+    """Two columns of vertices, none of which panels surround: a bus shelter of 13 x 2."""
+    f, g = graph("-x**2", -1, 1), graph("0*x", 0, 3)
+    strip = orthodiagonal_of(design_orthodiagonal(f, g, rows=13, columns=2, depth=0.05, flap=0))
+    found = find_freedom_of_sheet(strip)
+    assert found.count == freedoms_of_panels(strip, 0.5 * strip.target_drive) == 13
+    assert found.in_words() == "13 degrees of freedom: rows 1 to 13 fold by themselves"
+
+
 def test_parts_of_several_rows_are_named_together() -> None:
     """Of two sheets beside each other, along a row that is cut through by a straight crease."""
     found = find_freedom_of_sheet(straight("0*x").without_flaps())

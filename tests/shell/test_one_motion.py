@@ -15,6 +15,7 @@ from orishell.io import write_fold
 from orishell.shell.folded import fold_pattern
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.one_motion import warn_of_freedom
+from orishell.shell.steps import Step
 from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.kit.steps import kit_steps
 from orishell.workshop.kit.words import load_words
@@ -37,6 +38,7 @@ depth = 0.12
 [motion]
 frames = 5
 """
+MENDED: tuple[Step, ...] = ("remedies",)
 PACK = '[deployment]\nfrom = "pack"\nties = "feet"\n'
 PARALLEL = STRAIGHT.replace("orthodiagonal", "parallel-repeating").replace("depth = 0.12\n", "")
 """Five rows that nothing joins where no flaps are part of the sheet: 5, by the rank of the closing
@@ -95,8 +97,8 @@ def test_what_rests_on_one_motion_is_said_of_one_only(several: Shell) -> None:
 
 def test_what_leaves_one_motion_has_been_tried(several: Shell, tmp_path: Path) -> None:
     found = row(several, "folds")
-    assert found.remedy == "with a zigzag row one motion (tried)"
-    changed = make_shell(several.file.changed(found.changes), skip=("remedies",))
+    assert found.remedy == "with a zigzag row: one motion (tried)"
+    changed = make_shell(several.file.changed(found.changes), skip=MENDED)
     assert changed.report.degrees_of_freedom == 1
     assert row(changed, "folds").sign == "holds"
     assert row(changed, "folds").finding.startswith("in one motion: ")

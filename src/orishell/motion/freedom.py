@@ -163,6 +163,10 @@ def _in_lines(
     """
     if parts is None:
         return None, ()
+    if not len(parts):  # a strip, whose creases go from border to border
+        strips: Lines = "rows" if grid.columns == 2 else "columns"
+        count = (grid.rows if grid.columns == 2 else grid.columns) - 2
+        return (strips, tuple((k, k) for k in range(1, count + 1))) if count > 1 else (None, ())
     inside = (closure.vertices < grid.vertex_count) & (parts >= 0)
     labels = parts[inside]
     kinds: tuple[Lines, ...] = ("rows", "columns")

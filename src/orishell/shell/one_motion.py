@@ -92,7 +92,7 @@ def _candidates(file: DesignFile) -> Iterator[Joining]:
             )
     if not flat and "flap" in type(pattern).model_fields:
         yield Joining(
-            "flaps folded on, from flat",
+            "flaps folded on, folded up from flat",
             Remedy({"deployment.from": "flat", "deployment.ties": "none"}),
         )
 
@@ -122,7 +122,7 @@ def folds_rows(report: Report, way: Iterable[Row], joining: Joining | None) -> I
         said = f"{report.freedom.in_words()}; along one of its motions: {row.finding}"
         found = Row("warns", "folds", said)
         if joining is not None:
-            words = f"with {joining.words} one motion (tried)"
+            words = f"with {joining.words}: one motion (tried)"
             found = replace(found, remedy=words, changes=joining.change.changes)
         yield found
 

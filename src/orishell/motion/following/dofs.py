@@ -83,7 +83,7 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     """
     drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
     if not closure.fans:
-        return Freedom(drive, unknowns, 0.0, np.inf)
+        return Freedom(drive, unknowns, 0.0, np.inf, unknowns, np.zeros(0, np.int64))
     left, along = closure.turns(folds)
     missed = float(np.abs(left).max())
     zero = max(ZERO, (NEAR if nearly else UNCERTAIN) * missed)
