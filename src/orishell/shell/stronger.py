@@ -29,8 +29,9 @@ MARGIN = 1.02
 """Panels are tried by so much thicker than the figures of the last trial ask for."""
 TRIALS = 3
 """Thicknesses that are tried, with and without ties across the folds."""
-WORK = 15.0
-"""Predicted seconds of all trials; one at least is made."""
+WORK = 2.5
+"""Beyond so many predicted seconds no further change is tried. With the shell's design and the trial
+as a whole this is a minute or two, which the studio waits for."""
 CONFIRMED = 2
 """So many of the changes with which no case fails are tried as a whole, the best first."""
 FEW = 2
@@ -68,7 +69,7 @@ def find_stronger(
         return Stronger()  # thickness holds nothing, and the case says what does
     trials = _Trials(file, analysis, analysed, progress)
     for changes in trials.proposed():
-        if trials.tried and trials.work > WORK:
+        if trials.work > WORK:
             trials.ended = True
             break
         if trials.settles(changes):
