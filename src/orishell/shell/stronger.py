@@ -30,8 +30,8 @@ MARGIN = 1.02
 TRIALS = 3
 """Thicknesses that are tried, with and without ties across the folds."""
 WORK = 2.5
-"""Beyond so many predicted seconds no further change is tried. With the shell's design and the trial
-as a whole this is a minute or two, which the studio waits for."""
+"""Beyond so many predicted seconds no further change is tried. With the trial as a whole this is a
+minute or two at most, which the studio waits for."""
 CONFIRMED = 2
 """So many of the changes with which no case fails are tried as a whole, the best first."""
 FEW = 2

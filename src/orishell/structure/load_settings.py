@@ -187,14 +187,6 @@ class LoadCase(Table):
                 "no combine beside {loads}: give these loads a case of their own, and combine that",
                 {"key": "combine", "got": self.combine, "loads": ", ".join(loads)},
             )
-        of = {"self_weight": "permanent", "snow": "snow", "wind": "wind"}
-        for load in loads:
-            if self.action is not None and of.get(load, self.action) != self.action:
-                raise PydanticCustomError(
-                    "two_actions",
-                    "{own} as what {load} is, or no action: it says what pressure and points are",
-                    {"key": "action", "got": self.action, "own": f'"{of[load]}"', "load": load},
-                )
         if not loads and not any(self.combine.values()):
             raise PydanticCustomError(
                 "no_load",
