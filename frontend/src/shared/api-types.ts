@@ -10,7 +10,7 @@ export interface Advance {
 
 /** The shell as a structure. */
 export interface Analysis {
-  /** Whether it carries all cases; None if the strength of something is not known. */
+  /** Whether it carries all cases; None if that is not known. */
   carries: boolean | null;
   /** What is analysed. */
   model: Model;
@@ -150,7 +150,7 @@ export interface CaseResult {
   limit_state: "ULS" | "EQU" | "SLS" | null;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
-  /** Whether the shell carries these loads; None if the strength of something is not known. */
+  /** Whether the shell carries these loads; None if that is not known. */
   carries: boolean | null;
   /** What speaks against it, the worst first. */
   findings: Finding[];
@@ -476,8 +476,12 @@ export interface Equilibrium {
   crease: CreaseMoment | null;
   /** The largest forces per length along row creases and along column creases. */
   creases: CreaseForces[];
+  /** The largest force per length over a crease that nothing else is known to bear. */
+  lines: AtCrease;
   /** The largest. */
   stress: Stress;
+  /** The largest stress of solid panels right beside creases; None if panels are not solid. */
+  beside: AtCrease | null;
   /** The largest stress where one of two boards is left beside a crease; None if nowhere. */
   lone_board: AtCrease | null;
   /** The largest stress of the membrane in a crease; None if there is none between boards. */
@@ -625,7 +629,7 @@ export interface Finding {
   kind: "moves" | "slips" | "lifts off" | "gives way" | "exceeds strength" | "buckles" | "displaced" | "unknown";
   /** By how much: what follows on "the shell". */
   text: string;
-  /** How many times too much it is; None where nothing resists, or that is not known. */
+  /** How many times too much it is, for what is known; None where nothing resists, or no measure is. */
   excess: number | null;
 }
 
@@ -734,7 +738,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling";
+  part: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1022,6 +1026,8 @@ export interface Model {
   crease_strength: number | null;
   /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
+  /** What creases bear as hinge lines, in any direction: pull, push or shear; None if that is not known (force per length). */
+  line_strength: number | null;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
   membrane_strength: number | null;
   /** Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force per area). */
@@ -1727,8 +1733,10 @@ export interface Utilisation {
   panels: number | null;
   /** None, too, where panels have none. */
   membrane: number | null;
-  /**  */
+  /** Of the moments that they bear. */
   creases: number | null;
+  /** Of the forces that creases bear as hinge lines. */
+  lines: number | null;
   /** None, too, where hinges have none. */
   arms: number | null;
   /**  */
@@ -1736,7 +1744,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling" | null;
+  governs: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

@@ -24,7 +24,7 @@ export function structureFigures(report: Analysis | null, unit: string): Figure[
     const found = cases.filter(({ name, creases }) => name === governs.case && creases === governs.creases);
     figures.push({
       name: "Utilisation", value: `${threeDigits(100 * governs.utilisation)} %`,
-      note: `${GOVERNING[governs.part]} governs, under ${namesOf(found, cases)}`,
+      note: `${GOVERNING[governs.part]} governs${report.carries === null ? " of what is known" : ""}, under ${namesOf(found, cases)}`,
     });
   }
   return figures;

@@ -28,13 +28,14 @@ class Deployment(Table):
     """How a shell is deployed; flaps are clipped on where it is opened from its pack.
 
     ``largest_fold_deg`` is how far hinges close. ``ties`` keep the shell from opening beyond its
-    target: none, ties between the feet of every column, or between pairs of vertices.
+    target: none; ties between the feet of every column; these, and across the folds between the
+    vertices above and below every inner one; or between pairs of vertices.
     """
 
     start: Annotated[Start, Field(alias="from")] = "flat"
     flap_attachment: Attachment = Field(default_factory=_usual_attachment)
     largest_fold_deg: Annotated[Number, Field(gt=0, le=180)] = 180.0
-    ties: Literal["none", "feet"] | Several[Pair[TableVertex]] = "none"
+    ties: Literal["none", "feet", "folds"] | Several[Pair[TableVertex]] = "none"
 
     @model_validator(mode="after")
     def _check(self) -> Self:

@@ -7,7 +7,7 @@ from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.deployment.feet import Feet
 from orishell.deployment.settings import Deployment
-from orishell.deployment.ties import feet_ties
+from orishell.deployment.ties import feet_ties, fold_ties
 from orishell.design import Design
 from orishell.design.fittings import fit_hinges
 from orishell.motion import area_of
@@ -82,16 +82,19 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
         return deployment.ties
     if deployment.ties == "none":
         return ()
+    folds = fold_ties(design.mechanism) if deployment.ties == "folds" else []
+    if folds and feet is None:
+        return tuple(folds)
     if feet is None:
         raise InputError(
             "there are no feet to tie",
             keys=("deployment.ties",),
-            got='"feet"',
+            got=f'"{deployment.ties}"',
             expected="a shell that stands on two of its rows",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
         )
     columns = feet.columns(design.mechanism).tolist()
-    return tuple(feet_ties(design.mechanism, feet.rows, columns))
+    return tuple(dict.fromkeys([*feet_ties(design.mechanism, feet.rows, columns), *folds]))
 
 
 def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:

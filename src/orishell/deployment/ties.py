@@ -105,6 +105,17 @@ def feet_ties(
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 
+def fold_ties(mechanism: Mechanism) -> list[VertexPair]:
+    """Pairs of vertices above and below every inner one, across the folds of each inner column."""
+    grid = mechanism.grid
+    columns = range(grid.columns)[mechanism.inner_columns]
+    return [
+        ((row - 1, column), (row + 1, column))
+        for row in range(1, grid.rows - 1)
+        for column in columns
+    ]
+
+
 def find_ties(
     mechanism: Mechanism,
     pairs: Iterable[VertexPair],

@@ -34,7 +34,7 @@ from orishell.shell.remedies import with_remedies
 from orishell.shell.report import BoxReport, Report, SheetReport, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
-from orishell.shell.stronger import find_stronger
+from orishell.shell.stronger import Stronger, find_stronger
 from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.anchors import with_anchors
@@ -132,9 +132,14 @@ def _tried(file: DesignFile, progress: Progress) -> Shell:
     return _made(file, progress, "refused", ("remedies", "deviation"))
 
 
-def _analysed(file: DesignFile, progress: Progress) -> Analysis | None:
-    """The structure of a file that is tried, whose boards must reach its target."""
-    return _made(file, progress, "refused", (*MEASURES, "remedies", "stock")).analysis
+def _analysed(file: DesignFile, progress: Progress, quick: bool) -> tuple[Analysis | None, bool]:
+    """The structure of a file that is tried, and whether all its ties are proved slack on the way.
+
+    quick: Whether it is left open if its boards reach its target.
+    """
+    policy: ClashPolicy = "unexamined" if quick else "refused"
+    shell = _made(file, progress, policy, (*MEASURES, "remedies", "stock", "verification"))
+    return shell.analysis, all(tie.slack is not False for tie in shell.report.deployment.ties)
 
 
 def _joined(file: DesignFile, progress: Progress) -> bool:
@@ -246,7 +251,7 @@ def _step_by_step(
         structure=analysis,
         quantities=quantities,
     )
-    stronger: dict[str, float] = {}
+    stronger = Stronger()
     if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
         stronger = find_stronger(file, analysis, _analysed, progress)
         clock.lap("remedies")

@@ -1,58 +1,198 @@
-"""Panels thick enough to carry all load cases: tried, through the whole design."""
+"""What has a shell that fails carry its loads: thicker panels, ties across its folds; all is tried.
+
+Every change is typed into the file and analysed, with few cells first; what is offered was made and
+analysed as a whole design, as the file asks. What is tried follows from what was found of the
+trials before, and where it ends from the work that they are predicted to take: no clock decides, so
+that the same file has the same answer on any machine.
+"""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field
+from typing import Any
 
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
+from orishell.conventions.quantities import Quantities
+from orishell.conventions.record import record
 from orishell.design_file import DesignFile
-from orishell.shell.remedies import SECONDS
 from orishell.structure.case import CaseResult
+from orishell.structure.refine import seconds
 from orishell.structure.results import Analysis
 from orishell.structure.verdict import LARGE, LEAST_BUCKLING
 
 SOFT = 3.0
 """A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
-STEPS = (1.0, 1.3)
-"""Tried are these multiples of the thickness that its figures ask for."""
+MARGIN = 1.02
+"""Panels are tried by so much thicker than the figures of the last trial ask for."""
+TRIALS = 3
+"""Thicknesses that are tried, with and without ties across the folds."""
+WORK = 2.5
+"""Beyond so many predicted seconds no further change is tried. With the trial as a whole this is a
+minute or two at most, which the studio waits for."""
+CONFIRMED = 2
+"""So many of the changes with which no case fails are tried as a whole, the best first."""
+FEW = 2
+"""Cells with which is tried first what is offered, where panels can have so few."""
+FOLDS = {"deployment.ties": "folds"}
 
-Analyse = Callable[[DesignFile, Progress], Analysis | None]
+Shelled = tuple[Analysis | None, bool]
+"""The analysis of a file, and whether all its ties are proved slack on the way."""
+Analyse = Callable[[DesignFile, Progress, bool], Shelled]
+
+
+@record
+class Stronger:
+    """What has a shell carry its loads, and what was tried."""
+
+    # values of keys with which no case fails; empty if nothing was found
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    said: str = ""  # that in words, or what was tried in vain
 
 
 def find_stronger(
     file: DesignFile, analysis: Analysis, analysed: Analyse, progress: Progress
-) -> dict[str, float]:
-    """The thickness, by its key, with which a shell that fails carries all cases; or nothing.
+) -> Stronger:
+    """What has a shell that fails carry all its cases, or what was tried and does not.
 
-    analysed: Makes the shell of a file, and analyses it.
+    analysed: Makes the shell of a file and analyses it, without the proof that it folds if the last
+    argument says so.
     """
     if analysis.model.structure.nonlinear:
-        return {}  # to follow all cases again would take minutes
+        return Stronger(
+            said="what would carry its loads is not sought where large displacements are followed: "
+            "with nonlinear = false it is"
+        )
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
-        return {}  # thickness holds nothing
-    key = "structure.thickness" if file.panel is None else "panel.thickness"
-    wanted = analysis.model.thickness * max(_times(case) for case in analysis.cases)
-    until = time.thread_time() + SECONDS
+        return Stronger()  # thickness holds nothing, and the case says what does
+    trials = _Trials(file, analysis, analysed, progress)
+    for changes in trials.proposed():
+        if trials.work > WORK:
+            trials.ended = True
+            break
+        if trials.settles(changes):
+            break
+    return trials.confirmed()
 
-    def watch(share: float = 0.0, what: str = "") -> None:
-        progress(share, "looking for panels that carry the loads")
-        if time.thread_time() > until:
-            raise TimeoutError
 
-    for step in STEPS:
-        thickness = rounded(step * wanted, 2)
+class _Trials:
+    """Changes that are tried one after the other, each by what the last one showed."""
+
+    def __init__(
+        self, file: DesignFile, analysis: Analysis, analysed: Analyse, progress: Progress
+    ) -> None:
+        self.file, self.analysed, self.progress = file, analysed, progress
+        self.first = self.last = analysis
+        self.key = "structure.thickness" if file.panel is None else "panel.thickness"
+        self.said = Quantities(file.unit)
+        model = analysis.model
+        few = min(max(FEW, model.least_cells), model.cells)
+        self.few = {"structure.cells": few, "structure.refine": 0.0}
+        self.takes = {True: seconds(model, few), False: seconds(model, model.cells)}
+        self.work, self.ended = 0.0, False
+        self.tried: list[str] = []
+        self.promise: list[tuple[float, dict[str, Any]]] = []  # with which no case fails so far
+
+    def proposed(self) -> Iterator[dict[str, Any]]:
+        """Changes, those first that weigh least."""
+        if self._may_be_tied():
+            yield FOLDS
+            if self.last is not self.first:  # else its ties do not hold
+                yield from self._thicker(FOLDS)
+            if self.promise:
+                return
+            self.last = self.first
+        yield from self._thicker({})
+
+    def _may_be_tied(self) -> bool:
+        """Whether ties across the folds may help: with hinges that bear little, it is too soft."""
+        soft = any(
+            case.sign == "fails" and (case.equilibrium is None or _stiffer(case) > 1)
+            for case in self.first.cases
+        )
+        return soft and self.file.deployment.ties in ("none", "feet")
+
+    def _thicker(self, others: dict[str, Any]) -> Iterator[dict[str, Any]]:
+        for _ in range(TRIALS):
+            times = max(_times(case) for case in self.last.cases)
+            thickness = rounded(MARGIN * times * self.last.model.thickness, 2)
+            if thickness <= self.last.model.thickness:
+                return
+            before = self.last
+            yield {**others, self.key: thickness}
+            if self.last is before:  # boards so thick cannot be made
+                return
+
+    def settles(self, changes: dict[str, Any]) -> bool:
+        """Try a change with few cells; whether nothing is sought beyond it."""
+        found = self._analysed(changes, quick=True)
+        if found is None:
+            return False
+        self.last = found
+        if found.sign == "fails":
+            self.tried.append(self._in_words(changes))
+            return False
+        self.promise.append((max(1.0, _open(found)), changes))
+        return _open(found) <= 1
+
+    def _analysed(self, changes: dict[str, Any], *, quick: bool) -> Analysis | None:
+        """What is found of a changed shell; None if it cannot be made."""
+        words = self._in_words(changes)
+
+        def watch(share: float = 0.0, _: str = "") -> None:
+            self.progress(share, f"trying {words}")
+
+        self.work += self.takes[quick]
+        tried = {**changes, **self.few} if quick else changes
         try:
-            found = analysed(file.changed({key: thickness}), watch)
-        except (DesignError, InputError):  # boards so thick cannot be made
-            continue
-        except TimeoutError:
-            return {}
-        if found is not None and found.sign != "fails":
-            return {key: thickness}
-    return {}
+            found, slack = self.analysed(self.file.changed(tried), watch, quick)
+        except (DesignError, InputError):
+            self.tried.append(f"{words} (cannot be made)")
+            return None
+        if found is None or not slack:
+            self.tried.append(f"{words} (ties that are not slack on the way)")
+            return None
+        return found
+
+    def confirmed(self) -> Stronger:
+        """What works as a whole, the best of what was tried first; or what was tried."""
+        for _, changes in sorted(self.promise, key=lambda each: each[0])[:CONFIRMED]:
+            found, words = self._analysed(changes, quick=False), self._in_words(changes)
+            if found is None:
+                continue
+            if found.carries:
+                return Stronger(changes, f"{words} carry all cases (tried)")
+            if found.sign == "warns":
+                rest = f"whether they carry it is {found.in_words()}"
+                return Stronger(changes, f"with {words} no case fails (tried); {rest}")
+            self.tried.append(words)
+        if not self.tried:
+            return Stronger()
+        end = ", and more would take too long" if self.ended else ""
+        return Stronger(said=f"tried, and not enough: {', '.join(self.tried)}{end}")
+
+    def _in_words(self, changes: Mapping[str, Any]) -> str:
+        parts = []
+        if "deployment.ties" in changes:
+            parts.append('ties across the folds (ties = "folds")')
+        if self.key in changes:
+            parts.append(f"panels {self.said.displacement(changes[self.key])} thick")
+        return " and ".join(parts)
+
+
+def _open(found: Analysis) -> float:
+    """How far figures are beyond what is known to be carried; up to 1 none is."""
+    return max(case.used for case in found.cases)
+
+
+def _stiffer(case: CaseResult) -> float:
+    """How many times stiffer a shell in equilibrium should be."""
+    found = case.equilibrium
+    assert found is not None
+    buckles = found.utilisation.buckling or 0.0
+    return float(max(found.displacement.share / LARGE, LEAST_BUCKLING * buckles))
 
 
 def _times(case: CaseResult) -> float:
@@ -60,6 +200,7 @@ def _times(case: CaseResult) -> float:
     found = case.equilibrium
     if found is None:
         return SOFT
-    bears, buckles = found.utilisation.panels or 0.0, found.utilisation.buckling or 0.0
-    stiff: float = max(found.displacement.share / LARGE, LEAST_BUCKLING * buckles)
-    return float(max(1.0, bears**0.5, stiff ** (1 / 3)))
+    bears, strength = found.utilisation.panels or 0.0, found.model.structure.strength
+    if found.beside is not None and strength is not None:
+        bears = max(bears, found.beside.size / strength)
+    return float(max(1.0, bears**0.5, _stiffer(case) ** (1 / 3)))

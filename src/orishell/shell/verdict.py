@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.quantities import Quantities, area, box, plain, size
+from orishell.conventions.quantities import area, box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.deviation.verdict import surface_rows
@@ -15,6 +15,7 @@ from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
+from orishell.shell.stronger import Stronger
 from orishell.workshop.order import order_in_words
 
 CONTACT, STOCK, STRUCTURE, CUTTING = (
@@ -45,18 +46,18 @@ CLOSING = {
 
 def find_verdict(
     report: Report,
-    stronger: Mapping[str, float] | None = None,
+    stronger: Stronger | None = None,
     stock: tuple[float, float] | None = None,
     joining: Joining | None = None,
 ) -> tuple[Row, ...]:
     """The findings of a report, worst first.
 
-    stronger: The thickness of panels that would carry its loads, by its key, which has been tried.
+    stronger: What has it carry its loads, which has been tried.
     stock: Size of the sheets that it is cut from, where they are known.
     joining: What leaves a sheet one motion that has several, which has been tried.
     """
     rows = [
-        *_stands(report, stronger or {}),
+        *_stands(report, stronger or Stronger()),
         *folds_rows(report, _way(report), joining),
         *_locks(report),
         *_packs(report),
@@ -80,14 +81,11 @@ def find_verdict(
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
 
-def _stands(report: Report, stronger: Mapping[str, float]) -> Iterator[Row]:
+def _stands(report: Report, stronger: Stronger) -> Iterator[Row]:
     """Whether the shell carries its load cases."""
-    structure, remedy = report.structure, ""
-    for thickness in stronger.values():
-        said = Quantities(report.unit).displacement(thickness)
-        remedy = f"panels {said} thick carry all cases (tried)"
+    structure = report.structure
     if structure is not None:
-        yield Row(structure.sign, "stands", structure.in_words(), remedy, stronger)
+        yield Row(structure.sign, "stands", structure.in_words(), stronger.said, stronger.changes)
     elif STRUCTURE in report.not_checked:
         yield Row("warns", "stands", "not known: the structure was not analysed")
 

@@ -220,7 +220,8 @@ def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
         stress = solid_stress(values, model.thickness)
     elif build.construction == "bevel" and boards is not None:
         flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices()][..., :2]
-        alone = on_creases(chamfered(boards, flat)[..., None, None], model.grid)[..., 0]
+        thin = chamfered(boards, flat).astype(np.float64)
+        alone = on_creases(thin[..., None, None], model.grid)[..., 0] > 0
         half, whole = board_stress(values, build), solid_stress(values, build.thickness)
         stress = np.where(alone, half, whole)
     else:

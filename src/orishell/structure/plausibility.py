@@ -3,21 +3,54 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isfinite
+from typing import TYPE_CHECKING
 
-from orishell.conventions.quantities import conversion, plain
+import numpy as np
+
+from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.design import PanelSpec
+from orishell.numerics.arrays import Array
+from orishell.structure.load_settings import LoadCase
 from orishell.structure.settings import Structure
+from orishell.structure.utilisation import LEAST_LINE
 
-MODULI = (1e5, 1e13)
+if TYPE_CHECKING:
+    from orishell.structure.model import Model
+
+Range = tuple[float, float]
+MODULI: Range = (1e5, 1e13)
 """From rubber foam to more than diamond (N/m2)."""
-STRENGTHS = (1e3, 1e11)
+STRENGTHS: Range = (1e3, 1e11)
 """From foam to more than any fibre (N/m2)."""
-DENSITIES = (5.0, 25e3)
+DENSITIES: Range = (5.0, 25e3)
 """From the lightest foam to the heaviest metals (kg/m3)."""
-YIELDS = 0.1
-"""Nothing that panels are made of bears a strain as large as this."""
-LEAST_SNOW, LEAST_WIND = 1.0, 1.0
-"""A tenth of a millimetre of water (N/m2); a breath of air (m/s)."""
+AREAL: Range = (0.01, 1e3)
+"""From tissue to steel of 130 mm (kg/m2)."""
+YIELDS: Range = (1e-5, 0.1)
+"""Strains at which what panels are made of fails: chalk bears more than the first, nothing as much
+as the second."""
+SNOW: Range = (50.0, 30e3)
+"""Half the least of the maps of EN 1991-1-3, 100 N/m2; three times what lies at 1500 m in the Alps
+(N/m2)."""
+PRESSURE: Range = (5.0, 100e3)
+"""Half a millimetre of water; twenty times a crowd (N/m2)."""
+WIND: Range = (5.0, 75.0)
+"""A gentle breeze; more than any code's basic wind speed (m/s)."""
+FORCE = 1e-2
+"""Point loads below this share of the own weight of panels do nothing beside it."""
+STRETCHY, TIES = 0.5, (10.0, 1e7)
+"""No rope stretches by half before it breaks; a thread bears 10 N, a bundle of strands 1e7."""
+LINES: Range = (LEAST_LINE, 1e8)
+"""From masking tape to a weld of steel 0.4 m thick (N/m)."""
+BENT = 10.0
+"""A crease that bears so many times the moment of the panels beside it is stronger than they."""
+THIN = 2e-5
+"""Foil for the kitchen (m)."""
+THICK = 0.2
+"""Panels thicker than this share of their width are blocks, and no plates."""
+HELD = 0.1
+"""Supports that hold more than this share of the panels hold the shell itself."""
 
 
 def doubts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator[str]:
@@ -26,37 +59,135 @@ def doubts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator
     unit: The design's unit of length, which areas are in.
     panel: What panels are made of; None if they have no thickness of their own.
     """
-    area = conversion(unit, "m") ** 2
-    for key, value, (least, most) in (
-        ("modulus", structure.modulus, MODULI),
-        ("membrane_modulus", structure.membrane_modulus, MODULI),
-        ("strength", structure.strength, STRENGTHS),
+    yield from _materials(structure, conversion(unit, "m") ** 2, unit, panel)
+    yield from _parts(structure, unit, panel)
+    for case in structure.cases:
+        yield from _loads(case, conversion(unit, "m") ** 2)
+
+
+def doubts_of_shell(model: Model) -> Iterator[str]:
+    """The same about values that hardly fit a shell of its size and weight."""
+    asked, unit, areal = model.structure, model.site.unit, model.site.areal_density
+    if areal and not AREAL[0] <= areal <= AREAL[1]:
+        yield f"panels weigh {plain(areal)} kg per square metre: paper weighs 0.1, steel of 1 mm 8"
+    widths = _widths(model)
+    if (thin := widths * THICK < model.thickness).any():
+        panel = int(thin.argmax())
+        every = "every panel" if thin.all() else f"panel {list(model.panel_at(panel))}"
+        yield (
+            f"panels are {plain(model.thickness)} {unit} thick, more than a fifth of the width of "
+            f"{every} ({plain(float(widths[panel]), 3)} {unit}): blocks, no plates. Thickness is "
+            f"in {unit}"
+        )
+    if model.supports.share > HELD:
+        yield (
+            f"supports hold {plain(100 * model.supports.share, 2)} % of the panels, which nothing "
+            f"displaces then: patch is in {unit}"
+        )
+    weight = model.mass * GRAVITY
+    for case in asked.cases:
+        largest = max((abs(each) for point in case.points for each in point.force), default=0.0)
+        if 0 < largest < FORCE * weight:
+            yield (
+                f"load case {case.name}: forces of {plain(largest)} N at most beside an own weight "
+                f"of {plain(weight, 3)} N: forces are in newtons, a person is 1000"
+            )
+
+
+def _widths(model: Model) -> Array:
+    """Widths (F,) of panels, area by longest edge."""
+    seats = model.mesh.seats[:, [0, -1, -1, 0], [0, 0, -1, -1]]
+    corners = model.mesh.facets.points[seats]
+    edges = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=-1)
+    across = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    return np.asarray(0.5 * np.linalg.norm(across, axis=-1) / edges.max(axis=1))
+
+
+def _materials(
+    structure: Structure, area: float, unit: str, panel: PanelSpec | None
+) -> Iterator[str]:
+    for key, (least, most) in (
+        ("modulus", MODULI),
+        ("membrane_modulus", MODULI),
+        ("arm_modulus", MODULI),
+        ("strength", STRENGTHS),
+        ("membrane_strength", STRENGTHS),
+        ("arm_strength", STRENGTHS),
     ):
+        value = getattr(structure, key)
         if value and not least <= value / area <= most:
             yield (
                 f"{key} = {value:g} is {plain(value / area)} N/m2 ({plain(value / area / 1e9)} "
                 f"GPa): forces per area are in newtons per square {unit}; 1 GPa is "
                 f"{plain(1e9 * area)} here"
             )
-    strength = structure.strength
-    if strength is not None and strength > YIELDS * structure.modulus:
-        share = 100 * strength / structure.modulus
-        yield (
-            f"strength = {strength:g} is {plain(share, 3)} % of modulus = {structure.modulus:g}: "
-            "panels would stretch by as much before they fail"
-        )
+    for strong, stiff in (("strength", "modulus"), ("arm_strength", "arm_modulus")):
+        strength, modulus = getattr(structure, strong), getattr(structure, stiff)
+        if strength is None or modulus is None:
+            continue
+        share = 100 * strength / modulus
+        if not YIELDS[0] <= strength / modulus <= YIELDS[1]:
+            yield (
+                f"{strong} = {strength:g} is {plain(share, 3)} % of {stiff} = {modulus:g}: "
+                "panels would stretch by as much before they fail"
+            )
     densities = {} if panel is None else {"density": panel.density}
     if panel is not None and panel.construction == "sandwich":
         densities["membrane_density"] = panel.membrane_density
+    if panel is not None and panel.construction == "hinged":
+        densities["arm_density"] = panel.arm_density
     for key, density in densities.items():
         if density and not DENSITIES[0] <= density <= DENSITIES[1]:
             yield f"{key} = {density:g} in [panel] is in kilograms per cubic metre: water has 1000"
-    for case in structure.cases:
-        if case.snow is not None and case.snow.ground / area < LEAST_SNOW:
-            ground = case.snow.ground
+
+
+def _parts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator[str]:
+    """Of creases, ties, and the thickness."""
+    metres = conversion(unit, "m")
+    thickness = structure.thickness if panel is None else panel.thickness
+    if thickness and thickness * metres < THIN:
+        yield f"panels are {plain(1e3 * thickness * metres)} mm thick: thickness is in {unit}"
+    line, crease = structure.line_strength, structure.crease_strength
+    if line and not LINES[0] <= line / metres <= LINES[1]:
+        yield (
+            f"line_strength = {line:g} is {plain(line / metres)} N/m: forces per length are in "
+            f"newtons per {unit}; 1 kN/m is {plain(1e3 * metres)} here"
+        )
+    if crease and thickness and structure.strength:
+        bears = structure.strength * thickness**2 / 4
+        if crease > BENT * bears:
             yield (
-                f"load case {case.name}: snow of {ground:g} on the ground is {plain(ground / area)}"
-                f" N/m2; 1 kN/m2 is {plain(1e3 * area)} here"
+                f"crease_strength = {crease:g} N is {plain(crease / bears, 3)} times what the "
+                f"panels beside creases bear when they are bent, {plain(bears, 3)} N m/m: they "
+                "fail first"
             )
-        if case.wind is not None and case.wind.speed < LEAST_WIND:
-            yield f"load case {case.name}: wind speed = {case.wind.speed:g} is in metres per second"
+    tie, stiff = structure.tie_strength, structure.tie_stiffness
+    if tie and not TIES[0] <= tie <= TIES[1]:
+        yield f"tie_strength = {tie:g} is in newtons: a thread bears 10, a rope of 8 mm 10 000"
+    if tie and isfinite(stiff) and tie > STRETCHY * stiff:
+        yield (
+            f"tie_strength = {tie:g} is {plain(100 * tie / stiff, 3)} % of tie_stiffness = "
+            f"{stiff:g}: ties would stretch by as much before they break"
+        )
+
+
+def _loads(case: LoadCase, area: float) -> Iterator[str]:
+    """Of a load case; forces per area are in newtons per square of the unit, ``area`` metres."""
+    here = f"N/m2; 1 kN/m2 is {plain(1e3 * area)} here"
+    if case.snow is not None and not SNOW[0] <= case.snow.ground / area <= SNOW[1]:
+        ground = case.snow.ground
+        yield (
+            f"load case {case.name}: snow of {ground:g} on the ground is {plain(ground / area)} "
+            f"{here}"
+        )
+    if case.pressure and not PRESSURE[0] <= abs(case.pressure) / area <= PRESSURE[1]:
+        yield (
+            f"load case {case.name}: a pressure of {case.pressure:g} is "
+            f"{plain(case.pressure / area)} {here}"
+        )
+    if case.wind is not None and not WIND[0] <= case.wind.speed <= WIND[1]:
+        speed = case.wind.speed
+        yield (
+            f"load case {case.name}: wind speed = {speed:g} is in metres per second: "
+            f"{plain(3.6 * speed, 3)} km/h"
+        )

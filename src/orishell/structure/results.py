@@ -17,7 +17,7 @@ from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, few, tol
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.model import Model
-from orishell.structure.plausibility import doubts
+from orishell.structure.plausibility import doubts, doubts_of_shell
 from orishell.structure.point_supports import warn_of_points
 from orishell.structure.stiffness import Stiffness, creases_in_words
 from orishell.structure.utilisation import GOVERNING, Limiting
@@ -161,6 +161,7 @@ class Analysis:
                 text += ": large displacements are followed with nonlinear = true in [structure]"
             yield text
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
+        yield from doubts_of_shell(self.model)
         said: dict[str, dict[str, None]] = {}
         for case in self.cases:
             for name, text in case.load_warnings():

@@ -33,6 +33,7 @@ class Supports:
     at: Integers  # all supported vertices (S,), ascending
     points: Integers  # those that are held by themselves, without an edge or a patch
     lost: tuple[float, ...]  # patches in which no other node lies (length)
+    share: float  # of the area of panels that is held in place as a whole
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""
@@ -71,7 +72,8 @@ def find_supports(
     inner: Its columns that meet the target.
     feet: Vertices (F,) that are its feet; None if it does not stand.
     before: Number of columns of folded flaps before the first column of the grid.
-    Raises InputError: If vertices or edges that are to be held are not there.
+    Raises InputError: If vertices or edges that are to be held are not there, are held in two ways,
+    or nothing is left to move.
     """
     held: list[Integers] = [np.zeros((0, 2), np.int64)]
     ground: list[Integers] = [np.zeros(0, np.int64)]
@@ -79,6 +81,8 @@ def find_supports(
     points: list[Integers] = [np.zeros(0, np.int64)]
     broad: list[Integers] = [np.zeros(0, np.int64)]
     lost: list[float] = []
+    whole = np.zeros(len(mesh.facets.points), dtype=bool)
+    apart = _Ways(asked, before, grid.columns)
     for number, support in enumerate(asked):
         where = f"[structure] supports[{number}] at"
         if support.at == "feet":
@@ -93,12 +97,26 @@ def find_supports(
             ground.append(vertices)
             friction.append(np.full(len(vertices), support.friction))
         nodes = _nodes(support, mesh, grid, vertices, f"[structure] supports[{number}]")
+        apart.add(number, vertices, nodes)
+        if len(HELD[support.kind]) >= len("xyz"):
+            whole[nodes] = True
         alone = len(nodes) == len(vertices)
         (points if alone else broad).append(vertices)
         if alone and support.patch:
             lost.append(support.patch)
         axes = np.array(HELD[support.kind], np.int64)
         held.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
+    areas = mesh.facets.areas()
+    still = whole[mesh.facets.triangles].all(axis=1)
+    if still.all():
+        broad_ones = [support.patch for support in asked if support.patch]
+        raise InputError(
+            "nothing of the shell is left to move: all of it is held in place",
+            where="[structure] supports",
+            got=f"patch = {max(broad_ones):g}" if broad_ones else "all vertices",
+            expected="supports that leave most of the shell free",
+            remedy="lengths are in the design's unit: a base plate has some 0.1 m",
+        )
     standing, first = np.unique(np.concatenate(ground), return_index=True)
     return Supports(
         held=np.unique(np.concatenate(held), axis=0),
@@ -107,7 +125,52 @@ def find_supports(
         at=np.unique(np.concatenate([*points, *broad])),
         points=np.setdiff1d(np.concatenate(points), np.concatenate(broad)),
         lost=tuple(lost),
+        share=float(areas[still].sum() / areas.sum()),
     )
+
+
+class _Ways:
+    """Which support holds what: nothing is held in two ways that contradict each other."""
+
+    def __init__(self, asked: Sequence[Support], before: int, columns: int) -> None:
+        self.asked, self.before, self.columns = asked, before, columns
+        self.seen: list[tuple[int, Integers, Integers]] = []
+
+    def add(self, number: int, vertices: Integers, nodes: Integers) -> None:
+        """Note what a support holds.
+
+        Raises InputError: If another support holds the same in another way. A vertex may be clamped
+        by one that is pinned by another.
+        """
+        own = self.asked[number]
+        for other, others, reached in self.seen:
+            same = self.asked[other]
+            if same.kind == own.kind and same.friction == own.friction:
+                continue
+            if {same.kind, own.kind} == {"pinned", "fixed"}:
+                continue
+            both = np.intersect1d(vertices, others)
+            if not len(both) and "friction" in {same.kind, own.kind}:
+                both = np.intersect1d(nodes, reached)
+            if len(both):
+                raise InputError(
+                    "one place is held in two ways that contradict each other",
+                    where=f"[structure] supports[{number}]",
+                    got=f"{_way(own)} at {self._place(int(both[0]))}, which supports[{other}] "
+                    f"holds as {_way(same)}",
+                    expected="each vertex in one way",
+                    remedy="keep one of them there: name its vertices, [[row, column], ...], in at",
+                )
+        self.seen.append((number, vertices, nodes))
+
+    def _place(self, node: int) -> str:
+        row, column = divmod(node, self.columns)
+        return f"vertex [{row}, {column + self.before}]"
+
+
+def _way(support: Support) -> str:
+    friction = f" {support.friction:g}" if support.friction else ""
+    return f'"{support.kind}"{friction}'
 
 
 def _nodes(
