@@ -55,6 +55,7 @@ screenshots: $(VENV)/.test $(PAGES)
 	$(BIN)/python tests/screenshots.py
 
 docs: $(VENV)/.docs $(PAGES)
+	$(BIN)/python docs/_ext/proofreading.py
 	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs
 	@echo "build/docs/index.html"
 

@@ -2,6 +2,9 @@
 
 A designed shell and a FOLD file by another program become the same thing here, so that every
 format has one writer.
+
+Limit: coordinates are written in double precision, in the place of the curves. A shell a thousand
+kilometres from the origin keeps its lengths to ten digits, not fifteen. Put curves near the origin.
 """
 
 from __future__ import annotations

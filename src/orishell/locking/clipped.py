@@ -3,6 +3,9 @@
 They are no part of the folding sheet, so they are looked at in the one state in which they are
 there. Panels without a thickness may touch in it, as those of flaps that fold flat do, but not pass
 through each other. Boards are apart, but for those about a common crease, which meet there.
+
+Limit: clipped flaps, and their boards, are examined at the target only. How they are brought to
+their place is not.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""A search: variants chosen, made, written down, and the best of them."""
+"""A search: variants chosen, made, written down, and the best of them.
+
+Limit: a search proves nothing to be best unless it made all variants.
+"""
 
 from __future__ import annotations
 

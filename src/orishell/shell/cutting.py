@@ -1,4 +1,8 @@
-"""A shell cut with errors: what the file asks about it, and where its hinges do not allow it."""
+"""A shell cut with errors: what the file asks about it, and where its hinges do not allow it.
+
+Limit: errors of cutting, and the play that they ask of hinges, are found to first order. The proof
+that nothing touches is for exact boards.
+"""
 
 from __future__ import annotations
 

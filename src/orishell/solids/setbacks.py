@@ -12,6 +12,9 @@ the tool cuts. Between opposite edges of a panel its boards stand back by s from
 the other. Both together may take a share of the panel's shortest width between these, and neither
 may be longer than is allowed: so this limits the height b of boards for given fold angles, and fold
 angles for given boards.
+
+Limit: hinges of a membrane are ideal, and glue has no thickness. Boards touch where the motion
+ends. Without a table ``[panel]`` panels have no thickness.
 """
 
 from __future__ import annotations

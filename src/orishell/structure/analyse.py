@@ -1,4 +1,9 @@
-"""From a design and what loads it to displacements, forces, stresses and modes."""
+"""From a design and what loads it to displacements, forces, stresses and modes.
+
+Limit: the analysis of a structure is for early design and does not replace an engineer's check. It
+begins with the shell as designed, without imperfections, and is linear unless ``nonlinear`` asks
+for large displacements. Stresses at the corners of panels grow with finer cells.
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,9 @@
 """Longitudinal linear repeating: a convex f swept along a line, its radius growing or shrinking.
 
 Derived in docs/theory/longitudinal-linear-repeating.md.
+
+Limit: the longitudinal family approaches a section whose radius grows along the line, not a
+cylinder. It reaches only sheets whose rows do not meet; ``orishell solve`` names the largest.
 """
 
 from orishell.families.longitudinal_linear_repeating.design import (

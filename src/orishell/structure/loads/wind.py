@@ -1,4 +1,9 @@
-"""Wind, EN 1991-1-4."""
+"""Wind, EN 1991-1-4.
+
+Limit: combinations, snow and gusts of wind follow EN 1990 and EN 1991, without the values of a
+country. Pressure coefficients of wind are those that you give; without any they are of no code, and
+a warning says so.
+"""
 
 from __future__ import annotations
 
