@@ -13,8 +13,8 @@ from scipy.optimize import linprog
 
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState
-from orishell.clash.body_path import opposite_panels
 from orishell.clash.broad_phase import PanelTree
+from orishell.clash.near_pairs import opposite_panels
 from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards

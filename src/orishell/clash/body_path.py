@@ -23,6 +23,7 @@ from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
+from orishell.clash.near_pairs import NearPairs
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
     BASE,
@@ -35,7 +36,6 @@ from orishell.clash.ranges import (
 )
 from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
-from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.convex import require_convex
 from orishell.motion.layout import Layout, points_of
@@ -150,36 +150,6 @@ class BodySearch(PathSearch):
         return self.bodies.height * self.normals.within(*part.bounds.steps)
 
 
-@record
-class NearPairs:
-    """Pairs of bodies (P,) whose panels have a vertex in common."""
-
-    bodies: Pairs
-    vertices: Integers  # (P,), that their panels share
-    # Heights (2, P) over each panel from which its corners are seen: those of hinges beside it.
-    bases: Array
-    # the panel (P,) between the two, and how far the hinges at its sides are apart in height (P,)
-    between: Integers
-    steps: Array
-
-    @classmethod
-    def opposite(
-        cls, bodies: Bodies, layout: Layout, settled: Booleans, only: Booleans | None
-    ) -> NearPairs:
-        """Those that are opposite each other at a vertex, with hinges in the creases.
-
-        Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
-        Pairs with no panel of ``only`` (F,) are left out.
-        """
-        panels, vertex = opposite_panels(layout, settled)
-        if only is not None:
-            wanted = only[panels[0]] | only[panels[1]]
-            panels, vertex = selected(panels, wanted), vertex[wanted]
-        pairs, which = bodies.pairs_of(panels)
-        none = np.zeros(len(which))
-        return cls(pairs, vertex[which], np.stack([none, none]), bodies.panels[pairs[0]], none)
-
-
 class NearBodies:
     """All pairs of bodies that are near all the way, and not settled."""
 
@@ -287,22 +257,3 @@ class NearBodies:
         ways = (slice(0, 2), slice(1, 4), slice(3, 5))
         kept = [side[way].min(axis=0) for side in (above, below) for way in ways]
         return np.asarray(np.max(kept, axis=0))
-
-
-def opposite_panels(layout: Layout, settled: Booleans) -> tuple[Pairs, Integers]:
-    """Panels opposite each other at the inner vertices that are not settled, and these (P,).
-
-    Flaps beside the grid make inner vertices of the border's, which are never settled.
-    """
-    grid = layout.grid
-    panel = np.arange(grid.panel_count).reshape(grid.rows - 1, grid.columns - 1)
-    there = ~settled
-    vertex = grid.vertices()[1:-1, 1:-1][there]
-    upper, lower = layout.pairs.T
-    # Hinges are listed by flaps.
-    above, below = (layout.hinges[each - grid.panel_count, 1] for each in (upper, lower))
-    faces = layout.faces[upper]
-    on_border = faces[faces < grid.vertex_count]
-    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there], upper, lower])
-    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there], below, above])
-    return (first, second), np.concatenate([vertex, vertex, on_border, on_border])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.body_path import opposite_panels
+from orishell.clash.near_pairs import opposite_panels
 from orishell.clash.state import deepest_between
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded

@@ -13,6 +13,7 @@ from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.deviation.verdict import surface_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
+from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.shell.stronger import Stronger
@@ -102,7 +103,9 @@ def _way(report: Report) -> Iterator[Row]:
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and contact.apart is not None:
-        yield _not_proved(report, contact, aim, f"{proved}{exact}")
+        angles = _degrees(contact.clear_until, lock.target_drive), _degrees(lock.target_drive)
+        said = not_proved(lock, contact, angles, (_panels_of(contact), aim), report.unit)
+        yield Row("warns", "folds", f"{said}{proved}{exact}")
         return
     if report.feasible is None:
         said = "not known: nobody looked whether panels meet on the way"
@@ -123,21 +126,6 @@ def _way(report: Report) -> Iterator[Row]:
         yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
     else:
         yield Row("holds", "folds", f"no contact to look for{exact}")
-
-
-def _not_proved(report: Report, contact: Contact, aim: str, rest: str) -> Row:
-    """What is said where the proof ends and no contact is seen."""
-    target = report.lock.target_drive
-    apart = size(contact.apart or 0.0, report.unit)
-    upto = _degrees(contact.clear_until, target)
-    short = f"short of the {aim} at {_degrees(target, contact.clear_until)}"
-    beyond = "" if contact.drive <= target * (1 + SAME) else f", beyond the {aim}"
-    where = short if contact.drive < target else f"nothing touches up to there{beyond}"
-    finding = (
-        f"not proved beyond {upto}: {_panels_of(contact)} are {apart} apart there and may meet; "
-        f"{where}{rest}"
-    )
-    return Row("warns", "folds", finding)
 
 
 def _degrees(drive: float, beside: float = np.nan) -> str:

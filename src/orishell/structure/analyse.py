@@ -34,6 +34,7 @@ from orishell.structure.masses import inertia, point_masses
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.nonlinear import follow
+from orishell.structure.nothing import borne_by
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure
@@ -205,8 +206,8 @@ def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
         residual=residual,
         panel_residual=panel_residual,
         feet=find_feet(structure, response, tuple(model.grounded)),
-        tie_forces=response.forces[:ties],
-        flap_forces=response.forces[ties:straight],
+        tie_forces=borne_by(response.forces[:ties], total),
+        flap_forces=borne_by(response.forces[ties:straight], total),
         edges=edges,
         crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),

@@ -28,6 +28,7 @@ from orishell.structure.mesh.hinges import crease_springs, rigid_stiffness
 from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
+from orishell.structure.nothing import borne_by
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.moving import Moving
@@ -259,8 +260,8 @@ def _deformed(
         reaction=vector(reaction),
         residual=residual,
         feet=feet,
-        tie_forces=borne[:ties],
-        flap_forces=borne[ties:],
+        tie_forces=borne_by(borne[:ties], total),
+        flap_forces=borne_by(borne[ties:], total),
         edges=edges,
         panel_residual=panel_residual,
         crease_moments=moments(model, edges),

@@ -17,7 +17,7 @@ from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST
 from orishell.families.shared.axes import axes_of
-from orishell.motion import drive_at_fold, largest_fold
+from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
 from orishell.numerics.arrays import Array
 from orishell.numerics.extremes import first_largest
@@ -113,6 +113,7 @@ def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, f
 def _design(
     sheet: DrawnSheet, moved: float, warnings: tuple[str, ...], *, open_ended: bool
 ) -> Design:
+    require_resolution(sheet, [])
     sheet = levelled(sheet)
     described: dict[str, Parameter] = {
         "fold_deg": tidy_degrees(float(largest_fold(sheet, np.array([sheet.fold]))[0])),

@@ -30,6 +30,7 @@ from orishell.families.pattern import (
     Width,
     in_radians,
 )
+from orishell.motion import require_resolution
 from orishell.numerics.bisection import largest_below
 
 FOLD: Final[Limits] = {"gt": 0, "lt": 180}
@@ -248,6 +249,8 @@ def completed(
 ) -> Design:
     """The design of a net, level about the origin, with flaps beside straight borders."""
     bare = levelled(net, arched=arched)
+    grows = described.get("growth", 1.0) != 1.0
+    require_resolution(bare, [Remedy({"pattern.growth": 1.0})] if grows else [])
     if arched:
         bare = with_level_ends(bare)
     locked = with_any_flaps(bare, None if flap == "auto" else flap) if flap else None
