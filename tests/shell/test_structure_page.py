@@ -156,7 +156,7 @@ def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
         strength=None, crease_strength=None, line_strength=None, tie_strength=None
     )
     text = words(page(analysed(plain)))
-    assert "of panels and creases and hinge lines and ties no strength is given" in text
+    assert "of panels and creases and crease lines and ties no strength is given" in text
     assert "Buckling governs" in text
 
 

@@ -66,7 +66,7 @@ name = "snow"
 self_weight = true
 snow = { ground = 500, shape = "cylinder", arrangement = "undrifted" }
 """
-"""Feet pinned, hinges free, 500 N/m2 of snow: hinge lines pull 59.8 kN/m under 3 kN of load."""
+"""Feet pinned, hinges free, 500 N/m2 of snow: crease lines pull 59.8 kN/m under 3 kN of load."""
 POINTS = {"supports": [{"at": "feet", "kind": "pinned"}]}
 SKIP = (*MEASURES, "stock", "verification", "remedies")
 
@@ -114,12 +114,14 @@ def one_verdict(found: Analysis) -> bool | None:
 
 
 def test_forces_along_hinge_lines_are_not_known_to_be_borne() -> None:
-    """Until it is said what hinge lines bear; then that is the verdict on each of them."""
+    """Until it is said what crease lines bear; then that is the verdict on each of them."""
     found = arch()
     assert one_verdict(found) is None
     assert found.governs is not None
     assert found.governs.utilisation == pytest.approx(0.25, abs=0.01)
-    assert "loaded in hinge lines, whose strength is not given (60.31\u00a0kN/m" in found.in_words()
+    assert (
+        "loaded in crease lines, whose strength is not given (60.31\u00a0kN/m" in found.in_words()
+    )
     balanced = found.cases[0].equilibrium
     assert balanced is not None
     # 59.8 kN/m of pull by the independent check, and the shear across it that belongs to it.
@@ -130,7 +132,7 @@ def test_forces_along_hinge_lines_are_not_known_to_be_borne() -> None:
         model = replace(found.model, structure=asked)
         known = replace(found, model=model, cases=tuple(each.of(model) for each in found.cases))
         assert one_verdict(known) is carries
-    assert "uses 121 % of the strength of its hinge lines between panels" in known.in_words()
+    assert "uses 121 % of the strength of its crease lines between panels" in known.in_words()
 
 
 def test_forces_that_any_hinge_line_bears_are_none() -> None:
@@ -251,14 +253,14 @@ def test_a_buckling_factor_below_three_is_not_known_to_be_safe() -> None:
         [
             ("F5_crease_moment.toml", None, "buckles under 1.53 times its loads"),
             ("F6_factor_1_16.toml", None, "buckles under 1.16 times its loads"),
-            ("BEST_shelter.toml", None, "loaded in hinge lines"),
-            ("BEST_en1990_130_ties.toml", None, "loaded in hinge lines"),
+            ("BEST_shelter.toml", None, "loaded in crease lines"),
+            ("BEST_en1990_130_ties.toml", None, "loaded in crease lines"),
         ],
         0,
     ),
 )
 def test_files_as_they_are(name: str, carries: bool | None, says: str) -> None:
-    """The best shelters, too: nobody knows what their hinge lines and thin edges of boards bear."""
+    """The best shelters, too: nobody knows what their creases and thin edges bear."""
     file = read_design_file(FILES / name)
     found = make_shell(file, clash="unexamined", skip=SKIP).analysis
     assert found is not None

@@ -1026,7 +1026,7 @@ export interface Model {
   crease_strength: number | null;
   /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
-  /** What creases bear as hinge lines, in any direction: pull, push or shear; None if that is not known (force per length). */
+  /** What creases bear as crease lines, in any direction: pull, push or shear; None if that is not known (force per length). */
   line_strength: number | null;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
   membrane_strength: number | null;
@@ -1735,7 +1735,7 @@ export interface Utilisation {
   membrane: number | null;
   /** Of the moments that they bear. */
   creases: number | null;
-  /** Of the forces that creases bear as hinge lines. */
+  /** Of the forces that creases bear as crease lines. */
   lines: number | null;
   /** None, too, where hinges have none. */
   arms: number | null;

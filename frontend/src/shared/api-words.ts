@@ -7,7 +7,7 @@ export const GOVERNING = {
   panels: "the stress in panels",
   membrane: "the stress in the membrane between boards",
   creases: "the moment of creases",
-  lines: "the force along a hinge line",
+  lines: "the force along a crease line",
   arms: "the stress in the arms of hinges",
   ties: "the force in a tie",
   buckling: "buckling",

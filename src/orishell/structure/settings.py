@@ -137,7 +137,7 @@ class StructureTable(Table):
     crease_stiffness: StiffnessRange = (0.0, math.inf)
     # what creases bear: moment per length; None if that is not known (force)
     crease_strength: Positive | None = None
-    # what creases bear as hinge lines, in any direction: pull, push or shear; None if that is not
+    # what creases bear as crease lines, in any direction: pull, push or shear; None if that is not
     # known (force per length)
     line_strength: Positive | None = None
     # Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force

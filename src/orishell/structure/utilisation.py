@@ -17,16 +17,16 @@ GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
     "membrane": "the stress in the membrane between boards",
     "creases": "the moment of creases",
-    "lines": "the force along a hinge line",
+    "lines": "the force along a crease line",
     "arms": "the stress in the arms of hinges",
     "ties": "the force in a tie",
     "buckling": "buckling",
 }
 """What governs, in the words of terminal, page and studio."""
-NAMED: Mapping[Limiting, str] = {"lines": "hinge lines"}
+NAMED: Mapping[Limiting, str] = {"lines": "crease lines"}
 """What bears, where its name is not the word for it."""
 LEAST_LINE = 100.0
-"""What any hinge line bears (N/m): masking tape is peeled off by 200 and more, newsprint tears
+"""What any crease line bears (N/m): masking tape is peeled off by 200 and more, newsprint tears
 across its grain at some 700."""
 
 
@@ -40,7 +40,7 @@ class Utilisation:
     panels: float | None
     membrane: float | None  # None, too, where panels have none
     creases: float | None  # of the moments that they bear
-    lines: float | None  # of the forces that creases bear as hinge lines
+    lines: float | None  # of the forces that creases bear as crease lines
     arms: float | None  # None, too, where hinges have none
     ties: float | None
     buckling: float | None  # of the load at which the shell buckles; None if it does not

@@ -44,7 +44,7 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
             "forces along a quarter of it",
         )
     yield (
-        "Largest force along a hinge line",
+        "Largest force along a crease line",
         f"{said.per_length(found.lines.size)} in any direction, {_between(found.lines)}",
     )
     if found.crease is not None and case.creases != "free":

@@ -52,7 +52,7 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         stiffness += f", and {_stiffness(high)}: all is found for both"
     yield "Creases", stiffness
     yield "Strength of creases", _known(asked.crease_strength, said.moment)
-    yield "Strength of hinge lines", _known(asked.line_strength, said.per_length)
+    yield "Strength of crease lines", _known(asked.line_strength, said.per_length)
     if model.design.panel is not None and model.design.panel.construction == "hinged":
         yield "Young\u2019s modulus of arms", _known(asked.arm_modulus, said.stress, "rigid")
         yield "Strength of arms", _known(asked.arm_strength, said.stress)

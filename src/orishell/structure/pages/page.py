@@ -143,7 +143,7 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
-        "Used is the largest share of what panels, membrane, creases, hinge lines and ties can "
+        "Used is the largest share of what panels, membrane, creases, crease lines and ties can "
         "bear, as far as their strength is given, and of the load at which the shell buckles.",
         "soft",
     )
