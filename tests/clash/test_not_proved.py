@@ -49,7 +49,7 @@ class Unbounded:
 def small() -> Design:
     """A few panels, free of contact."""
     f, g = graph("-x**2", -1, 1), graph("0.1*cos(pi*x/2)", 0, 4)
-    return design_parallel_repeating(f, g, rows=2, columns=2, xi=np.deg2rad(50), flap=0.2)
+    return design_parallel_repeating(f, g, rows=3, columns=3, xi=np.deg2rad(50), flap=0.2)
 
 
 @pytest.fixture(scope="module")
