@@ -14,6 +14,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
+from orishell.io import OutputDirectory
 from paper_numbers import EXACT, Number, all_numbers
 
 EXAMPLES = Path(__file__).parent
@@ -67,10 +68,10 @@ def draw_figures(directory: Path) -> list[Path]:
 def main() -> None:
     """Draw and write everything."""
     directory = Path(sys.argv[1]) if len(sys.argv) > 1 else DIRECTORY
-    directory.mkdir(parents=True, exist_ok=True)
     numbers = all_numbers()
-    write_tables(directory, numbers)
-    figures = draw_figures(directory)
+    with OutputDirectory(directory).replacing() as draft:
+        write_tables(draft, numbers)
+        figures = draw_figures(draft)
     apart = sum(each.within is None for each in numbers)
     print(f"{len(figures)} figures, {len(numbers)} numbers in {directory}")
     print(f"{len(numbers) - apart} are to agree; {apart} are not, and their remarks say why")

@@ -158,7 +158,7 @@ def test_a_search_does_not_write_over_its_design(tmp_path: Path) -> None:
     before = file.read_bytes()
     done = orishell("search", file, "--out", tmp_path)
     assert done.returncode == 2
-    assert "the search would write over this file" in done.stderr
+    assert "this file is read, and would be written over" in done.stderr
     assert file.read_bytes() == before
     assert list(tmp_path.iterdir()) == [file]
 
@@ -171,7 +171,10 @@ def test_a_search_does_not_write_over_what_was_changed(
     (tmp_path / "front-01.toml").write_bytes(whole["front-01.toml"] + b"# mine\n")
     done = orishell("search", file, "--out", tmp_path)
     assert done.returncode == 2
-    assert f"{tmp_path / 'front-01.toml'}: the search would write over this file" in done.stderr
+    assert (
+        f"{tmp_path / 'front-01.toml'}: this file was changed since orishell wrote it"
+        in done.stderr
+    )
     assert written(tmp_path) == {**whole, "front-01.toml": whole["front-01.toml"] + b"# mine\n"}
 
 

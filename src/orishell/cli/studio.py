@@ -18,9 +18,6 @@ from orishell.conventions.errors import InputError
 if TYPE_CHECKING:
     from orishell.studio.info import NamedDesign
 
-CONNECTIONS = 150
-"""Connections at a time, at most: all of them together must not take the machine's memory."""
-
 
 def studio(
     file: Annotated[Path | None, typer.Argument(help="A design file to begin with.")] = None,
@@ -44,7 +41,7 @@ def studio(
     from orishell.io.html_pages import BUILD_PAGES
     from orishell.studio.app import PAGES, make_app
     from orishell.studio.guard import Key, open_page
-    from orishell.studio.protocol import ImpatientProtocol
+    from orishell.studio.protocol import protocol_for
 
     if not (PAGES / "index.html").exists():
         raise InputError("the studio has no pages: they have not been built", remedy=BUILD_PAGES)
@@ -61,10 +58,10 @@ def studio(
             life.enter_context(open_page(address))
         settings = uvicorn.Config(
             app,
-            http=ImpatientProtocol,
+            http=protocol_for(key),
+            ws="none",
             log_level="warning",
             server_header=False,
-            limit_concurrency=CONNECTIONS,
         )
         with contextlib.suppress(KeyboardInterrupt):
             uvicorn.Server(settings).run(sockets=[place])

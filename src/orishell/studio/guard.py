@@ -16,11 +16,12 @@ import shutil
 import subprocess
 import tempfile
 import webbrowser
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 from starlette.types import ASGIApp, Message, Receive, Send
@@ -66,6 +67,20 @@ class Key:
         """
         return f"{self.cookie}; Path=/; HttpOnly; SameSite=Lax".encode()
 
+    def enters(self, scope: Mapping[str, Any]) -> bool:
+        """Whether the address of a request holds the key."""
+        return _holds(scope["query_string"].split(b"&"), self.query)
+
+    def opens(self, scope: Mapping[str, Any]) -> bool:
+        """Whether a request has the key, in its address or as a cookie."""
+        cookies = [
+            part
+            for name, value in scope["headers"]
+            if name.lower() == b"cookie"
+            for part in value.split(b";")
+        ]
+        return self.enters(scope) or _holds(cookies, self.cookie)
+
 
 def _holds(parts: Collection[bytes], wanted: str) -> bool:
     """Whether one of the parts is what is wanted, in a time that does not say how nearly."""
@@ -105,6 +120,8 @@ def _private_folder() -> Path:
         return Path(tempfile.mkdtemp(prefix=prefix))
 
 
+AT_ONCE = 150
+"""Requests with the key at a time, at most: all together must not take the machine's memory."""
 VALUES = 1_000_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
 LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
@@ -134,6 +151,7 @@ class Guard:
         self.hosts = hosts  # Host headers that are taken, with their ports; None takes all
         self.most = most  # bytes of a body
         self.seconds = seconds  # that a body may take to come in
+        self.under_way = 0  # requests with the key that are being answered
 
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Answer a request, or refuse it."""
@@ -141,21 +159,24 @@ class Guard:
             if scope["type"] == "lifespan":
                 await self.app(scope, receive, send)
             return
-        headers = {name.lower(): value for name, value in scope["headers"]}
-        entering = _holds(scope["query_string"].split(b"&"), self.key.query)
-        if not (entering or _holds(headers.get(b"cookie", b"").split(b";"), self.key.cookie)):
+        if not self.key.opens(scope):
             await _discard(receive)
             await _turn_away(send, scope["path"])
             return
+        headers = {name.lower(): value for name, value in scope["headers"]}
         refusal = self._refusal(scope["method"], headers)
         if refusal is not None:
             await _discard(receive)
             await _answer(send, *refusal)
             return
-        if entering and scope["path"] == "/":
+        if self.key.enters(scope) and scope["path"] == "/":
             await _let_in(send, self.key)
             return
-        await self._pass_on(scope, receive, send)
+        self.under_way += 1
+        try:
+            await self._pass_on(scope, receive, send)
+        finally:
+            self.under_way -= 1
 
     async def _pass_on(self, scope: Message, receive: Receive, send: Send) -> None:
         """Let the application answer a request, once all of it is here."""
@@ -206,6 +227,8 @@ class Guard:
 
     def _refusal(self, method: str, headers: dict[bytes, bytes]) -> tuple[int, str] | None:
         """HTTP status and reason for refusing a request; None if it is accepted."""
+        if self.under_way >= AT_ONCE:
+            return 503, "too many requests at a time: try again in a moment"
         host = headers.get(b"host", b"").decode("latin-1").lower()
         if self.hosts is not None and host not in self.hosts:
             return 403, "this host is not served: open the address that the studio printed"
