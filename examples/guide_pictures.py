@@ -96,7 +96,8 @@ def save(figure: Figure, path: Path) -> None:
 
 def to_scale(axes: Axes, title: str) -> None:
     """Show curves to scale, without a frame."""
-    axes.set_aspect("equal")
+    # Axes whose limits are not given are as high as their neighbours: titles stand in one line.
+    axes.set_aspect("equal", adjustable="datalim" if axes.get_autoscaley_on() else "box")
     axes.axis("off")
     axes.set_title(title)
 
@@ -129,7 +130,7 @@ def draw_planes(path: Path) -> None:
         design = design_parallel_repeating(
             graph("-x**2", -1, 1), g, rows=9, columns=15, xi=XI, plane=np.deg2rad(degrees), flap=0
         )
-        locked = design.mechanism.positions(np.pi)
+        locked = design.mechanism.positions(design.mechanism.target_drive)
         for lines in (locked, locked.swapaxes(0, 1)):
             place.plot(lines[..., 0].T, lines[..., 1].T, color="0.35", linewidth=0.7)
         place.plot(*design.targets["g"][:, :2].T, color=LIGHT["curve-g"], linewidth=2)

@@ -41,7 +41,7 @@ def plot_tradeoff(
     unit
         Unit of length.
     """
-    from matplotlib.ticker import StrMethodFormatter
+    from matplotlib.ticker import LogFormatter, StrMethodFormatter
 
     figure = new_chart()
     axes = figure.add_subplot()
@@ -58,8 +58,10 @@ def plot_tradeoff(
     axes.plot(*chosen[:2], "o", color=CHOSEN, markersize=9, label=f"chosen: {chosen[2]}")
     axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.margins(x=0.12)  # the name of the last design is as wide
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axis.set_minor_formatter(LogFormatter())  # says them where few powers of ten are in view
     axes.set_xlabel("panels (without flaps)")
     axes.set_ylabel(f"largest distance between shell and surface ({unit})")
     axes.set_title("Fewest panels for a distance from the surface")
