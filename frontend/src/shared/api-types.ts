@@ -210,9 +210,9 @@ export interface Closeness {
   rms: number;
 }
 
-/** Two panels that touch. */
+/** Two panels that touch, or that are not proved apart. */
 export interface Contact {
-  /** The drive angle at which they touch. */
+  /** The drive angle at which they do. */
   drive_deg: number;
   /** Up to here no panels touch, proved; 0 if the path was not examined. */
   clear_until_deg: number;
@@ -226,6 +226,8 @@ export interface Contact {
   sides: [string, string] | null;
   /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way (length). */
   overlap: number | null;
+  /** How far they are apart, at least, if they are not seen to touch and are merely not proved apart; None if they touch (length). */
+  apart: number | null;
 }
 
 /** The largest forces per length along all creases of a kind, on either side of them. */
@@ -313,7 +315,7 @@ export interface DeploymentReport {
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
-  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
+  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
   opening: "ties" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
@@ -917,8 +919,8 @@ export interface LoadPath {
 export interface Lock {
   /** Where it ends; None if nothing ends it. */
   drive_deg: number | null;
-  /** What ends it: flaps folded onto each other as designed, panels that clash, another crease that is folded flat, hinges that close no further, or boards, which meet there or would leave too little of a panel. */
-  cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
+  /** What ends it: flaps folded onto each other as designed, panels that clash, another crease that is folded flat, hinges that close no further, or boards, which meet there or would leave too little of a panel; or the proof, beyond which it is not known whether two panels meet. */
+  cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
   /** At the target, the mean distance (length) of inner vertices from the line between those above and below. */
@@ -1384,7 +1386,7 @@ export interface Report {
   chosen: Choice | null;
   /** How its target was scaled, if sizes were asked for. */
   fitted: FittedSize | null;
-  /** Whether it reaches its target without contact; None if that was not examined. */
+  /** Whether it reaches its target without contact; None if that was not examined, or not proved. */
   feasible: boolean | null;
   /** Sentences a user should read. */
   warnings: string[];
