@@ -12,6 +12,9 @@ import shapely
 from scipy.spatial.transform import Rotation
 
 from orishell.deployment.feet import find_feet
+from orishell.deployment.occupied import Occupied
+from orishell.deployment.standing import Standing
+from orishell.deployment.swept import find_sweep
 from orishell.design_file import read_design_file
 from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array
@@ -257,3 +260,27 @@ def test_pieces_are_no_one_motion() -> None:
     assert plan.swept is None
     assert "the ground that is needed on the way" in shell.report.not_checked
     assert shell.report.deployment.raising is None
+
+
+def test_ground_is_not_known_where_accelerations_have_no_bound_on_the_way(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """At the very end of a motion they may have none; elsewhere nothing is said."""
+    design = made("parallel_repeating", {}).design
+    feet = find_feet(design)
+    assert feet is not None
+    standing = Standing.of(design.mechanism, feet.rows, feet.columns(design.mechanism), None)
+    occupied, bounded = Occupied.by(design.mechanism, None), Occupied.accelerations
+    target = design.mechanism.target_drive
+
+    def lost(at: float) -> None:
+        def unbounded(self: Occupied, start: Array, stop: Array) -> Array:
+            there = (start <= at) & (at <= stop)
+            return np.where(there, np.inf, bounded(self, start, stop))
+
+        monkeypatch.setattr(Occupied, "accelerations", unbounded)
+
+    lost(0.0)
+    assert find_sweep(standing, occupied, 0.0) is not None
+    lost(0.3 * target)
+    assert find_sweep(standing, occupied, 0.0) is None

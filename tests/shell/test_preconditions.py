@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,12 +12,15 @@ import pytest
 from command_line import orishell
 from concave_sheets import panels_through
 from orishell.clash import PathContact
-from orishell.conventions.errors import DesignError
+from orishell.clash.body_path import BodySearch
+from orishell.conventions.errors import ClashError, DesignError, InputError
 from orishell.conventions.progress import no_progress
 from orishell.deployment.ties import Tie, find_ties
 from orishell.design_file import check_design, read_design_file
 from orishell.io import read_pattern
 from orishell.locking import find_lock
+from orishell.locking.clipped import find_crossing
+from orishell.locking.sheet import Sheet
 from orishell.motion.layout import Layout
 from orishell.shell import make_shell
 from orishell.shell.candidate import find_candidate
@@ -26,13 +30,14 @@ from orishell.shell.verdict import find_verdict
 from orishell.structure.nothing import borne_by
 from orishell.verification.pattern import FoldingMotion, judge_pattern
 from orishell.verification.pattern.rows import Judged, said_of_motion
+from samples import thorough
 
 HERE = Path(__file__).parent / "preconditions"
 EXAMPLES = Path(__file__).parents[2] / "examples"
 Array = np.ndarray
 
 
-def test_a_concave_panel_passes_through_none_that_is_opposite(tmp_path: Path) -> None:
+def test_a_concave_panel_passes_through_none_that_is_opposite() -> None:
     """Panels 0 and 4 share a vertex, where 0 leaves its sector: they meet at 128.6 degrees."""
     file = HERE / "concave_pattern.toml"
     sheet = designed(read_design_file(file)).mechanism.still
@@ -45,15 +50,24 @@ def test_a_concave_panel_passes_through_none_that_is_opposite(tmp_path: Path) ->
     assert panels_through(sheet.positions(high).reshape(-1, 3), flat, faces).tolist() == [[0, 4]]
     assert np.rad2deg(high) == pytest.approx(128.609, abs=0.01)
 
-    done = orishell("design", file, "--out", tmp_path / "out")
-    assert done.returncode == 1
-    assert "panels [0, 0] and [1, 1] meet before the shell reaches its stage" in done.stderr
-    assert "at drive 128.60" in done.stderr
-    offered = float(done.stderr.split("Nearest found that works: fold_deg = ")[1].split(". ")[0])
+    with pytest.raises(ClashError, match=r"panels \[0, 0\] and \[1, 1\] meet before") as refused:
+        find_candidate(read_design_file(file), no_progress)
+    assert "at drive 128.60" in refused.value.place
+    offered = next(iter(refused.value.candidates)).changes["pattern.fold_deg"]
+    assert isinstance(offered, float)
     assert offered < np.rad2deg(high)
-    checked = orishell("check", HERE / "concave_pattern.fold")
-    assert "128.6088 degrees: panels 0 and 4 meet there" in checked.stdout
-    assert "nothing meets up to 128.6088 degrees (proved)" in checked.stdout
+    verdict = judge_pattern(read_pattern(HERE / "concave_pattern.fold"))
+    said = next(row.finding for row in verdict.rows if row.subject == "reaches")
+    assert said.startswith("128.6088 degrees: panels 0 and 4 meet there")
+    assert said.endswith("nothing meets up to 128.6088 degrees (proved)")
+
+
+@thorough
+def test_what_is_offered_for_a_concave_panel_works(tmp_path: Path) -> None:
+    done = orishell("design", HERE / "concave_pattern.toml", "--out", tmp_path / "out")
+    assert done.returncode == 1
+    offered = float(done.stderr.split("Nearest found that works: fold_deg = ")[1].split(". ")[0])
+    assert 128 < offered < 128.609
 
 
 def test_boards_on_a_concave_panel_are_refused_by_name(tmp_path: Path) -> None:
@@ -68,6 +82,29 @@ def test_boards_on_a_concave_panel_are_refused_by_name(tmp_path: Path) -> None:
     )
     with pytest.raises(DesignError, match="need a sheet of convex panels"):
         designed(hinged)
+
+
+def test_every_proof_of_bodies_asks_for_convex_panels() -> None:
+    """The search itself, whoever calls it, and that of clipped flaps."""
+    design = designed(read_design_file(HERE / "concave_pattern.toml"))
+    with pytest.raises(DesignError, match="panels with a thickness need a sheet of convex panels"):
+        BodySearch(design.mechanism, 1.0, 1e-9, None)  # type: ignore[arg-type]
+    with pytest.raises(DesignError, match="clipped flaps need a sheet of convex panels"):
+        find_crossing(Sheet.of(design), 1e-9)
+
+
+def test_panels_that_lie_on_each_other_in_the_flat_sheet_are_refused(tmp_path: Path) -> None:
+    """Neighbours are never compared: that they lie beside each other is asked when read."""
+    pattern = json.loads((HERE / "concave_pattern.fold").read_text())
+    pattern["vertices_coords"][2] = [1.2, 0.3]
+    (tmp_path / "lap.fold").write_text(json.dumps(pattern))
+    tables = {
+        "shell": {"family": "pattern", "unit": "m"},
+        "target": {"pattern": "lap.fold"},
+        "pattern": {"fold_deg": 90},
+    }
+    with pytest.raises(InputError, match="panels 0 and 1 lie on each other"):
+        check_design(tables, tmp_path / "lap.toml")
 
 
 def test_a_design_that_nothing_meets_in_is_not_ended_by_a_contact() -> None:
@@ -94,22 +131,25 @@ def test_ties_that_stop_a_shell_short_are_refused_and_others_offered() -> None:
     error = refused.value
     assert "rows 0 and 10 in column 0" in error.place
     assert "its ends are 2.532 apart there, and it is 2.4906 long" in error.size
-    remedies = list(error.candidates)
-    assert remedies[-1].changes == {"deployment.ties": "none"}
-    found = find_candidate(file.changed(remedies[0].changes), no_progress)
+    first = next(iter(error.candidates)).changes["deployment.ties"]
+    assert first == [[[1, column], [9, column]] for column in range(11)]
+
+
+@thorough
+def test_ties_that_are_offered_are_slack_in_two_hundred_states() -> None:
+    file = read_design_file(HERE / "short_ties.toml")
+    ties = [[[1, column], [9, column]] for column in range(11)]
+    found = find_candidate(file.changed({"deployment.ties": ties}), no_progress)
     assert len(found.deployment.ties) == 11
     mechanism, limit = found.design.mechanism, found.lock.closes_to
+    states = mechanism.positions(np.linspace(mechanism.target_drive, limit, 200))
     for tie in found.deployment.ties:
         assert tie.slack
-        one, other = (
-            mechanism.positions(np.linspace(mechanism.target_drive, limit, 200))[:, row, column]
-            for row, column in tie.ends
-        )
+        one, other = (states[:, row, column] for row, column in tie.ends)
         apart = np.linalg.norm(one - other, axis=-1)
         assert (np.diff(apart[:20]) < 0).all()
         assert (apart[1:] < tie.length).all()
-    feet = [((0, 0), (10, 0))]
-    assert not find_ties(mechanism, feet, limit)[0].slack
+    assert not find_ties(mechanism, [((0, 0), (10, 0))], limit)[0].slack
 
 
 @pytest.fixture(scope="module")

@@ -41,7 +41,7 @@ ROUNDS, MOST = 24, 20_000_000
 """So often are ranges parted, and no more than so many corners are placed, of all states."""
 SMALLEST = 2.0**-30
 """A range that is a smaller part than this of the way is not parted: at the very end of a motion
-accelerations may grow beyond all bounds. Both its ends are inside."""
+accelerations may grow beyond all bounds. Both its ends are inside. Elsewhere it is not known."""
 NUMBERS = 2_000_000
 """Coordinates that are held at once: memory grows with it."""
 
@@ -99,7 +99,8 @@ def find_sweep(
     Returns
     -------
     Sweep or None
-        None if that takes too many states, as where panels turn over within a small part of it.
+        None if that takes too many states, as where panels turn over within a small part of it, or
+        if accelerations have no bound on the way.
     """
     target = standing.mechanism.target_drive
     hull, *heights = at_target(standing, occupied, beside)
@@ -121,7 +122,10 @@ def find_sweep(
         )
         states = np.concatenate([states, *ends])
         left = ~_within(looked, hull, margin, float(states[:, 1].max()), float(states[:, 2].min()))
-        left &= stop - start > SMALLEST * abs(end - target)
+        small = stop - start <= SMALLEST * abs(end - target)
+        if (left & small & (start != end) & (stop != end)).any():
+            return None
+        left &= ~small
         if not left.any():
             return _swept(states, hull, margin, occupied.beyond, made)
         start, stop = _parted(looked.only(left), margin)
