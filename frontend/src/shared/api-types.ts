@@ -10,7 +10,7 @@ export interface Advance {
 
 /** The shell as a structure. */
 export interface Analysis {
-  /** Whether it carries all cases; None if the strength of something is not known. */
+  /** Whether it carries all cases; None if that is not known. */
   carries: boolean | null;
   /** What is analysed. */
   model: Model;
@@ -150,7 +150,7 @@ export interface CaseResult {
   limit_state: "ULS" | "EQU" | "SLS" | null;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
-  /** Whether the shell carries these loads; None if the strength of something is not known. */
+  /** Whether the shell carries these loads; None if that is not known. */
   carries: boolean | null;
   /** What speaks against it, the worst first. */
   findings: Finding[];
@@ -314,9 +314,9 @@ export interface DeploymentReport {
   largest_thickness: number | null;
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
   closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | null;
-  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
   opening: "ties" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
@@ -478,8 +478,12 @@ export interface Equilibrium {
   crease: CreaseMoment | null;
   /** The largest forces per length along row creases and along column creases. */
   creases: CreaseForces[];
+  /** The largest force per length over a crease that nothing else is known to bear. */
+  lines: AtCrease;
   /** The largest. */
   stress: Stress;
+  /** The largest stress of solid panels right beside creases; None if panels are not solid. */
+  beside: AtCrease | null;
   /** The largest stress where one of two boards is left beside a crease; None if nowhere. */
   lone_board: AtCrease | null;
   /** The largest stress of the membrane in a crease; None if there is none between boards. */
@@ -567,8 +571,10 @@ export interface FamilyTrial {
   sheet_area: number | null;
   /** Whether its motion ends with all panels in one plane. */
   packs_flat: boolean | null;
-  /** Whether anything in it stops it closing at the target. */
+  /** Whether anything in it stops it closing at the target, in all of its motions. */
   locks: boolean | null;
+  /** How many motions its sheet has; None if that is not known, or there is no shell. */
+  degrees_of_freedom: number | null;
   /** Why there is no shell. */
   why_not: string;
 }
@@ -625,7 +631,7 @@ export interface Finding {
   kind: "moves" | "slips" | "lifts off" | "gives way" | "exceeds strength" | "buckles" | "displaced" | "unknown";
   /** By how much: what follows on "the shell". */
   text: string;
-  /** How many times too much it is; None where nothing resists, or that is not known. */
+  /** How many times too much it is, for what is known; None where nothing resists, or no measure is. */
   excess: number | null;
 }
 
@@ -686,6 +692,24 @@ export interface Foot {
   used: number | null;
 }
 
+/** How many motions a sheet has, and what folds by itself. */
+export interface FreedomOfSheet {
+  /** Whether the sheet has one motion only, in which all of it is felt to move. */
+  one_motion: boolean;
+  /** How many there would be without couplings too weak to be felt; None if that is not known. */
+  nearly: number | null;
+  /** What folds by itself; None if it is one motion, or parts of no whole lines. */
+  lines: "rows" | "columns" | null;
+  /** First and last row or column of inner vertices (the grid's numbers) of each part that folds by itself. */
+  parts: [number, number][];
+  /** In how many folded states they were counted. */
+  states: number;
+  /** The largest number that counts as zero there. */
+  largest_zero: number;
+  /** The least that does not; None if there is none. */
+  least_other: number | null;
+}
+
 /** A design that no other beats. */
 export interface FrontMember {
   /** Which it is of all designs that were sent, from 0. */
@@ -716,7 +740,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling";
+  part: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1004,6 +1028,8 @@ export interface Model {
   crease_strength: number | null;
   /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
+  /** What creases bear as crease lines, in any direction: pull, push or shear; None if that is not known (force per length). */
+  line_strength: number | null;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
   membrane_strength: number | null;
   /** Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force per area). */
@@ -1388,6 +1414,10 @@ export interface Report {
   fitted: FittedSize | null;
   /** Whether it reaches its target without contact; None if that was not examined, or not proved. */
   feasible: boolean | null;
+  /** How many motions its sheet has, of a sheet in pieces that of the piece that has most; None if that is not known. */
+  degrees_of_freedom: number | null;
+  /** What tells them, and what folds by itself. */
+  freedom: FreedomOfSheet;
   /** Sentences a user should read. */
   warnings: string[];
   /** How exactly it folds; None if that was not measured. */
@@ -1705,8 +1735,10 @@ export interface Utilisation {
   panels: number | null;
   /** None, too, where panels have none. */
   membrane: number | null;
-  /**  */
+  /** Of the moments that they bear. */
   creases: number | null;
+  /** Of the forces that creases bear as crease lines. */
+  lines: number | null;
   /** None, too, where hinges have none. */
   arms: number | null;
   /**  */
@@ -1714,7 +1746,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "membrane" | "creases" | "arms" | "ties" | "buckling" | null;
+  governs: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */
