@@ -90,7 +90,7 @@ def arch(
 
 def one_verdict(found: Analysis) -> bool | None:
     """Whether it carries, as all doors say it."""
-    carries = found.carries
+    carries: bool | None = found.carries
     begins = {True: "all cases: ", False: "no: ", None: "not known: "}[carries]
     assert found.in_words().startswith(begins)
     assert {"holds": True, "fails": False, "warns": None}[found.sign] is carries
