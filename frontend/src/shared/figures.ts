@@ -13,7 +13,7 @@ const CAUSES = {
   crease: "a crease is folded flat",
   hinges: "hinges close no further",
   boards: "boards close no further",
-  unproved: "not proved to go further",
+  unproved: "proved no further",
 };
 
 /** A pack less high than this share of its length is a bundle, whose layers count: as in the verdict. */
