@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -29,6 +31,10 @@ def bare(pattern: CreasePattern) -> CreasePattern:
     return replace(pattern, letters=np.where(pattern.crease, "U", pattern.letters))
 
 
+def made_bare(name: str) -> CreasePattern:
+    return bare(SAMPLES[name].make())
+
+
 def all_valleys(pattern: CreasePattern) -> CreasePattern:
     return replace(pattern, letters=np.where(pattern.crease, "V", pattern.letters))
 
@@ -48,11 +54,11 @@ def scattered(rows: int, columns: int, seed: int) -> CreasePattern:
 
 
 GRIDS = [name for name, sample in SAMPLES.items() if sample.grid]
-SHEETS = {
+SHEETS: dict[str, Callable[[], CreasePattern]] = {
     **{name: SAMPLES[name].make for name in GRIDS},
-    **{f"{name}, bare": lambda name=name: bare(SAMPLES[name].make()) for name in GRIDS},
-    **{f"strip {k}": lambda k=k: scattered(1, 2 + k % 5, k) for k in range(12)},
-    **{f"scattered {k}": lambda k=k: scattered(2, 2 + k % 2, k) for k in range(4)},
+    **{f"{name}, bare": partial(made_bare, name) for name in GRIDS},
+    **{f"strip {k}": partial(scattered, 1, 2 + k % 5, k) for k in range(12)},
+    **{f"scattered {k}": partial(scattered, 2, 2 + k % 2, k) for k in range(4)},
     "square twist": square_twist,
     "all valleys": lambda: all_valleys(miura(2, 2)),
     "nearly": lambda: jittered(miura(3, 3), 1e-4),

@@ -106,8 +106,8 @@ def judge_pattern(
     if read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
-        findings, said = judge_sheet(read.flat, read.unit, tolerance=tolerance, progress=progress)
-        rows += said
+        findings, found = judge_sheet(read.flat, read.unit, tolerance=tolerance, progress=progress)
+        rows += found
     if read.states and read.flat is not None:
         rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
     elif read.states:
