@@ -142,9 +142,12 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         allowed = (
             ((stop - start) * np.pi) ** 2
             / 8
-            * sum(
-                sums.between(np.minimum(*ends), np.maximum(*ends))
-                for sums, ends in ((bound.down, (i, k)), (bound.along, (j, m)))
+            * np.sum(
+                [
+                    sums.between(np.minimum(*ends), np.maximum(*ends))
+                    for sums, ends in ((bound.down, (i, k)), (bound.along, (j, m)))
+                ],
+                axis=0,
             )
         )
         assert (chord_error <= allowed + 1e-12).all()

@@ -41,13 +41,13 @@ from orishell.structure.equilibrium import (
     PairForce,
     Reaction,
     Stress,
-    Utilisation,
 )
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, Governing
 from orishell.structure.settings import StructureTable, Support
+from orishell.structure.utilisation import Utilisation
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]

@@ -154,8 +154,10 @@ def test_ties_that_are_offered_are_slack_in_two_hundred_states() -> None:
 
 @pytest.fixture(scope="module")
 def report() -> Report:
-    skip = ("remedies", "deviation", "stock", "verification", "pack")
-    return make_shell(read_design_file(EXAMPLES / "figure1.toml"), skip=skip).report
+    return make_shell(
+        read_design_file(EXAMPLES / "figure1.toml"),
+        skip=("remedies", "deviation", "stock", "verification", "pack"),
+    ).report
 
 
 @pytest.mark.parametrize(("slack", "sign"), [(True, "holds"), (False, "warns"), (None, "holds")])

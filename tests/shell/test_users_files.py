@@ -146,8 +146,9 @@ def copied(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def copying(draw: Callable[..., object]) -> Callable[..., None]:
         def drawn(*arguments: Any, **named: Any) -> None:
-            *first, path = (each for each in arguments[:2] if isinstance(each, Format | Path))
-            names = [each.name for each in (*first, path) if not each.name.startswith(".")]
+            first = [each.name for each in arguments[:2] if isinstance(each, Format)]
+            path = next(each for each in arguments[:2] if isinstance(each, Path))
+            names = [each for each in (*first, path.name) if not each.startswith(".")]
             model = [each.model_scale for each in arguments if isinstance(each, Document)]
             key = (draw.__name__, *names, *map(str, model))
             folder = path.parent if first else path
