@@ -16,8 +16,6 @@ import pytest
 THOROUGH = os.environ.get("ORISHELL_THOROUGH") == "1"
 LEAST = 6
 LEFT_OUT = "only make thorough runs it"
-HANGS = 60.0
-"""What takes so many seconds hangs: no machine is so slow, and no test measures less by a clock."""
 
 thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
 """Decorates a test, or marks a parameter, whose kind has a quicker member."""

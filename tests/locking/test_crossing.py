@@ -10,7 +10,6 @@ from orishell.design import Design
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.locking import end_motion
 from orishell.locking.clipped import require_uncrossed
-from samples import HANGS
 from strategies import graph
 
 
@@ -21,12 +20,12 @@ def looped(first: float, last: float, rows: int = 25) -> Design:
     return design_orthodiagonal(f, g, rows=rows, columns=5, flap=0.0)
 
 
-def test_a_loop_is_refused_without_a_proof_of_its_way() -> None:
+def test_a_loop_is_refused_at_once() -> None:
     design = looped(-1.4, 1.4)
     begin = time.process_time()
     with pytest.raises(DesignError, match="f crosses itself"):
         end_motion(design)
-    assert time.process_time() - begin < HANGS
+    assert time.process_time() - begin < 1
     assert end_motion(design, allow_clash=True)[1].early
 
 

@@ -13,7 +13,7 @@ from orishell.design import Construction, PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards
-from samples import HANGS, examples
+from samples import examples
 
 
 def volumes(boards: Boards, corners: np.ndarray) -> np.ndarray:
@@ -86,12 +86,12 @@ def test_a_cube_by_hand() -> None:
     np.testing.assert_allclose(np.abs(normals).sum(axis=1), 1.0)
 
 
-def test_ten_thousand_panels_do_not_hang() -> None:
+def test_ten_thousand_panels_in_well_under_a_second() -> None:
     flat, grid, folds = sheet(100, 100, 1.0)
     boards = build_boards(flat, grid, PanelSpec(thickness=0.1, membrane=0.01), folds)
     assert len(boards) == 20_000
     corners = boards.carried(grid.faces_vertices(), flat.reshape(-1, 3)[:, :2], flat.reshape(-1, 3))
     start = time.process_time()
     surfaces = boards.surfaces(corners)
-    assert time.process_time() - start < HANGS
+    assert time.process_time() - start < 1.0
     assert surfaces.triangles.shape == (20_000 * 12, 3)

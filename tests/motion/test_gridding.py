@@ -12,7 +12,6 @@ from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.grid import Grid
 from orishell.motion.gridding import find_grid, grid_edges
 from patterns import SAMPLES, mirrored, miura, moved, scaled, shuffled
-from samples import HANGS
 
 Array = np.ndarray
 GRIDS = [name for name, each in SAMPLES.items() if each.grid]
@@ -86,7 +85,7 @@ def test_two_sheets_are_no_grid() -> None:
         find_grid(both)
 
 
-def test_large_grids_do_not_hang() -> None:
+def test_large_grids_within_a_second() -> None:
     grid = Grid(301, 301)
     i, j = np.indices((301, 301)).astype(np.float64)
     flat = np.stack([j, -i], axis=-1).reshape(-1, 2)
@@ -94,5 +93,5 @@ def test_large_grids_do_not_hang() -> None:
     assert pattern.inner.size == 299 * 299  # found once, and kept
     begin = time.perf_counter()
     found = find_grid(pattern)
-    assert time.perf_counter() - begin < HANGS
+    assert time.perf_counter() - begin < 1
     np.testing.assert_array_equal(pattern.vertices[found].reshape(-1, 2), flat)

@@ -16,7 +16,6 @@ from orishell.families.drawn.vertex import Vertices
 from orishell.motion import FoldedState, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.verification.residuals import measure_residuals
-from samples import HANGS
 from toy_family import Miura
 
 Array = np.ndarray
@@ -140,13 +139,13 @@ def test_a_sheet_that_does_not_fold_has_rigid_panels() -> None:
 
 
 @pytest.mark.parametrize("size", [30])
-def test_thirty_by_thirty_does_not_hang(size: int) -> None:
+def test_thirty_by_thirty_within_a_second(size: int) -> None:
     sheet = flat_foldable(random_net(size, size, 3))
     flat, signs = sheet.positions(0.0)[..., :2], find_assignment(sheet)
     begin = time.perf_counter()
     drawn = drawn_sheet(flat, signs, 2.5)
     drawn.fold_angles(np.linspace(0, 2.5, 4))
-    assert time.perf_counter() - begin < HANGS
+    assert time.perf_counter() - begin < 1
 
 
 def signs_of(sheet: Mechanism, **changes: float) -> CreaseValues:

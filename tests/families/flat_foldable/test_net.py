@@ -16,7 +16,7 @@ from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.net import Net
 from orishell.families.shared.folding import HalfFolds, fold
 from orishell.motion import measure_fold_angles
-from samples import HANGS, led_by, thorough
+from samples import led_by, thorough
 
 Array = np.ndarray
 LISTS = (
@@ -195,7 +195,7 @@ def test_a_state_is_made_in_15_times_its_own_memory() -> None:
     begun = time.perf_counter()
     sheet = flat_foldable(random_net(298, 298, 9), **TURNED)
     sheet.positions(0.5)
-    assert time.perf_counter() - begun < HANGS
+    assert time.perf_counter() - begun < 5
     tracemalloc.start()
     try:
         state = sheet.positions(1.0)

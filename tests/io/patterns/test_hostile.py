@@ -18,9 +18,10 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.io import read_pattern
 from patterns import dxf_of, fold_of, huffman, miura, svg_of, write
-from samples import HANGS, THOROUGH
+from samples import THOROUGH
 
 FILES = 500 if THOROUGH else 60
+SECONDS = 3.0
 """Most processor time that a file may take: 20 times what was seen."""
 REFUSED = 0.8
 """At least so many must be refused: otherwise the damage tests nothing. 0.9 were."""
@@ -143,7 +144,7 @@ def test_hostile_files_are_read_or_refused_in_one_line(tmp_path: Path) -> None:
         path.write_text(damage(good(kind, rng), rng), encoding="utf-8", errors="replace")
         begin = time.process_time()
         message = outcome(path)
-        assert time.process_time() - begin < HANGS, f"{number}: {damage.__name__}"
+        assert time.process_time() - begin < SECONDS, f"{number}: {damage.__name__}"
         if message:
             refused += 1
             assert "\n" not in message
@@ -204,4 +205,4 @@ def test_a_long_mark_within_a_panel_is_left_out_soon(tmp_path: Path) -> None:
     found = read_pattern(path)
     assert len(found.faces) == 1
     assert "3998 marks" in " ".join(found.notes)
-    assert time.process_time() - begin < HANGS
+    assert time.process_time() - begin < SECONDS
