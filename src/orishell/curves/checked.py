@@ -9,7 +9,6 @@ import numpy as np
 from orishell.conventions.errors import CurveError
 from orishell.curves.curve import Curve
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_least
 
 LARGEST = 1e100
 """Coordinates and derivatives beyond this count as not finite."""
@@ -71,7 +70,7 @@ def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     lo, hi = t[np.maximum(low - 1, 0)], t[np.minimum(low + 1, len(t) - 1)]
     where, least = least_within(lambda u: np.hypot(*np.moveaxis(curve.jet(u)[1], -1, 0)), lo, hi)
     where, least = np.concatenate([where, t[low]]), np.concatenate([least, speed[low]])
-    k = first_least(least)
+    k = int(np.argmin(least))
     if least[k] < MIN_SPEED * mean:
         raise CurveError(
             "the curve is not regular: its tangent is zero",

@@ -17,7 +17,6 @@ from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
 from orishell.curves.trace import Trace
 from orishell.numerics.arrays import Array, Integers
-from orishell.numerics.extremes import first_least
 
 
 @remembered
@@ -221,7 +220,7 @@ def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, i
     distances, near = (np.asarray(each) for each in cKDTree(where[free]).query(where[free], k=3))
     other = chain[free][near] != chain[free][:, None]
     distances = np.where(other, distances, np.inf)
-    k, column = divmod(first_least(distances), 3)
+    k, column = divmod(int(np.argmin(distances)), 3)
     return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
 
 

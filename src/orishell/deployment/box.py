@@ -9,7 +9,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
-from orishell.numerics.extremes import first_least
 
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull
@@ -98,7 +97,7 @@ def _turned_to_edge(points: Array, axes: Array) -> Array:
     along = edge / np.hypot(edge[:, 0], edge[:, 1])[:, None]
     across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
     area = np.ptp(along @ outline.T, axis=1) * np.ptp(across @ outline.T, axis=1)
-    best = first_least(area)
+    best = int(area.argmin())
     turn = np.stack([along[best], across[best]])
     return np.concatenate([turn @ axes[:2], axes[2:]])
 
@@ -174,7 +173,7 @@ def _axes_of_hull(points: Array, hull: ConvexHull) -> Array:
         frames = np.stack([up[seen], along, np.cross(up[seen], along)], axis=1)
         volumes = np.ptp(frames @ corners.T, axis=-1).prod(axis=-1)
         if volumes.min() < best:
-            best, axes = float(volumes.min()), frames[first_least(volumes)]
+            best, axes = float(volumes.min()), frames[int(volumes.argmin())]
     return axes
 
 

@@ -11,7 +11,6 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array, Integers
-from orishell.numerics.extremes import first_largest, first_least
 
 RISE = 0.1
 """Both ends of f lie this share of its height below its highest point, or it has no two feet."""
@@ -86,8 +85,8 @@ def find_feet(design: Design) -> Feet | None:
     size = float(np.ptp(height))
     low = height.min(axis=1)
     # The row that stands on f's highest point parts the rows; column 1 stands on f, or the middle.
-    away = np.linalg.norm(column - f[first_largest(f[:, 2])], axis=-1)
-    top = 1 + first_least(away[1:-1])
+    away = np.linalg.norm(column - f[f[:, 2].argmax()], axis=-1)
+    top = 1 + int(away[1:-1].argmin())
     rows = (
         _outermost(low[:top], size),
         len(low) - 1 - _outermost(low[:top:-1], size),
@@ -145,7 +144,7 @@ def _outermost(low: Array, size: float) -> int:
 def _is_arch(curve: Array) -> bool:
     """Whether a curve (N, 3) rises from one end and falls to the other, which are its lowest."""
     height = curve[:, 2]
-    top, size = first_largest(height), float(np.ptp(height))
+    top, size = int(height.argmax()), float(np.ptp(height))
     if size <= TIE * np.ptp(curve, axis=0).max():
         return False
     return all(

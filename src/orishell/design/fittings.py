@@ -18,7 +18,6 @@ from orishell.motion.boards import EDGES
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.numerics.extremes import first_least
 
 TRIMMED = 0.2
 """Share of a crease that hinges and fins leave out at either end: room for other boards at the
@@ -197,7 +196,7 @@ def _leaf_widths(
         return np.asarray(np.minimum(width, USUAL_LEAF * depths.min(axis=1)))
     room = LARGEST_LEAF * depths
     if room.size and width > room.min():
-        hinge, side = np.unravel_index(first_least(room), room.shape)
+        hinge, side = np.unravel_index(int(room.argmin()), room.shape)
         panel = list(divmod(int(pair[hinge, side]), hinges.levels.shape[1]))
         most = max(float(room.min()), 0.0)
         raise DesignError(

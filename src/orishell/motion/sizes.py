@@ -14,7 +14,6 @@ from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
-from orishell.numerics.extremes import first_least
 
 ROUNDING = 1e-13
 """Points nearer to each other than this share of an edge lie on each other but for rounding."""
@@ -126,7 +125,7 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
     name = min(edges, key=lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
     if shortest < RESOLUTION * size:
-        row, column = np.unravel_index(first_least(edges[name]), edges[name].shape)
+        row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",

@@ -9,7 +9,6 @@ from orishell.design import PanelSpec
 from orishell.motion import FoldingMotion
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_largest
 
 SAME = 1e-3
 """States whose fold angles differ by less than this are drawn once (radians)."""
@@ -80,7 +79,7 @@ def find_hinge_section(
     for which, places in enumerate(([0, 3], [1, 2])):
         np.maximum.at(most[which], edges[boards.panels][:, places], back[:, places])
     farthest = np.where(np.isfinite(most).all(axis=0), most.max(axis=0), -np.inf)
-    edge = first_largest(farthest)
+    edge = int(farthest.argmax())
     if farthest[edge] == -np.inf:
         return None
 

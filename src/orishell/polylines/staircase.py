@@ -22,7 +22,6 @@ from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array, Integers
-from orishell.numerics.extremes import first_least
 from orishell.polylines.batches import Search, batched, run_search
 from orishell.polylines.zigzag import alternating
 
@@ -78,7 +77,7 @@ def search_staircase(trace: Trace, xi: float, edges: int) -> Search[Staircase]:
     """The search behind :func:`fit_staircase`, which asks for the curve's nearest points."""
     both = [_balance(_Levels.of(trace, xi, edges, first)) for first in (1, -1)]
     candidates = yield from batched(both)
-    return candidates[first_least([each.distance for each in candidates])]
+    return min(candidates, key=lambda staircase: staircase.distance)
 
 
 @record

@@ -13,7 +13,6 @@ import numpy as np
 from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_least
 from orishell.polylines.batches import Search, batched, rotated_search, run_search
 from orishell.polylines.staircase import Staircase, search_staircase
 
@@ -144,7 +143,7 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
 
     # The scan is symmetric about the middle, where a symmetric curve has its optimum.
     scan = np.linspace(begin, end, 11)
-    k = first_least(costs(scan))
+    k = int(np.argmin(costs(scan)))
     bracket = (float(scan[max(k - 1, 0)]), float(scan[min(k + 1, len(scan) - 1)]))
     found = minimize_scalar(
         lambda theta: float(costs([theta])[0]),

@@ -13,7 +13,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design_file.tables import Values
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_least
 from orishell.search.evaluate import Outcome, violation
 from orishell.search.problem import Problem
 from orishell.search.space import Space, key_of
@@ -88,7 +87,7 @@ def unbeaten(points: Array) -> list[int]:
 def _knee(points: Array) -> int:
     """Least sum of objectives, each scaled to its range: the plane's normal is (1, ..., 1)."""
     low, high = points.min(axis=0), points.max(axis=0)
-    return first_least(((points - low) / np.where(high > low, high - low, 1.0)).sum(axis=1))
+    return int(((points - low) / np.where(high > low, high - low, 1.0)).sum(axis=1).argmin())
 
 
 def costs(problem: Problem, before: Outcome, after: Outcome) -> str:

@@ -16,7 +16,6 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
-from orishell.numerics.extremes import first_least
 from orishell.shell.board_limits import BoardFit, refuse_boards
 from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
 
@@ -113,7 +112,7 @@ class SurfaceSearch:
         if self.bare:
             nearest, boards = min(self.bare, key=lambda each: each[1].misses(limits))
             return refuse_boards(nearest.rows, nearest.columns, limits, boards)
-        nearest = self.made[first_least([each.error for each in self.made])]
+        nearest = min(self.made, key=lambda each: each.error)
         edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         return DesignError(
             f"no shell of this family was found within {limits.surface:g} of the surface",

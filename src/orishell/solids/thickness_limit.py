@@ -15,7 +15,6 @@ from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import LaidOut, Layout, has_flaps, points_of
 from orishell.numerics.bisection import bisect_integers, largest_below
-from orishell.numerics.extremes import first_largest, first_least
 from orishell.solids.setbacks import (
     allowed_heights,
     bare_faces,
@@ -53,11 +52,11 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     sides = SideFolds.of(layout, folds, beside)
     heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
     heights[bare_faces(sides, layout.flaps)] = np.inf
-    _, panel, way = (int(k) for k in np.unravel_index(first_least(heights), heights.shape))
+    _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
     most = 2 * float(heights.min())
     if not np.isfinite(most):
         return ThicknessLimit(most, "", on_flap=False)
-    crease = _crease(layout, panel, way + 2 * first_largest(sides.largest[panel, way::2]))
+    crease = _crease(layout, panel, way + 2 * int(sides.largest[panel, way::2].argmax()))
     return ThicknessLimit(most, crease, bool(layout.flaps[panel]))
 
 

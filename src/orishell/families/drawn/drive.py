@@ -10,7 +10,6 @@ from orishell.conventions.record import record
 from orishell.families.drawn.cross import LATER, LEAST, Cross, proportions
 from orishell.families.drawn.vertex import Half, Numbers, Vertices
 from orishell.families.shared.folding import HalfFolds
-from orishell.numerics.extremes import first_largest, first_least
 
 
 @record
@@ -87,7 +86,7 @@ def find_drive(cross: Cross) -> Drive | None:
     heights = np.where(np.isfinite(heights), heights, np.inf)
     # Of rows that close together the one nearest to the middle.
     together = candidates[heights <= heights.min() * (1 + LATER)]
-    row = together[first_least(np.abs(together - (len(turned.rows) - 1) / 2))]
+    row = together[np.abs(together - (len(turned.rows) - 1) / 2).argmin()]
     return Drive(replace(found, row=int(row)), across)
 
 
@@ -95,4 +94,4 @@ def _column(cross: Cross) -> int:
     """The column that takes its height to rows best: all of its creases fold by much there."""
     seen = np.abs(cross.columns[:, :-1, 0].T), np.abs(cross.rows[:, :-1, 0])
     folded = seen[1][:, 0] != 0
-    return first_largest((seen[0] * seen[1])[folded].min(axis=0))
+    return int((seen[0] * seen[1])[folded].min(axis=0).argmax())

@@ -27,7 +27,6 @@ from orishell.families.drawn.drive import Drive
 from orishell.families.drawn.vertex import Half, Vertices
 from orishell.families.shared.chains import Rates
 from orishell.numerics.arrays import Array, Booleans
-from orishell.numerics.extremes import first_largest
 
 LARGEST = 1e60
 """Bounds are no larger: with this no range of the drive is short enough to show anything."""
@@ -128,7 +127,7 @@ def _fold_rates(
             (cross.columns, (starts[1], stops[1])),
         )
     )
-    leading = rows[cross.row][first_largest(np.abs(cross.rows[cross.row, :, 0]))]
+    leading = rows[cross.row][int(np.abs(cross.rows[cross.row, :, 0]).argmax())]
     still = np.zeros(len(start))
     known = Swing((still + 1, still + 1), (still, still))
     folded = cross.columns[:, :1] != 0

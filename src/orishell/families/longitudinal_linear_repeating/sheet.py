@@ -47,7 +47,6 @@ from orishell.families.shared.candidates import smaller, values
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
-from orishell.numerics.extremes import first_least
 from orishell.polylines.plane import is_simple_polygon
 
 SMALLEST_SHARE = 1e-30
@@ -130,7 +129,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
     """Refuse panels that are not convex or too slender, and a flat sheet that overlaps itself."""
     turns = _corner_turns(mechanism)
     for row, name in ((0, "first"), (-1, "last")):
-        worst = first_least(turns[row].min(axis=-1))
+        worst = int(turns[row].min(axis=-1).argmin())
         if turns[row, worst].min() <= 0:
             raise DesignError(
                 f"the {name} row of panels is not convex: its column creases meet",

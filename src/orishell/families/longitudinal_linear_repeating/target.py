@@ -11,7 +11,6 @@ from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
 from orishell.families.shared.candidates import part
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_largest
 from orishell.polylines.plane import extent_across
 
 STRAIGHT = 1e-6
@@ -37,7 +36,7 @@ class Line:
         leaves = extent_across(trace.points)
         if leaves > STRAIGHT * trace.length or length < (1 - STRAIGHT) * trace.length:
             normal = np.array([-chord[1], chord[0]])
-            worst = first_largest(np.abs((trace.points - trace.points[0]) @ normal))
+            worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
             along = rounded(trace.length / trace.curve.scale[0], 6)
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",

@@ -19,7 +19,6 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import sheet_exists
 from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
-from orishell.numerics.extremes import first_least
 
 FIRST = 1e-4
 """The smallest drive looked at, as a share of the sector angles' deviations from 90 degrees."""
@@ -177,7 +176,7 @@ def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
     turned = np.concatenate([[0.0], np.cumsum(turns)])
     directions = np.exp(1j * (turned - turned[np.argmax(np.abs(steps))] + first))
     forward = (steps * directions.conj()).real
-    worst = first_least(forward)
+    worst = int(forward.argmin())
     if forward[worst] > SHORTEST * np.abs(steps).sum():
         return
     trace = profile.trace

@@ -28,7 +28,6 @@ from orishell.families.shared.sheets import (
 )
 from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
-from orishell.numerics.extremes import first_largest, first_least
 
 SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
@@ -51,7 +50,7 @@ class Columns:
         step = self.step[self.existing]
         along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
         # Nearly straight rows differ in what they take across only, the others along only.
-        tightest = first_least(along) if along.min() < across.max() else first_largest(across)
+        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
         object.__setattr__(self, "_tightest", (float(along[tightest]), float(across[tightest])))
 
     @property

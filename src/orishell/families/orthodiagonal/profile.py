@@ -18,7 +18,6 @@ from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect, bisect_integers
-from orishell.numerics.extremes import first_largest
 from orishell.polylines import (
     Zigzag,
     alternating,
@@ -101,7 +100,7 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
             excess=h / radius - 1,
         )
     angles = place_zigzag(trace, rows, h).angles
-    row = first_largest(angles) + 1
+    row = int(angles.argmax()) + 1
     raise DesignError(
         f"{what} is too {'small' if h <= best else 'large'} for f: the zigzag does not turn left "
         "and right alternately",

@@ -32,7 +32,6 @@ from orishell.families.shared.candidates import (
 )
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
-from orishell.numerics.extremes import first_largest, first_least
 from orishell.polylines import Zigzag, choose_depth
 
 DEPTHS = 40
@@ -72,7 +71,7 @@ def refuse(
         limits = f"; heading_deg must lie between {low} and {high}"
     if not holds(crossing, heading):
         eps = headings.eps(heading)
-        worst = first_largest(np.maximum(-eps, eps - np.pi))
+        worst = int(np.maximum(-eps, eps - np.pi).argmax())
         return does_not_cross(
             worst,
             eps[worst],
@@ -173,7 +172,7 @@ class HeadingSearch:
             for trial in sound_zigzags(self.f, len(self.zigzag.angles), typed):
                 intervals = self.headings.of(trial).intervals()
                 if len(intervals):
-                    widest = intervals[first_largest(np.ptp(intervals, axis=1))]
+                    widest = intervals[int(np.ptp(intervals, axis=1).argmax())]
                     middle = rounded(tidy_degrees(float(widest.mean())), 6)
                     yield Remedy({"pattern.depth": typed, "pattern.heading_deg": middle})
                     break
@@ -223,7 +222,7 @@ def _rows_meet(
     growth = np.diff(np.tan(zigzag.angles / 2))[:, None]
     length = zigzag.lengths[1:-1, None]
     share = 1 + growth * headings.shifts(heading) / length
-    row, column = np.unravel_index(first_least(share), share.shape)
+    row, column = np.unravel_index(int(share.argmin()), share.shape)
     return DesignError(
         f"neighbouring rows meet inside the sheet: at heading_deg = {in_degrees(heading)} g runs "
         "too far along f's plane",

@@ -28,7 +28,6 @@ from orishell.conventions.record import record
 from orishell.families.shared.sheets import ALIKE, other_side, running_sums, target_drive
 from orishell.numerics import Enclosure, spinning_acceleration, turning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
-from orishell.numerics.extremes import first_least
 
 
 @record
@@ -47,9 +46,9 @@ class Columns:
     tau_beyond: Array = field(init=False)  # sqrt(tau**2 - rest**2) of every column, (n,)
 
     def __post_init__(self) -> None:
-        nearly = first_least(self.slope[self.existing]) + self.existing.start
+        nearly = int(self.slope[self.existing].argmin()) + self.existing.start
         squares, _ = self._squares_beyond(nearly)
-        tightest = first_least(squares[self.existing]) + self.existing.start
+        tightest = int(squares[self.existing].argmin()) + self.existing.start
         squares, lost = self._squares_beyond(tightest)
         rest = float(self.slope[tightest])
         slope = np.sqrt(np.where(squares > lost, squares, 0.0))

@@ -28,7 +28,6 @@ from orishell.families.shared.sweep_state import (
     solved,
 )
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.numerics.extremes import first_largest, first_least
 
 Kind = Literal["moulding", "cylinder"]
 
@@ -177,7 +176,7 @@ def fit_leaning(points: Array, limits: SweepLimits) -> Sweep:
         for side in limits.sides
         for start in TILTS[limits.kind]
     ]
-    best = found[first_least([each.max for each in found])]
+    best = min(found, key=lambda each: each.max)
     state = State(best.frame, best.g, best.h)
     for _ in range(ROUNDS):
         off = np.abs(state.meet(problem.points).distance)
@@ -250,7 +249,7 @@ def _spread(points: Array, count: int) -> Integers:
     nearest = ((points - points.mean(axis=0)) ** 2).sum(axis=-1)
     chosen = np.empty(min(count, len(points)), dtype=np.intp)
     for k in range(len(chosen)):
-        chosen[k] = first_largest(nearest)
+        chosen[k] = nearest.argmax()
         gap = points - points[chosen[k]]
         np.minimum(nearest, np.einsum("ni,ni->n", gap, gap), out=nearest)
     return chosen

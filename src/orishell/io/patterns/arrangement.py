@@ -17,7 +17,6 @@ from orishell.io.patterns.rings import Rings, find_rings, loops_of
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.components import find_components
-from orishell.numerics.extremes import first_least
 
 SHORT = 0.02
 """An edge is short below this share of the median one."""
@@ -79,7 +78,7 @@ def _with_short_edge(found: Arranged, lines: Lines, weld: float) -> Arranged:
     pattern = found.pattern
     ends = pattern.vertices[pattern.edges]
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
-    shortest = first_least(lengths)
+    shortest = int(np.argmin(lengths))
     length = float(lengths[shortest])
     wider = None
     if length < SHORT * np.median(lengths):

@@ -12,7 +12,6 @@ from orishell.conventions.record import record
 from orishell.document import LARGEST
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
-from orishell.numerics.extremes import first_largest
 
 WELD = 1e-5
 """Points nearer to each other than this share of the drawing's diagonal are one. Drawing programs
@@ -100,7 +99,7 @@ def weld_points(points: Array, tolerance: float) -> Integers:
     if far.any():
         raise InputError(
             "points lie in a line, each within the tolerance of the next",
-            where="({:.6g}, {:.6g})".format(*different[first_largest(far)]),
+            where=f"({different[np.argmax(far)][0]:.6g}, {different[np.argmax(far)][1]:.6g})",
             got=f"weld = {tolerance:.3g}",
             remedy="a smaller weld",
         )

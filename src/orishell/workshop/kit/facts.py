@@ -12,7 +12,6 @@ from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.numerics.extremes import first_least
 from orishell.workshop.boards import has_sheet
 
 
@@ -204,7 +203,7 @@ def _corner(document: Document, panel: int, corner: int) -> Array:
         return np.asarray(place)
     levels = boards.outlines[mine[0]]
     outline = levels[len(levels) // 2, :, :2]
-    return np.asarray(outline[first_least(np.hypot(*(outline - place).T))])
+    return np.asarray(outline[np.hypot(*(outline - place).T).argmin()])
 
 
 def _feet(
