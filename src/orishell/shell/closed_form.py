@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError
 from orishell.families.drawn import drawn_sheet
 from orishell.motion.following import Followed
+from orishell.numerics.equals import first_smallest
 from orishell.verification.pattern.on_grid import OnGrid
 
 AGREES = 1e-9
@@ -33,6 +34,6 @@ def in_closed_form(motion: Followed) -> Followed | None:
         sheet = drawn_sheet(grid.flat, grid.signs, np.pi)
     except DesignError:
         return None
-    driving = np.abs(np.abs(grid.on_edges(sheet.fold_angles(1.0))) - 1.0).argmin()
+    driving = first_smallest(np.abs(np.abs(grid.on_edges(sheet.fold_angles(1.0))) - 1.0), size=1.0)
     folds = grid.on_edges(sheet.fold_angles(np.abs(motion.folds[:, driving])))
     return motion.with_folds(folds) if np.abs(folds - motion.folds).max() <= AGREES else None

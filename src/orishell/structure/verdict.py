@@ -9,9 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
+from orishell.numerics.equals import SOLVED, classes
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
@@ -116,4 +119,7 @@ def misleads(found: Equilibrium) -> bool:
 
 def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:
     """Findings, the worst first."""
-    return tuple(sorted(findings, key=lambda each: (ORDER.index(each.sign), -(each.excess or 0))))
+    found = list(findings)
+    beyond = classes([-(each.excess or 0) for each in found], SOLVED)
+    order = np.lexsort((beyond, [ORDER.index(each.sign) for each in found]))
+    return tuple(found[k] for k in order.tolist())
