@@ -36,10 +36,11 @@ from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.families.registry import FAMILIES
 from samples import THOROUGH
 from test_malformed_inputs import GENTLE, HARSH
+from timing import HANGS
 
 SEED = 26
 FILES = 3000 if THOROUGH else 30
-READING = 5.0
+READING = HANGS
 """Most processor time that reading a file may take (seconds)."""
 MAKING = 8.0
 """Then a design is given up: large sheets are legal, and take their time (the same)."""
@@ -407,7 +408,7 @@ def test_mutated_files_are_made_or_refused(tmp_path: Path) -> None:
         capture_output=True,
         env=os.environ | {"PYTHONPATH": str(Path(__file__).parents[1])},
         text=True,
-        timeout=FILES * 4 * MAKING,
+        timeout=FILES * (HANGS + MAKING),
         check=False,
     )
     assert done.returncode == 0, done.stderr

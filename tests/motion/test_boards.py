@@ -1,6 +1,6 @@
 """Surfaces of boards: manifold3d takes them as closed and oriented, with the volumes they have."""
 
-import time
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 from cad_tools import closed_volume
 from documents import FAMILIES, thick_document
 from orishell.design import Construction, PanelSpec
-from orishell.motion.boards import Boards
+from orishell.motion.boards import Boards, Surfaces
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards
 from samples import examples
+from timing import ROOM, seconds
 
 
 def volumes(boards: Boards, corners: np.ndarray) -> np.ndarray:
@@ -86,12 +87,15 @@ def test_a_cube_by_hand() -> None:
     np.testing.assert_allclose(np.abs(normals).sum(axis=1), 1.0)
 
 
-def test_ten_thousand_panels_in_well_under_a_second() -> None:
-    flat, grid, folds = sheet(100, 100, 1.0)
+def surfaced(size: int) -> Callable[[], Surfaces]:
+    flat, grid, folds = sheet(size, size, 1.0)
     boards = build_boards(flat, grid, PanelSpec(thickness=0.1, membrane=0.01), folds)
-    assert len(boards) == 20_000
-    corners = boards.carried(grid.faces_vertices(), flat.reshape(-1, 3)[:, :2], flat.reshape(-1, 3))
-    start = time.process_time()
-    surfaces = boards.surfaces(corners)
-    assert time.process_time() - start < 1.0
-    assert surfaces.triangles.shape == (20_000 * 12, 3)
+    points = flat.reshape(-1, 3)
+    corners = boards.carried(grid.faces_vertices(), points[:, :2], points)
+    return lambda: boards.surfaces(corners)
+
+
+def test_the_time_for_surfaces_grows_with_the_panels() -> None:
+    small, large = surfaced(32), surfaced(100)
+    assert large().triangles.shape == (20_000 * 12, 3)
+    assert seconds(large) < ROOM * (100 / 32) ** 2 * seconds(small)

@@ -21,6 +21,7 @@ from orishell.search.problem import parse_problem, read_problem
 from orishell.search.space import Choices, Interval
 from orishell.search.write import variant_text
 from search.problems import PATH, loaded_tables, small_problem
+from timing import HANGS
 
 GOOD: dict[str, Any] = {
     "variables": {"pattern.rows": [3, 5]},
@@ -192,6 +193,6 @@ def test_what_is_called_as_a_file_is_not_read(tmp_path: Path) -> None:
     problem = parse_problem(tables, tmp_path / "design.toml")
     assert problem.files() == [tmp_path / "own.toml"]
     assert problem.fingerprint()
-    assert time.perf_counter() - begin < 2
+    assert time.perf_counter() - begin < HANGS
     text = variant_text(problem, {"workshop.palette": "plain"}, tmp_path / "out")
     assert tomllib.loads(text)["workshop"]["palette"] == "plain"

@@ -17,13 +17,14 @@ from orishell.search.journal import NAME
 from samples import THOROUGH, led_by, thorough
 from search.searching import design, lines, searched, searching, wait_for_lines, written
 from studio_server import descendants
+from timing import HANGS
 
 pytestmark = pytest.mark.slow
 
 
 def wait_for_end(processes: set[str]) -> None:
     """Wait until processes have ended of themselves, as they must within seconds."""
-    end = time.monotonic() + 20
+    end = time.monotonic() + HANGS
     while any(Path(f"/proc/{each}").exists() for each in processes):
         assert time.monotonic() < end, processes
         time.sleep(0.05)

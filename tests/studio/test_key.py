@@ -20,6 +20,7 @@ import pytest
 from apart import run_apart
 from orishell.studio.guard import LOCKED, Guard, Key
 from studio_server import Studio, running_studio
+from timing import HANGS
 
 BROWSER = """\
 #!/bin/sh
@@ -152,7 +153,7 @@ def seen(tmp_path: Path) -> Iterator[Seen]:
     search = f"{tmp_path}:{os.environ['PATH']}"
     environment = {**os.environ, "PATH": search, "OPENED": str(opened), "HOME": str(home)}
     with running_studio("--browse", environment=environment) as studio:
-        end = time.monotonic() + 30
+        end = time.monotonic() + HANGS
         while not opened.exists() and time.monotonic() < end:
             time.sleep(0.05)
         yield Seen(studio, Path(opened.read_text()))

@@ -16,6 +16,10 @@ from orishell.clash.separation import common_gap, cross, views_along
 from orishell.conventions.record import record
 from orishell.motion.boards import Boards, panel_axes
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_smallest
+
+ALIKE = 1e-3
+"""Gaps that differ by this share of the tolerance, which is a few roundings, are equal."""
 
 CHUNK = 1 << 8
 """Pairs looked at along all directions in one go, so that they stay near the processor."""
@@ -149,7 +153,7 @@ class Apartness:
         """The nearest pair within a tolerance in the first or in the second state."""
         if not len(pairs[0]):
             return None
-        nearest = int(self.gaps[state].argmin())
+        nearest = first_smallest(self.gaps[state], ALIKE, tolerance)
         if self.gaps[state, nearest] > tolerance:
             return None
         return int(pairs[0][nearest]), int(pairs[1][nearest])

@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from orishell.clash.bodies import Apartness, BodyState, one_direction
+from orishell.clash.bodies import ALIKE, Apartness, BodyState, one_direction
 from orishell.clash.broad_phase import CHUNK, Pairs, joined, selected
 from orishell.clash.separation import (
     common_gap,
@@ -30,6 +30,7 @@ from orishell.clash.separation import (
 )
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_smallest
 
 CROWDED = 3
 """Chunks of pairs from which the processor's cores share the work."""
@@ -71,17 +72,21 @@ def examine_pairs(
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             found = list(pool.map(examine, parts))
     at_start, at_stop = (
-        min((touch for each in found for touch in each[end]), default=None) for end in (1, 2)
+        _nearest([touch for each in found for touch in each[end]], tolerance) for end in (1, 2)
     )
-    return Findings(
-        joined([each[0] for each in found]),
-        None if at_start is None else at_start[1],
-        None if at_stop is None else at_stop[1],
-    )
+    return Findings(joined([each[0] for each in found]), at_start, at_stop)
 
 
 _Touch = tuple[float, tuple[int, int]]
 """A distance, and the two panels."""
+
+
+def _nearest(touching: list[_Touch], tolerance: Array) -> tuple[int, int] | None:
+    """The panels of the first of those that are nearest; None if none touch."""
+    if not touching:
+        return None
+    distances = [distance for distance, _ in touching]
+    return touching[first_smallest(distances, ALIKE, float(tolerance.max()))][1]
 
 
 @record
@@ -123,7 +128,9 @@ class Group:
         within = np.flatnonzero(distance <= self.tolerance)
         if not len(within):
             return []
-        nearest_one = int(within[distance[within].argmin()])
+        nearest_one = int(
+            within[first_smallest(distance[within], ALIKE, float(self.tolerance.max()))]
+        )
         first, second = (int(panels[nearest_one]) for panels in self.pairs)
         return [(float(distance[nearest_one]), (first, second))]
 

@@ -18,6 +18,7 @@ from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import smallest_of
 
 BOUND = (
     "between two states a vector between two vertices stays within step**2/8 times a bound of its "
@@ -83,7 +84,7 @@ class PathResult:
         )
         if not met:
             return cls(None, proof)
-        first = min(met, key=lambda each: each.drive)
+        first = smallest_of(met, lambda each: each.drive)
         clear = min(each.clear_until for each in met)
         return cls(replace(first, clear_until=clear), proof)
 

@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.errors import CurveError
 from orishell.curves.curve import Curve
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_smallest
 
 LARGEST = 1e100
 """Coordinates and derivatives beyond this count as not finite."""
@@ -70,7 +71,8 @@ def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     lo, hi = t[np.maximum(low - 1, 0)], t[np.minimum(low + 1, len(t) - 1)]
     where, least = least_within(lambda u: np.hypot(*np.moveaxis(curve.jet(u)[1], -1, 0)), lo, hi)
     where, least = np.concatenate([where, t[low]]), np.concatenate([least, speed[low]])
-    k = int(np.argmin(least))
+    places = np.argsort(where, kind="stable")
+    k = int(places[first_smallest(least[places], MIN_SPEED, mean)])
     if least[k] < MIN_SPEED * mean:
         raise CurveError(
             "the curve is not regular: its tangent is zero",

@@ -17,6 +17,7 @@ from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
 from orishell.curves.trace import Trace
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import classes, first_smallest
 
 
 @remembered
@@ -169,7 +170,7 @@ def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> 
     degree = np.bincount(node.ravel(), minlength=len(where))
     if degree.max() > 2:
         nodes = np.flatnonzero(degree > 2)
-        at = int(nodes[np.lexsort((where[nodes, 1], where[nodes, 0]))[0]])  # the leftmost
+        at = int(nodes[np.lexsort((where[nodes, 1], classes(where[nodes, 0])))[0]])  # the leftmost
         raise CurveError(
             "the curve branches",
             where=f"at {place(where[at])}",
@@ -220,7 +221,7 @@ def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, i
     distances, near = (np.asarray(each) for each in cKDTree(where[free]).query(where[free], k=3))
     other = chain[free][near] != chain[free][:, None]
     distances = np.where(other, distances, np.inf)
-    k, column = divmod(int(np.argmin(distances)), 3)
+    k, column = divmod(first_smallest(distances), 3)
     return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
 
 

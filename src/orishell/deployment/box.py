@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import NEAR, descending, first_smallest
 
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull
@@ -42,7 +43,7 @@ class Box:
         """The box of points (N, 3) along three directions at right angles, axes (3, 3)."""
         sides = np.ptp(points @ axes.T, axis=0)
         sides[sides < FLAT * sides.max()] = 0.0
-        order = np.argsort(-sides, kind="stable")
+        order = descending(sides)
         length, width, height = sides[order].tolist()
         return cls(length, width, height, axes[order])
 
@@ -97,7 +98,7 @@ def _turned_to_edge(points: Array, axes: Array) -> Array:
     along = edge / np.hypot(edge[:, 0], edge[:, 1])[:, None]
     across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
     area = np.ptp(along @ outline.T, axis=1) * np.ptp(across @ outline.T, axis=1)
-    best = int(area.argmin())
+    best = first_smallest(area)
     turn = np.stack([along[best], across[best]])
     return np.concatenate([turn @ axes[:2], axes[2:]])
 
@@ -159,7 +160,7 @@ def _axes_of_hull(points: Array, hull: ConvexHull) -> Array:
     )
     shadow = 0.5 * np.abs(directions @ normals.T) @ areas
     least = np.ptp(directions @ corners.T, axis=1) * shadow
-    order = np.argsort(least)
+    order = np.argsort(least, kind="stable")
     best, axes = np.inf, np.eye(3)
     for batch in np.split(order, np.arange(BATCH, len(order), BATCH)):
         if least[batch[0]] >= best:
@@ -172,8 +173,8 @@ def _axes_of_hull(points: Array, hull: ConvexHull) -> Array:
         seen, along = seen[~upright], along[~upright] / size[~upright, None]
         frames = np.stack([up[seen], along, np.cross(up[seen], along)], axis=1)
         volumes = np.ptp(frames @ corners.T, axis=-1).prod(axis=-1)
-        if volumes.min() < best:
-            best, axes = float(volumes.min()), frames[int(volumes.argmin())]
+        if volumes.min() < best * (1 - NEAR):
+            best, axes = float(volumes.min()), frames[first_smallest(volumes)]
     return axes
 
 

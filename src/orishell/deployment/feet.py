@@ -11,6 +11,7 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest, first_smallest
 
 RISE = 0.1
 """Both ends of f lie this share of its height below its highest point, or it has no two feet."""
@@ -85,8 +86,8 @@ def find_feet(design: Design) -> Feet | None:
     size = float(np.ptp(height))
     low = height.min(axis=1)
     # The row that stands on f's highest point parts the rows; column 1 stands on f, or the middle.
-    away = np.linalg.norm(column - f[f[:, 2].argmax()], axis=-1)
-    top = 1 + int(away[1:-1].argmin())
+    away = np.linalg.norm(column - f[first_largest(f[:, 2])], axis=-1)
+    top = 1 + first_smallest(away[1:-1], size=size)
     rows = (
         _outermost(low[:top], size),
         len(low) - 1 - _outermost(low[:top:-1], size),

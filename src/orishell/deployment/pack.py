@@ -11,6 +11,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import area_vectors, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import NEAR
 from orishell.solids.hinged.pieces import pieces_of
 
 THIN = 1e-3
@@ -82,7 +83,7 @@ def find_pack(
     for drive in np.linspace(limit, mechanism.target_drive, states).tolist():
         box = smallest_box(surfaces(points_of(mechanism, drive)))
         size = box.length * box.width * max(box.height, floor)
-        if best is None or size < best[0]:
+        if best is None or size < (1 - NEAR) * best[0]:
             best = size, drive, box
     assert best is not None
     _, drive, box = best

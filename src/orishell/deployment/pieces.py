@@ -8,6 +8,7 @@ from orishell.conventions.errors import DesignError
 from orishell.deployment.pack import find_packs
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
+from orishell.numerics.equals import NEAR
 from orishell.solids.boards import build_boards
 from orishell.solids.hinged import find_hinges
 from orishell.solids.hinged.joints import numbers_of_rows
@@ -36,7 +37,7 @@ def choose_pieces(mechanism: Mechanism, build: PanelSpec, end: float) -> Rows:
         except DesignError as error:
             refused = error
             continue
-        if best is None or volume < best[0]:
+        if best is None or volume < (1 - NEAR) * best[0]:
             best = volume, pieces
     if best is None:
         assert refused is not None

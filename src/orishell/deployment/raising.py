@@ -19,6 +19,7 @@ from orishell.conventions.record import Angle, record
 from orishell.deployment.fixings import Fixings
 from orishell.deployment.weight import Body, OwnWeight
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 
 PERSON = PERSON_KG * GRAVITY
 """What one person can lift, and is taken to pull (N)."""
@@ -85,7 +86,7 @@ def find_raising(body: Body, weight: OwnWeight, end: float, metres: float) -> Ra
     """
     target = body.mechanism.target_drive
     inner = body.mechanism.positions(target)[:, body.standing.feet.columns, 2]
-    row = int(inner.mean(axis=1).argmax())
+    row = first_largest(inner.mean(axis=1))
     lifted = _row_fixings(body, row)
     known = weight.force_unit == "N"
     unit = 1.0 if known else body.weight * float(body.shares.sum())

@@ -22,6 +22,7 @@ from orishell.document.ground import GroundPlan
 from orishell.locking import Cause, Lock
 from orishell.motion.freedom import FreedomOfSheet, held_by_flaps
 from orishell.motion.layout import has_flaps
+from orishell.numerics.equals import largest_of
 from orishell.solids import largest_thickness
 
 
@@ -113,7 +114,7 @@ def with_measures(
     return replace(
         report,
         largest_thickness=_largest_thickness(design) if packed else None,
-        packed=max(packs, key=lambda each: each.box.volume, default=None),
+        packed=largest_of(packs, lambda each: each.box.volume) if packs else None,
         pieces=packs if len(packs) > 1 else (),
         weight=_weight(design, site, end) if weighed else None,
     )

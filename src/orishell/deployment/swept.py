@@ -29,6 +29,7 @@ from orishell.deployment.plans import corners_of, hull_of, outermost, polygon
 from orishell.deployment.standing import Place, Standing
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_largest, first_smallest
 
 FIRST = 24
 """Ranges that are begun with."""
@@ -142,9 +143,9 @@ def _swept(states: Array, hull: Array, margin: float, beyond: float, made: int) 
         margin=wide,
         states=made,
         height=float(high.max()) + 2 * wide,
-        highest_at=float(drives[high.argmax()]),
+        highest_at=float(drives[first_largest(high)]),
         below=below + wide if below > 0 else 0.0,
-        lowest_at=float(drives[low.argmin()]),
+        lowest_at=float(drives[first_smallest(low, size=float(high.max() - low.min()))]),
     )
 
 

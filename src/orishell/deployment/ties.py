@@ -34,6 +34,7 @@ from orishell.motion.grid import Vertex, VertexPair
 from orishell.motion.hinges import Hinges
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_smallest
 
 SMALLEST = 2.0**-44
 """No range is halved that is a smaller part than this of the way from flat to pack."""
@@ -299,5 +300,5 @@ def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any
 def _nearest(ranges: Array, target: float) -> tuple[int, float]:
     """Which of ranges (2, K) is the nearest to the target, and which drive in it."""
     drives = np.clip(target, *ranges)
-    number = int(np.abs(drives - target).argmin())
+    number = first_smallest(np.abs(drives - target), size=np.pi)
     return number, float(drives[number])

@@ -18,6 +18,7 @@ from orishell.motion.boards import EDGES
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import classes, first_smallest
 
 TRIMMED = 0.2
 """Share of a crease that hinges and fins leave out at either end: room for other boards at the
@@ -196,7 +197,7 @@ def _leaf_widths(
         return np.asarray(np.minimum(width, USUAL_LEAF * depths.min(axis=1)))
     room = LARGEST_LEAF * depths
     if room.size and width > room.min():
-        hinge, side = np.unravel_index(int(room.argmin()), room.shape)
+        hinge, side = np.unravel_index(first_smallest(room), room.shape)
         panel = list(divmod(int(pair[hinge, side]), hinges.levels.shape[1]))
         most = max(float(room.min()), 0.0)
         raise DesignError(
@@ -250,7 +251,7 @@ def _kinds(
     hinge, side = np.nonzero(fins > 0)
     of_kind = np.full(fins.shape, -1)
     sizes = np.column_stack(
-        [_classes(each, near) for each in (fins[hinge, side], length[hinge], leaves[hinge])]
+        [classes(each, near, 1.0) for each in (fins[hinge, side], length[hinge], leaves[hinge])]
     )
     _, first, kind, many = np.unique(
         sizes, axis=0, return_index=True, return_inverse=True, return_counts=True
@@ -274,12 +275,3 @@ def _kinds(
             )
         )
     return of_kind, tuple(made)
-
-
-def _classes(values: Array, near: float) -> Integers:
-    """Numbers (N,) of classes of values, smallest first: neighbours so near are in one."""
-    order = np.argsort(values, kind="stable")
-    steps = np.diff(values[order], prepend=values[order[:1]]) > near
-    found = np.empty(len(values), np.int64)
-    found[order] = np.cumsum(steps)
-    return found

@@ -7,6 +7,7 @@ import numpy as np
 from orishell.design.mesh_refusal import ELSE_PART, place_in_words, refused_mesh
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_smallest
 
 FOLDED = np.deg2rad(120)
 """Neighbouring triangles whose normals turn by more are folded onto each other."""
@@ -53,7 +54,7 @@ def require_no_folds(vertices: Array, triangles: Integers) -> None:
     one, other = face[twice], face[twice + 1]
     bent = np.where(clear[one] & clear[other], (normals[one] * normals[other]).sum(axis=1), 1.0)
     if len(bent) and bent.min() < np.cos(FOLDED):
-        worst = int(bent.argmin())
+        worst = first_smallest(bent, size=1.0)
         raise refused_mesh(
             "the mesh folds over",
             f"an edge that is folded by {_degrees(bent[worst])} degrees near "
@@ -64,7 +65,7 @@ def require_no_folds(vertices: Array, triangles: Integers) -> None:
     size = float(lengths(mean))
     facing = np.where(clear, normals @ mean / max(size, 1e-300), 1.0)
     if facing.min() < np.cos(ASIDE):
-        worst = int(facing.argmin())
+        worst = first_smallest(facing, size=1.0)
         raise refused_mesh(
             "the mesh folds over",
             f"a part turned by {_degrees(facing[worst])} degrees from its mean normal near "
@@ -86,7 +87,7 @@ def require_graph(vertices: Array, triangles: Integers, narrow: float) -> None:
     longest = np.max([lengths(q - p), lengths(r - q), lengths(p - r)], axis=0)
     upward = np.where(size > narrow * longest, normal[:, 2] / np.maximum(size, 1e-300), 1.0)
     if upward.min() < UPRIGHT:
-        worst = int(upward.argmin())
+        worst = first_smallest(upward, size=1.0)
         at = vertices[triangles[worst]].mean(axis=0)
         what = "hangs over" if upward[worst] < -UPRIGHT else "stands upright"
         raise refused_mesh(

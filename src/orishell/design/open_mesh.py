@@ -10,6 +10,7 @@ from orishell.design.mesh_facing import require_no_folds
 from orishell.design.mesh_refusal import ELSE_PART, place_in_words, refused_mesh
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import descending, first_largest, first_smallest
 
 MOST = 400_000
 """Triangles of a mesh, at most."""
@@ -60,7 +61,8 @@ def open_piece(vertices: Array, triangles: Integers) -> OpenMesh:
         )
     p, q, r = np.moveaxis(vertices[triangles], 1, 0)
     upward = np.cross(q - p, r - p).sum(axis=0)
-    main = upward[2] if abs(upward[2]) > 1e-6 * lengths(upward) else upward[np.abs(upward).argmax()]
+    facing_up = abs(upward[2]) > 1e-6 * lengths(upward)
+    main = upward[2 if facing_up else first_largest(np.abs(upward))]
     if main < 0:
         triangles, rim = triangles[:, ::-1], rim[::-1]
     return OpenMesh(vertices, np.ascontiguousarray(triangles), rim[::-1])
@@ -76,7 +78,7 @@ def find_corners(mesh: OpenMesh, places: Array | None) -> Integers:
     if places is None:
         corners = _sharpest(points)
     else:
-        corners = np.unique([lengths(points - place).argmin() for place in places])
+        corners = np.unique([first_smallest(lengths(points - place)) for place in places])
         if len(corners) < 4:
             raise InputError(
                 "two corners are the same vertex of the rim",
@@ -91,7 +93,7 @@ def find_corners(mesh: OpenMesh, places: Array | None) -> Integers:
     centres = np.array([line.mean(axis=0) for line in middles])
     up = centres - np.roll(centres, 2, axis=0)
     axis = 1 if np.abs(up[:, 1]).max() > 1e-6 * lengths(up).max() else 2
-    return np.roll(corners, -int(up[:, axis].argmax()))
+    return np.roll(corners, -first_largest(up[:, axis]))
 
 
 def _sharpest(points: Array) -> Integers:
@@ -114,7 +116,7 @@ def _sharpest(points: Array) -> Integers:
     axis = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
     turns = np.where(np.cross(before, after) @ axis > 0, turns, 0.0)
     chosen: list[int] = []
-    for k in np.argsort(-turns, kind="stable"):
+    for k in descending(turns):
         if turns[k] < CORNER or len(chosen) == 4:
             break
         apart = np.abs(here[k] - here[chosen]) if chosen else np.full(1, np.inf)
@@ -126,11 +128,11 @@ def _sharpest(points: Array) -> Integers:
         chosen.sort()
         begins = here[chosen]
         long = np.diff(np.concatenate([begins, [begins[0] + whole]]))
-        side = int(long.argmax())
+        side = first_largest(long)
         middle = np.mod(begins[side] + 0.5 * long[side], whole)
         away = np.abs(here - middle)
         away[chosen] = np.inf
-        chosen.append(int(away.argmin()))
+        chosen.append(first_smallest(away, size=whole))
     if len(chosen) < 4:
         raise refused_mesh("the rim has too few vertices", f"{count}", "four at least")
     return np.sort(np.array(chosen))

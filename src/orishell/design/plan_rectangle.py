@@ -10,6 +10,7 @@ from orishell.design.mesh_refusal import place_in_words, refused_mesh
 from orishell.design.open_mesh import SAME, OpenMesh, joined_vertices, open_piece
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest
 
 SLIVER = 10.0
 """Triangles that are narrower than vertices are apart that are joined, times this, face nowhere."""
@@ -72,7 +73,7 @@ def mesh_over(
     half = 0.5 * np.array(rectangle.size)
     inside = (half - np.abs(rim)).min(axis=1)
     if inside.max() > SLIVER * narrow:
-        at = mesh.vertices[mesh.rim[inside.argmax()]]
+        at = mesh.vertices[mesh.rim[first_largest(inside)]]
         raise refused_mesh(
             "the mesh ends within the rectangle",
             f"its rim is {inside.max():.4g} from the nearest side near {place_in_words(at)}",

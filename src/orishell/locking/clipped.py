@@ -27,6 +27,7 @@ from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
 from orishell.motion.convex import require_convex
 from orishell.motion.layout import points_of
+from orishell.numerics.equals import first_largest
 from orishell.solids import BuiltPanels, settled_vertices
 
 
@@ -81,7 +82,7 @@ def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
     depths = overlap_depths(points, faces, pairs)
     if not (depths > tolerance).any():
         return None
-    deepest = int(depths.argmax())
+    deepest = first_largest(depths)
     first, second = pairs[deepest].tolist()
     found = sheet.contact(PathContact(sheet.target, sheet.target, (first, second)))
     return replace(found, overlap=float(depths[deepest]))

@@ -17,6 +17,7 @@ from orishell.motion.convex import ConvexParts
 from orishell.motion.grid import Panel
 from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_largest
 from orishell.solids import drive_for_height
 
 SHORT_OF_END = 1e-6
@@ -59,7 +60,7 @@ class Sheet:
             end, stop = (limit, "boards") if limit < end else (end, stop)
         folds, pairs = _row_creases(mechanism, layout, end)
         if stop == "flaps":
-            meeting = int(np.where(layout.flaps[pairs[:, 0]], folds, 0.0).argmax())
+            meeting = first_largest(np.where(layout.flaps[pairs[:, 0]], folds, 0.0))
             return cls(mechanism, target, end, False, stop, _both(pairs[meeting]), layout)
         flat = np.flatnonzero(folds >= np.pi - FOLDED_FLAT)
         first = _both(pairs[flat[0]]) if len(flat) else None

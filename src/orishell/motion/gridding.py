@@ -9,6 +9,7 @@ from orishell.conventions.formatting import rounded
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Integers
+from orishell.numerics.equals import first_largest
 
 
 def find_grid(pattern: CreasePattern) -> Integers:
@@ -152,4 +153,4 @@ def _turned(pattern: CreasePattern, numbers: Integers) -> Integers:
         way.mean(axis=0)[0] / length if length > 0 else 0.0
         for way, length in zip(ways, lengths, strict=True)
     ]
-    return turns[int(np.argmax(along))]
+    return turns[first_largest(along)]

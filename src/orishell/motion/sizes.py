@@ -14,6 +14,7 @@ from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
+from orishell.numerics.equals import first_smallest, smallest_of
 
 ROUNDING = 1e-13
 """Points nearer to each other than this share of an edge lie on each other but for rounding."""
@@ -122,10 +123,10 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
     flat = mechanism.positions(0.0)
     size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
     edges = {"a row": lengths(np.diff(flat, axis=1)), "a column": lengths(np.diff(flat, axis=0))}
-    name = min(edges, key=lambda each: float(edges[each].min()))
+    name = smallest_of(edges, lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
     if shortest < RESOLUTION * size:
-        row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
+        row, column = np.unravel_index(first_smallest(edges[name]), edges[name].shape)
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",

@@ -9,6 +9,7 @@ from orishell.design import PanelSpec
 from orishell.motion import FoldingMotion
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 
 SAME = 1e-3
 """States whose fold angles differ by less than this are drawn once (radians)."""
@@ -79,7 +80,7 @@ def find_hinge_section(
     for which, places in enumerate(([0, 3], [1, 2])):
         np.maximum.at(most[which], edges[boards.panels][:, places], back[:, places])
     farthest = np.where(np.isfinite(most).all(axis=0), most.max(axis=0), -np.inf)
-    edge = int(farthest.argmax())
+    edge = first_largest(farthest)
     if farthest[edge] == -np.inf:
         return None
 

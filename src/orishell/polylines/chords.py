@@ -18,6 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.polylines.closeness import Closeness, measure_closeness, measure_edges, thinned
 from orishell.polylines.plane import normals_at
 
@@ -200,8 +201,8 @@ def _share_out(shares: Array, total: int) -> Integers:
     ideal = shares / shares.sum() * total
     numbers: Integers = np.maximum(np.floor(ideal), 1).astype(np.intp)
     while numbers.sum() < total:
-        numbers[np.argmax(ideal / numbers)] += 1
+        numbers[first_largest(ideal / numbers)] += 1
     while numbers.sum() > total:
         spare = np.where(numbers > 1, ideal / numbers, np.inf)
-        numbers[np.argmin(spare)] -= 1
+        numbers[first_smallest(spare)] -= 1
     return numbers

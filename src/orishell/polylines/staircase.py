@@ -22,6 +22,7 @@ from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import smallest_of
 from orishell.polylines.batches import Search, batched, run_search
 from orishell.polylines.zigzag import alternating
 
@@ -77,7 +78,7 @@ def search_staircase(trace: Trace, xi: float, edges: int) -> Search[Staircase]:
     """The search behind :func:`fit_staircase`, which asks for the curve's nearest points."""
     both = [_balance(_Levels.of(trace, xi, edges, first)) for first in (1, -1)]
     candidates = yield from batched(both)
-    return min(candidates, key=lambda staircase: staircase.distance)
+    return smallest_of(candidates, lambda staircase: staircase.distance)
 
 
 @record

@@ -13,6 +13,7 @@ import numpy as np
 from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_smallest, largest_of
 from orishell.polylines.batches import Search, batched, rotated_search, run_search
 from orishell.polylines.staircase import Staircase, search_staircase
 
@@ -104,7 +105,7 @@ def _search_xi(trace: Trace, edges: int, accuracy: float) -> Search[Staircase]:
         if tried[-1].evenness >= MIN_EVENNESS:
             break
     else:
-        return max(tried, key=lambda staircase: (staircase.evenness, staircase.xi))
+        return largest_of(tried, lambda staircase: staircase.evenness)  # the widest of equal ones
     good, bad = tried[-1], tried[max(len(tried) - 2, 0)].xi
     # Bisection on the even side: the evenness may jump where another first edge becomes better.
     while bad - good.xi > accuracy:
@@ -143,7 +144,7 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
 
     # The scan is symmetric about the middle, where a symmetric curve has its optimum.
     scan = np.linspace(begin, end, 11)
-    k = int(np.argmin(costs(scan)))
+    k = first_smallest(costs(scan))
     bracket = (float(scan[max(k - 1, 0)]), float(scan[min(k + 1, len(scan) - 1)]))
     found = minimize_scalar(
         lambda theta: float(costs([theta])[0]),

@@ -16,6 +16,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.numerics.arrays import Array, Complex
+from orishell.numerics.equals import first_largest
 from orishell.polylines.plane import normals_at
 
 MEAN_ANGLE = np.pi / 2
@@ -146,7 +147,7 @@ def smallest_radius(trace: Trace) -> tuple[float, float]:
     Both offsets of the curve at a smaller distance are regular.
     """
     curvature = np.abs(trace.turns) / np.diff(trace.arc)
-    at = int(curvature.argmax())
+    at = first_largest(curvature)
     radius = float(1 / curvature[at]) if curvature[at] > 0 else np.inf
     return radius, float(0.5 * (trace.t[at] + trace.t[at + 1]))
 

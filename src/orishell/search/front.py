@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.conventions.formatting import rounded
 from orishell.conventions.record import record
 from orishell.design_file.tables import Values
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_smallest
 from orishell.search.evaluate import Outcome, violation
 from orishell.search.problem import Problem
 from orishell.search.space import Space, key_of
@@ -52,8 +54,8 @@ def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
     feasible = [each for each in outcomes if violation(problem, each) == 0.0]
     if not feasible:
         return None
-    ordered = sorted(feasible, key=lambda each: (*scores(problem, each), key_of(each.values)))
-    kept = [ordered[k] for k in unbeaten(np.array([scores(problem, each) for each in ordered]))]
+    ordered = sorted(feasible, key=lambda each: (*_compared(problem, each), key_of(each.values)))
+    kept = [ordered[k] for k in unbeaten(np.array([_compared(problem, each) for each in ordered]))]
     return Front(tuple(kept), _knee(np.array([scores(problem, each) for each in kept])))
 
 
@@ -72,6 +74,11 @@ def scores(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
     return tuple(outcome.figures[each.name] for each in problem.objectives)
 
 
+def _compared(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
+    """The same, so rounded that which of equal designs is kept does not hang on rounding."""
+    return tuple(rounded(each, 9) for each in scores(problem, outcome))
+
+
 def unbeaten(points: Array) -> list[int]:
     """Which points no other is at least as good as; of equal ones the first.
 
@@ -87,7 +94,9 @@ def unbeaten(points: Array) -> list[int]:
 def _knee(points: Array) -> int:
     """Least sum of objectives, each scaled to its range: the plane's normal is (1, ..., 1)."""
     low, high = points.min(axis=0), points.max(axis=0)
-    return int(((points - low) / np.where(high > low, high - low, 1.0)).sum(axis=1).argmin())
+    return first_smallest(
+        ((points - low) / np.where(high > low, high - low, 1.0)).sum(axis=1), size=1.0
+    )
 
 
 def costs(problem: Problem, before: Outcome, after: Outcome) -> str:

@@ -14,6 +14,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design_file.tables import Values
+from orishell.numerics.equals import smallest_of
 from orishell.search.evaluate import (
     LACKING,
     Job,
@@ -175,7 +176,7 @@ def _nothing(problem: Problem, outcomes: list[Outcome], *, whole: bool) -> Desig
     """That no design keeps all limits: the commonest reasons, and the nearest design."""
     counted = reasons(problem, outcomes)[:COMMONEST]
     common = "; ".join(f"{count} of {len(outcomes)}: {reason}" for reason, count in counted)
-    near = min(outcomes, key=lambda each: violation(problem, each))
+    near = smallest_of(outcomes, lambda each: violation(problem, each))
     values = ", ".join(f"{key} = {value}" for key, value in near.values.items())
     stopped = "" if whole else ", before the search was stopped; the same command goes on"
     return DesignError(

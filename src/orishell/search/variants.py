@@ -17,6 +17,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io.formats.html import read_viewer
 from orishell.io.html_pages import program_page
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 from orishell.search.evaluate import Outcome, said_of, violation
 from orishell.search.page import MOST_SHELLS, Drawn, draw, packed
 from orishell.search.problem import Problem
@@ -171,7 +172,7 @@ def _spread(points: Array, among: np.ndarray, first: int) -> list[int]:
     for _ in range(min(len(among), MOST_SHELLS) - 1):
         far = np.minimum(far, ((points - points[order[-1]]) ** 2).sum(axis=1))
         far[order[-1]] = -1.0
-        order.append(int(np.argmax(far)))
+        order.append(first_largest(far))
     return order
 
 

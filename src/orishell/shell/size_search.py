@@ -20,6 +20,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
+from orishell.numerics.equals import smallest_of
 from orishell.shell.board_limits import refuse_boards
 from orishell.shell.size_trials import (
     CHOOSING,
@@ -244,7 +245,7 @@ class SizeSearch(Generic[V]):
         allowed = [
             each for each in trials.made if trials.fits(each[1]) and each[1] not in trials.large
         ]
-        variant, nearest = min(allowed or trials.made, key=lambda each: each[1].error)
+        variant, nearest = smallest_of(allowed or trials.made, lambda each: each[1].error)
         nearest = trials.carefully(variant, nearest)
         edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         share = NEARER if nearest.panels < MANY else FARTHER

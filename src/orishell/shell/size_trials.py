@@ -9,9 +9,11 @@ from dataclasses import dataclass, field
 from typing import Generic, Self, TypeVar
 
 from orishell.conventions.errors import DesignError
+from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
 from orishell.families.tolerance import Tolerance, Variants
+from orishell.numerics.equals import NEAR as EQUAL
 from orishell.shell.board_limits import BoardFit
 
 
@@ -67,8 +69,8 @@ def unbeaten(trials: Iterable[Trial], gain: float = 1.0) -> tuple[Trial, ...]:
     The error of one with more panels must be below a share ``gain`` of that of the one before.
     """
     kept: list[Trial] = []
-    for trial in sorted(trials, key=lambda each: (each.panels, each.error)):
-        if not kept or trial.error < gain * kept[-1].error:
+    for trial in sorted(trials, key=lambda each: (each.panels, rounded(each.error, 9))):
+        if not kept or trial.error < gain * (1 - EQUAL) * kept[-1].error:
             kept.append(trial)
     return tuple(kept)
 

@@ -16,6 +16,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, stretch
 from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
+from orishell.numerics.equals import smallest_of
 from orishell.shell.board_limits import BoardFit, refuse_boards
 from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
 
@@ -110,9 +111,9 @@ class SurfaceSearch:
             return self.refusal
         limits = self.tolerance
         if self.bare:
-            nearest, boards = min(self.bare, key=lambda each: each[1].misses(limits))
+            nearest, boards = smallest_of(self.bare, lambda each: each[1].misses(limits))
             return refuse_boards(nearest.rows, nearest.columns, limits, boards)
-        nearest = min(self.made, key=lambda each: each.error)
+        nearest = smallest_of(self.made, lambda each: each.error)
         edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         return DesignError(
             f"no shell of this family was found within {limits.surface:g} of the surface",

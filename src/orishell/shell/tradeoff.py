@@ -7,6 +7,7 @@ from itertools import product
 from typing import Any
 
 from orishell.conventions.errors import DesignError, OrishellError
+from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, followed, no_progress, stretch
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
@@ -79,7 +80,7 @@ def find_tradeoff(
         trial((each.rows, each.columns), careful=True)
         for each in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
     ]
-    tried.sort(key=lambda trial: (trial.panels, trial.error))
+    tried.sort(key=lambda trial: (trial.panels, rounded(trial.error, 9)))
     return Tradeoff(tuple(tried), unbeaten(careful, GAIN), len(sizes) - len(tried), settled)
 
 

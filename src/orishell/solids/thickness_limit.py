@@ -15,6 +15,7 @@ from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import LaidOut, Layout, has_flaps, points_of
 from orishell.numerics.bisection import bisect_integers, largest_below
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.solids.setbacks import (
     allowed_heights,
     bare_faces,
@@ -52,11 +53,11 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     sides = SideFolds.of(layout, folds, beside)
     heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
     heights[bare_faces(sides, layout.flaps)] = np.inf
-    _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
+    _, panel, way = (int(k) for k in np.unravel_index(first_smallest(heights), heights.shape))
     most = 2 * float(heights.min())
     if not np.isfinite(most):
         return ThicknessLimit(most, "", on_flap=False)
-    crease = _crease(layout, panel, way + 2 * int(sides.largest[panel, way::2].argmax()))
+    crease = _crease(layout, panel, way + 2 * first_largest(sides.largest[panel, way::2]))
     return ThicknessLimit(most, crease, bool(layout.flaps[panel]))
 
 

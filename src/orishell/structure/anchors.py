@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +20,7 @@ from orishell.conventions.quantities import GRAVITY, plain
 from orishell.conventions.record import record
 from orishell.deployment.report import DeploymentReport
 from orishell.motion.grid import Vertex
+from orishell.numerics.equals import SOLVED, first_largest, largest_of
 
 if TYPE_CHECKING:
     from orishell.structure.results import Analysis
@@ -107,7 +109,7 @@ def with_anchors(report: DeploymentReport, anchors: tuple[Anchor, ...]) -> Deplo
 
 
 def _worst(forces: np.ndarray, names: list[str]) -> Worst:
-    most = int(forces.argmax())
+    most = first_largest(forces, SOLVED)
     force = float(forces[most])
     return Worst(force, names[most] if force else None)
 
@@ -117,7 +119,7 @@ def anchors_in_words(anchors: tuple[Anchor, ...]) -> str:
     if not anchors:
         return "not known: nothing is in equilibrium"
     pull, aside, heavy = (
-        max(anchors, key=lambda each: getattr(each, name).force)
+        largest_of(anchors, attrgetter(f"{name}.force"), SOLVED)
         for name in ("pull", "sideways", "ballast")
     )
     words = ["no foot is pulled up"]
@@ -154,7 +156,7 @@ def ground_warnings(report: Analysis) -> Iterator[str]:
     held = set(report.model.supported) - set(report.model.grounded)
     pulled = [each for each in report.anchors if each.pull.force and each.at in held]
     if pulled:
-        most = max(pulled, key=lambda each: each.pull.force)
+        most = largest_of(pulled, lambda each: each.pull.force, SOLVED)
         yield (
             f"{_number(len(pulled), 'support is', 'supports are')} pulled up, by "
             f"{plain(most.pull.force)} N at most at {_at(most)} under {most.pull.case}: anchors or "

@@ -12,6 +12,7 @@ from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import SOLVED, first_largest, largest_along_first
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
@@ -149,7 +150,7 @@ def worst_forces(model: Model, cases: Sequence[EdgeForces]) -> tuple[Array, Inte
     every = np.stack([largest_forces(model, found) for found in cases])
     least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
     every = np.where(every > least, every, 0.0)
-    return every.max(axis=0), every.argmax(axis=0)
+    return every.max(axis=0), largest_along_first(every, SOLVED)
 
 
 def by_kind(model: Model, found: EdgeForces) -> tuple[CreaseForces, ...]:
@@ -259,7 +260,7 @@ def arms(model: Model, found: EdgeForces) -> AtCrease | None:
 
 def _largest(model: Model, sizes: Array) -> AtCrease:
     """The largest of sizes (C,) of creases."""
-    crease = int((sizes >= (1 - EQUAL) * sizes.max()).argmax())
+    crease = first_largest(sizes, SOLVED)
     _, sides = crease_sides(model.grid)
     first, second = (model.panel_at(int(panel)) for panel in sides[crease, :, 0])
     return AtCrease(float(sizes[crease]), (first, second))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from orishell.conventions.record import record
+from orishell.numerics.equals import SOLVED, largest_of
 from orishell.structure.combinations import LimitState
 from orishell.structure.stiffness import Stiffness
 
@@ -47,7 +48,7 @@ def envelopes(cases: Sequence[CaseResult]) -> Iterator[Envelope]:
         own = [case for case in cases if case.limit_state == state]
         if own:
             moving = [case for case in own if case.equilibrium is None]
-            worst = moving[0] if moving else max(own, key=lambda case: _largest(case)[1] or 0.0)
+            worst = largest_of(moving or own, lambda case: _largest(case)[1] or 0.0, SOLVED)
             part, share = (None, None) if moving else _largest(worst)
             count = len({case.name for case in own})
             moves = len({case.name for case in moving})

@@ -13,6 +13,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import SOLVED, descending, first_largest
 from orishell.structure.crease_forces import (
     AtCrease,
     CreaseForces,
@@ -136,7 +137,7 @@ class Equilibrium:
     def displacement(self) -> Displacement:
         """The largest."""
         sizes = np.linalg.norm(self.displacements, axis=1)
-        node = int(sizes.argmax())
+        node = first_largest(sizes, SOLVED)
         mesh = self.model.mesh
         panel = int(np.argmax(((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))))
         return Displacement(
@@ -171,7 +172,7 @@ class Equilibrium:
     def crease(self) -> CreaseMoment | None:
         """The largest moment about a crease; None where they are free."""
         moments = np.abs(self.crease_moments)
-        beside = (self.model.grid.faces_edges() == moments.argmax()).any(axis=1)
+        beside = (self.model.grid.faces_edges() == first_largest(moments, SOLVED)).any(axis=1)
         panels = np.flatnonzero(beside).tolist()
         if len(panels) < 2 or not self.stiffness:
             return None
@@ -201,7 +202,7 @@ class Equilibrium:
     @cached_property
     def stress(self) -> Stress:
         """The largest."""
-        triangle, face = np.unravel_index(self.stresses.argmax(), self.stresses.shape)
+        triangle, face = np.unravel_index(first_largest(self.stresses, SOLVED), self.stresses.shape)
         return Stress(
             size=float(self.stresses[triangle, face]),
             panel=self.model.panel_at(int(self.model.mesh.panels[triangle])),
@@ -234,5 +235,5 @@ class Equilibrium:
 
 def _pairs(ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:
     """Forces between pairs of vertices, the largest first, none left out."""
-    order = np.argsort(-forces, kind="stable").tolist()
+    order = descending(forces, SOLVED).tolist()
     return tuple(PairForce(ends[number], float(forces[number])) for number in order)

@@ -7,6 +7,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest
 from orishell.structure.mesh.sheet import SheetMesh
 
 LEVEL = 1e-6
@@ -37,7 +38,7 @@ def edge_nodes(
     ends = np.stack([each[:, [0, -1]] for each in _sides(seats)], axis=1)
     steps = np.where(held, np.abs(np.diff(mesh.facets.points[ends, 2]))[..., 0], 0.0)
     if level and steps.max() > LEVEL * np.ptp(mesh.facets.points[:, 2]):
-        panel, side = np.unravel_index(int(steps.argmax()), steps.shape)
+        panel, side = np.unravel_index(first_largest(steps), steps.shape)
         row = int(grid.edges_vertices()[edges[panel, side], 0]) // grid.columns
         raise InputError(
             f"the edge between feet at row {row} is not on the ground",

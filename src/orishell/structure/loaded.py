@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
+from orishell.numerics.equals import SOLVED, largest_along_first
 from orishell.structure.crease_forces import FORCES, worst_forces
 from orishell.structure.mesh.edge_forces import crease_sides
 
@@ -45,7 +46,7 @@ def _creases(analysis: Analysis) -> LoadedCreases | None:
         return None
     sizes, cases = worst_forces(model, [found.edges for found, _ in balanced])
     names = [analysis.name_of(case) for _, case in balanced]
-    which = sizes[:, : len(FORCES)].argmax(axis=1)
+    which = largest_along_first(sizes[:, : len(FORCES)].T, SOLVED)
     at = np.arange(len(which))
     row, column = np.divmod(crease_sides(model.grid)[1][..., 0], model.grid.columns - 1)
     across = model.design.mechanism.grid.columns - 1

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
+import numpy as np
+
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
 from orishell.document.loaded import LoadedShell
+from orishell.numerics.equals import SOLVED, classes, largest_of
 from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
 from orishell.structure.case import CaseResult
 from orishell.structure.chamfers import thinned_in_words
@@ -82,8 +85,9 @@ class Analysis:
     @cached_property
     def ranked(self) -> tuple[CaseResult, ...]:
         """All cases, the worst first."""
-        order = sorted(self.cases, key=lambda each: (ORDER.index(each.sign), -each.used))
-        return tuple(order)
+        used = classes([-each.used for each in self.cases], SOLVED)
+        signs = [ORDER.index(each.sign) for each in self.cases]
+        return tuple(self.cases[k] for k in np.lexsort((used, signs)).tolist())
 
     @property
     def sign(self) -> Sign:
@@ -104,7 +108,7 @@ class Analysis:
             if case.limit_state in STRENGTH
             if (used := balanced.utilisation).governs is not None
         ]
-        return max(found, key=lambda each: each.utilisation, default=None)
+        return largest_of(found, lambda each: each.utilisation, SOLVED) if found else None
 
     def in_words(self) -> str:
         """Whether it carries all cases, and what the worst does: for one line."""
@@ -115,7 +119,7 @@ class Analysis:
             return f"no: {of}{under}"
         if first.sign == "warns":
             return f"not known: {under}"
-        found, case = max(self.balanced, key=lambda each: each[0].displacement.size)
+        found, case = largest_of(self.balanced, lambda each: each[0].displacement.size, SOLVED)
         most, unit = found.displacement, self.model.site.unit
         return (
             f"all cases: {self.governing_in_words()}; it is displaced by {plain(most.size, 2)} "

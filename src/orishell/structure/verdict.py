@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 from orishell.conventions.quantities import Quantities, plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
+from orishell.numerics.equals import SOLVED, classes
 from orishell.structure.chamfers import MOST_THINNED, thinned_boards
 from orishell.structure.utilisation import NAMED, find_unknown
 
@@ -152,4 +155,7 @@ def misleads(found: Equilibrium) -> bool:
 
 def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:
     """Findings, the worst first."""
-    return tuple(sorted(findings, key=lambda each: (ORDER.index(each.sign), -(each.excess or 0))))
+    found = list(findings)
+    beyond = classes([-(each.excess or 0) for each in found], SOLVED)
+    order = np.lexsort((beyond, [ORDER.index(each.sign) for each in found]))
+    return tuple(found[k] for k in order.tolist())

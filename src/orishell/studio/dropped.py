@@ -24,6 +24,7 @@ from orishell.curves.pieces import Bezier
 from orishell.design_file.target import MOST_POINTS
 from orishell.io.view import Drawn
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import largest_of
 from orishell.studio.api import DroppedCurve
 from orishell.studio.dropped_file import dropped_file
 from orishell.studio.ranges import few_points
@@ -136,5 +137,5 @@ def _longest_curve(path: Path, ending: str, unit: str) -> tuple[Chain, str]:
         if not parts:
             raise error from None
     lengths = {part: trace_curve(chain.curve()).length for part, chain in parts.items()}
-    longest = max(lengths, key=lambda part: lengths[part])
+    longest = largest_of(lengths, lambda part: lengths[part])
     return parts[longest], f"the longest {kind}, {longest}, of "

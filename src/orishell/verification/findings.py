@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.io import FoldFile
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import NEAR, first_largest
 
 
 @record
@@ -64,8 +65,8 @@ class Worst:
             return
         with np.errstate(divide="ignore", over="ignore"):
             share = figures / np.maximum(limits, np.finfo(float).tiny)
-        worst = int(np.argmax(share))
-        if share[worst] > self._share:
+        worst = first_largest(share)
+        if share[worst] > self._share * (1 + NEAR):
             self._share, self._frame = float(share[worst]), frame
             self._figure, self._limit = float(figures[worst]), float(limits[worst])
             self._number = int(numbers[worst])

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import largest_of
 from orishell.verification.findings import Check, Names, Worst
 from orishell.verification.residuals import SignsSeen, meets_maekawa, turn_between
 from orishell.verification.sheet import Sheet, State
@@ -117,7 +118,7 @@ class AssignmentTest:
                 text = "edges_assignment says of no crease how it folds"
             facts: dict[str, object] = {"beyond": len(self._misfits)}
             if self._misfits:
-                edge, (_, says) = max(self._misfits.items(), key=lambda item: item[1][0])
+                edge, (_, says) = largest_of(self._misfits.items(), lambda item: item[1][0])
                 text = (
                     f"{len(self._misfits)} edges do not fit edges_assignment, first "
                     f"{names.edge(edge)}, {letters[edge]} but {says}"

@@ -9,6 +9,7 @@ import numpy as np
 from orishell.clash import find_contacts, overlap_depths
 from orishell.motion.mesh import measure_sector_sums
 from orishell.motion.quads import corner_distances, diagonal_gaps, sector_angles
+from orishell.numerics.equals import descending, first_largest
 from orishell.verification.findings import Check, Contacts, Names, Worst
 from orishell.verification.residuals import turn_between
 from orishell.verification.sheet import Sheet, State
@@ -21,7 +22,7 @@ class ConvexTest:
         angles = sector_angles(sheet.frame.positions[sheet.mesh.faces])
         widest = np.where(sheet.reflex, 2 * np.pi - angles, angles).max(axis=1)
         beyond = widest > np.pi + sheet.panel_limits
-        panel = int(np.argmax(np.where(beyond, 10, widest)))
+        panel = first_largest(np.where(beyond, 10, widest))
         self.passed = not beyond.any()
         degrees = float(np.rad2deg(widest[panel]))
         self.check = Check(
@@ -181,7 +182,7 @@ class ClashTest:
         found, depth = [], 0.0
         for state, contacts in touching:
             depths = overlap_depths(state.frame.positions, self._sheet.mesh.faces, contacts.pairs)
-            deepest = np.argsort(-depths, kind="stable")
+            deepest = descending(depths)
             crossing = deepest[depths[deepest] > self._sheet.tolerance]
             if len(crossing):
                 depth = float(depths[crossing[0]])

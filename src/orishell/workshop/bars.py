@@ -18,6 +18,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import classes, descending
 from orishell.workshop.fitting import above
 
 SLACK = 1e-9
@@ -80,10 +81,15 @@ def cut_bars(
     # A cut after every piece, and a bar that is longer by one: the last piece needs none.
     room = (bar + kerf) * (1 + SLACK)
     sizes = np.minimum(lengths - whole * bar + kerf, room)
+    # Equal pieces fit into equal remainders, however they were rounded.
+    alike = classes(sizes, size=room)
+    longest = np.zeros(len(sizes))
+    np.maximum.at(longest, alike, sizes)
+    sizes = longest[alike]
     of = np.zeros(len(lengths), np.int64)
     left: list[tuple[float, int]] = []  # what is left of every bar, the least first
     count = int(whole.sum())
-    order = np.argsort(-sizes, kind="stable")
+    order = descending(sizes)
     for piece, size in zip(order.tolist(), sizes[order].tolist(), strict=True):
         place = bisect_left(left, (size, -1))
         if place == len(left):

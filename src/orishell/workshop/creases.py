@@ -11,6 +11,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_smallest
 from orishell.workshop.cut_parts import STRAIGHT, CutPart
 from orishell.workshop.palettes import Circle, Layer, Line
 from orishell.workshop.settings import Workshop
@@ -136,7 +137,7 @@ def _corner_gap(document: Document, creases: _Creases, workshop: Workshop) -> fl
     gap = 0.0 if workshop.corner_gap == "auto" else workshop.corner_gap
     if not len(creases.edges):
         return gap
-    shortest = int(np.argmin(creases.lengths))
+    shortest = first_smallest(creases.lengths)
     largest = 0.5 * (1 - KEPT) * float(creases.lengths[shortest])
     if gap > largest:
         raise InputError(

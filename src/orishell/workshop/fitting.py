@@ -13,6 +13,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest
 from orishell.workshop.tabs import find_owners, tab_shapes
 
 SLACK = 1e-9
@@ -177,7 +178,7 @@ def require_panels_fit(
     sides[flat] = np.sort(np.hypot(*np.diff(rings[:, :3], axis=1).T).T, axis=1)
     short, long = sides[wrong].max(axis=0).tolist()
     count = len(document.mesh.faces)
-    largest = document.panel_name(wrong[int(np.argmax(sides[wrong, 1]))] % count)
+    largest = document.panel_name(wrong[first_largest(sides[wrong, 1])] % count)
     names = [document.panel_name(k) for k in sorted({k % count for k in wrong})]
     stock = sorted((sheet.width, sheet.height))
     # Those that fit the stock as it is must fit what is offered, too.

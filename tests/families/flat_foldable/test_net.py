@@ -17,6 +17,7 @@ from orishell.families.flat_foldable.net import Net
 from orishell.families.shared.folding import HalfFolds, fold
 from orishell.motion import measure_fold_angles
 from samples import led_by, thorough
+from timing import HANGS
 
 Array = np.ndarray
 LISTS = (
@@ -195,7 +196,7 @@ def test_a_state_is_made_in_15_times_its_own_memory() -> None:
     begun = time.perf_counter()
     sheet = flat_foldable(random_net(298, 298, 9), **TURNED)
     sheet.positions(0.5)
-    assert time.perf_counter() - begun < 5
+    assert time.perf_counter() - begun < HANGS
     tracemalloc.start()
     try:
         state = sheet.positions(1.0)

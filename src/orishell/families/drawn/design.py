@@ -20,6 +20,7 @@ from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 
 MOVED = 1e-3
 """Vertices are moved by this share of the shortest edge where the file does not say how far."""
@@ -88,7 +89,7 @@ def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, f
     """A sheet nearby that folds, and how far its vertices are moved."""
     apart = np.abs(sheet.drive.disagreement(DRIVES)).max(axis=-1)
     apart = np.where(np.isfinite(apart), apart, np.pi)
-    row, column = np.unravel_index(int(apart.argmax()), apart.shape)
+    row, column = np.unravel_index(first_largest(apart), apart.shape)
     nearby = find_nearby(drawing.flat, sheet.drive)
     found = None if nearby is None else nearby.vertices
     size = f"fold angles there disagree by {in_degrees(float(apart.max()))} degrees"

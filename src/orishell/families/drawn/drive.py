@@ -10,6 +10,7 @@ from orishell.conventions.record import record
 from orishell.families.drawn.cross import LATER, LEAST, Cross, proportions
 from orishell.families.drawn.vertex import Half, Numbers, Vertices
 from orishell.families.shared.folding import HalfFolds
+from orishell.numerics.equals import first_largest
 
 
 @record
@@ -94,4 +95,4 @@ def _column(cross: Cross) -> int:
     """The column that takes its height to rows best: all of its creases fold by much there."""
     seen = np.abs(cross.columns[:, :-1, 0].T), np.abs(cross.rows[:, :-1, 0])
     folded = seen[1][:, 0] != 0
-    return int((seen[0] * seen[1])[folded].min(axis=0).argmax())
+    return first_largest((seen[0] * seen[1])[folded].min(axis=0))

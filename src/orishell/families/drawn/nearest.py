@@ -20,6 +20,7 @@ from orishell.conventions.record import record
 from orishell.families.drawn.conditions import Conditions
 from orishell.families.drawn.drive import Drive
 from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.equals import smallest_of
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -89,7 +90,9 @@ def find_nearby(flat: Array, drive: Drive) -> Nearby | None:
                 found.append(replace(nearby, vertices=np.moveaxis(place, 0, -1)))
                 if nearby.nearest:
                     return found[-1]
-    return min(found, key=lambda each: float(np.linalg.norm(each.vertices - flat)), default=None)
+    if not found:
+        return None
+    return smallest_of(found, lambda each: float(np.linalg.norm(each.vertices - flat)))
 
 
 def _kinds(nearly: Booleans) -> Iterator[Booleans]:

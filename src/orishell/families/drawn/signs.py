@@ -21,6 +21,7 @@ from orishell.families.drawn.sheet import find_cross
 from orishell.families.drawn.vertex import Half, Vertices
 from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_largest
 
 SMALL = 0.01
 """Sine of half the fold angle at which choices are told apart: no crease is near closing."""
@@ -63,7 +64,7 @@ def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
                 found[signs.on_edges().tobytes()] = apart, signs
             if len(found) == MOST:
                 break
-    ways = sorted(found.values(), key=lambda each: each[0])
+    ways = sorted(found.values(), key=lambda each: max(each[0], EXACT))
     return [signs for apart, signs in ways if apart <= max(EXACT, NEAR * ways[0][0])]
 
 
@@ -78,7 +79,7 @@ def _choices(flat: Array) -> Iterator[tuple[Array, tuple[Booleans, Booleans]]]:
     first = np.full(1, SMALL), np.sqrt(1 - np.full(1, SMALL) ** 2)
     s, c = _both_modes(cross, first)
     # A column that stays unfolded takes nothing to the rows.
-    cross = replace(cross, column=int(np.nan_to_num(s[..., 0]).min(axis=1).argmax()))
+    cross = replace(cross, column=first_largest(np.nan_to_num(s[..., 0]).min(axis=1)))
     for choice in range(2):
         of_rows, _ = _both_modes(cross.turned, (s[cross.column, choice], c[cross.column, choice]))
         x, y = of_rows[..., 0], s[..., 0].copy()

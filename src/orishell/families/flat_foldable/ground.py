@@ -20,6 +20,7 @@ from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.net import CORNERS, Net
 from orishell.families.flat_foldable.refusal import find_fault
 from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.equals import first_smallest
 
 Ground = Literal["free", "corners", "level"]
 """How a shell meets the ground: as it was fitted; on one vertex of each corner panel or more; with
@@ -76,11 +77,11 @@ def grounded(shell: FlatFoldable, how: Ground) -> FlatFoldable:
 
 def _on_corners(heights: Array) -> Booleans:
     """Which vertices (R, C) are feet: the lowest on the border of each corner panel."""
-    on = np.zeros(heights.shape, np.bool_)
+    on, size = np.zeros(heights.shape, np.bool_), float(np.ptp(heights))
     for row, column in CORNERS:
         near = 1 if row == 0 else -2, 1 if column == 0 else -2
         around = (row, column), (near[0], column), (row, near[1])
-        on[min(around, key=lambda at: heights[at])] = True
+        on[around[first_smallest([heights[at] for at in around], size=size)]] = True
     return on
 
 

@@ -10,6 +10,7 @@ from orishell.conventions.record import record
 from orishell.families.flat_foldable.net import Net, Sheet
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_smallest
 
 ALIKE = 1e-6
 """A row and a column have no vertex if tangents of half their fold angles differ by less
@@ -61,7 +62,7 @@ def _of_lengths(sheet: Sheet) -> Fault | None:
     for lengths, ends in ((sheet.rows, (0, 1)), (sheet.columns, (1, 0))):
         found = lengths[..., 0]
         if found.size and not found.min() > 0:
-            row, column = np.unravel_index(int(found.argmin()), found.shape)
+            row, column = np.unravel_index(first_smallest(found), found.shape)
             other = f"row {row + 1 + ends[0]}, column {column + 1 + ends[1]}"
             return Fault(
                 "creases cross before they meet their next vertex",
@@ -77,7 +78,7 @@ def _of_panels(sheet: Sheet) -> Fault | None:
     sines = corner_sines(flat)
     if sines.min() >= SHARPEST:
         return None
-    row, column, _ = np.unravel_index(int(sines.argmin()), sines.shape)
+    row, column, _ = np.unravel_index(first_smallest(sines, size=1.0), sines.shape)
     return Fault(
         "a panel is not convex",
         f"panel {row + 1}, {column + 1}",

@@ -47,6 +47,7 @@ from orishell.families.shared.candidates import smaller, values
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
+from orishell.numerics.equals import first_smallest
 from orishell.polylines.plane import is_simple_polygon
 
 SMALLEST_SHARE = 1e-30
@@ -129,7 +130,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
     """Refuse panels that are not convex or too slender, and a flat sheet that overlaps itself."""
     turns = _corner_turns(mechanism)
     for row, name in ((0, "first"), (-1, "last")):
-        worst = int(turns[row].min(axis=-1).argmin())
+        worst = first_smallest(turns[row].min(axis=-1), size=1.0)
         if turns[row, worst].min() <= 0:
             raise DesignError(
                 f"the {name} row of panels is not convex: its column creases meet",

@@ -11,6 +11,7 @@ from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
 from orishell.families.shared.candidates import part
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 from orishell.polylines.plane import extent_across
 
 STRAIGHT = 1e-6
@@ -36,7 +37,7 @@ class Line:
         leaves = extent_across(trace.points)
         if leaves > STRAIGHT * trace.length or length < (1 - STRAIGHT) * trace.length:
             normal = np.array([-chord[1], chord[0]])
-            worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
+            worst = first_largest(np.abs((trace.points - trace.points[0]) @ normal))
             along = rounded(trace.length / trace.curve.scale[0], 6)
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",
@@ -116,7 +117,7 @@ def _not_convex(trace: Trace, back: float) -> DesignError:
     turning = np.flatnonzero(steps)
     change = turning[np.flatnonzero(np.diff(steps[turning]))]
     places = trace.t[np.concatenate([[0], change + 1, [len(trace.t) - 1]])]
-    longest = int(np.argmax(np.diff(places)))
+    longest = first_largest(np.diff(places))
     low, high = places[longest], places[longest + 1]
     middle = float(0.5 * (low + high))
     low, high = (inside(float(end), middle) for end in (low, high))

@@ -19,6 +19,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import sheet_exists
 from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest, first_smallest
 
 FIRST = 1e-4
 """The smallest drive looked at, as a share of the sector angles' deviations from 90 degrees."""
@@ -172,15 +173,15 @@ def _require_one_way(turns: Array, profile: Profile) -> None:
 def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
     """Refuse a polygon with an edge that runs backwards: f bends too sharply for it."""
     steps = np.diff(ideal, axis=0) @ np.array([1, 1j])
-    first = np.angle(steps[np.argmax(np.abs(steps))])
+    first = np.angle(steps[first_largest(np.abs(steps))])
     turned = np.concatenate([[0.0], np.cumsum(turns)])
-    directions = np.exp(1j * (turned - turned[np.argmax(np.abs(steps))] + first))
+    directions = np.exp(1j * (turned - turned[first_largest(np.abs(steps))] + first))
     forward = (steps * directions.conj()).real
-    worst = int(forward.argmin())
+    worst = first_smallest(forward)
     if forward[worst] > SHORTEST * np.abs(steps).sum():
         return
     trace = profile.trace
-    near = np.hypot(*(trace.points - ideal[worst]).T).argmin()
+    near = first_smallest(np.hypot(*(trace.points - ideal[worst]).T))
     raise DesignError(
         "f bends too sharply for rows that all turn by the same angle",
         place=f"at parameter {trace.curve.as_drawn(trace.t[near]):.6g} of f, row {max(worst, 1)}",

@@ -45,6 +45,7 @@ from orishell.families.shared.candidates import smaller
 from orishell.families.shared.sheets import middle_vertex, upright
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest, largest_of
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -166,7 +167,7 @@ def design_orthodiagonal(
     ]
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading, refitted=row == "zigzag")
-    zigzag, headings, flaps = max(candidates, key=lambda each: each[2].footing)
+    zigzag, headings, flaps = largest_of(candidates, lambda each: each[2].footing)
     mechanism = Orthodiagonal(
         lengths=zigzag.lengths,
         angles=zigzag.angles,
@@ -227,7 +228,7 @@ def _choose_heading(demands: Sequence[HeadingConditions]) -> float:
     intervals = np.concatenate([headings.intervals() for headings in demands])
     if not len(intervals) or any(headings.admit(right) for headings in demands):
         return right
-    return float(intervals[int(np.diff(intervals)[:, 0].argmax())].mean())
+    return float(intervals[first_largest(np.diff(intervals)[:, 0])].mean())
 
 
 def _tilt(g: Trace, mechanism: Orthodiagonal) -> Array:

@@ -21,6 +21,7 @@ from orishell.design import FlapSide
 from orishell.families.orthodiagonal.headings import HeadingConditions
 from orishell.families.orthodiagonal.profile import End, EndPlanes
 from orishell.numerics.arrays import Array, Booleans, Complex
+from orishell.numerics.equals import first_smallest
 from orishell.polylines import Zigzag, alternating
 
 FLAP_SHARE = 0.5
@@ -99,7 +100,7 @@ def choose_flaps(
         uncut = _below_feet(_locked(zigzag, shifts, np.array([each.trims for each in others])))
         for k in np.flatnonzero(uncut < depth).tolist():
             ends[k], kept[k], depth[k] = others[k], 1.0, uncut[k]
-    best = int(np.where(tried, depth, np.inf).argmin())
+    best = first_smallest(np.where(tried, depth, np.inf))
     chosen = ends[best]
     return Flaps(
         width=float(widths[best]),

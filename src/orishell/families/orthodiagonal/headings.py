@@ -18,6 +18,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import FlapSide, Parameter
 from orishell.numerics.arrays import Array, Complex
+from orishell.numerics.equals import first_smallest
 from orishell.polylines import Zigzag
 
 SMALLEST_EPS = 1e-6
@@ -191,7 +192,7 @@ def nearest_interval(intervals: Array, heading: float) -> tuple[float, float] | 
     if not len(usable):
         return None
     away = np.maximum(usable[:, 0] - heading, heading - usable[:, 1])
-    low, high = usable[int(away.argmin())]
+    low, high = usable[first_smallest(away, size=np.pi)]
     return float(low), float(high)
 
 

@@ -18,6 +18,7 @@ from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect, bisect_integers
+from orishell.numerics.equals import first_largest
 from orishell.polylines import (
     Zigzag,
     alternating,
@@ -100,7 +101,7 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
             excess=h / radius - 1,
         )
     angles = place_zigzag(trace, rows, h).angles
-    row = int(angles.argmax()) + 1
+    row = first_largest(angles) + 1
     raise DesignError(
         f"{what} is too {'small' if h <= best else 'large'} for f: the zigzag does not turn left "
         "and right alternately",

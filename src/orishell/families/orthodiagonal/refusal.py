@@ -32,6 +32,7 @@ from orishell.families.shared.candidates import (
 )
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.polylines import Zigzag, choose_depth
 
 DEPTHS = 40
@@ -71,7 +72,7 @@ def refuse(
         limits = f"; heading_deg must lie between {low} and {high}"
     if not holds(crossing, heading):
         eps = headings.eps(heading)
-        worst = int(np.maximum(-eps, eps - np.pi).argmax())
+        worst = first_largest(np.maximum(-eps, eps - np.pi), size=np.pi)
         return does_not_cross(
             worst,
             eps[worst],
@@ -158,7 +159,9 @@ class HeadingSearch:
                     found.append((bisect(works, float(trial), before), end))
                     break
                 before = float(trial)
-        for nearest, end in sorted(found, key=lambda each: abs(np.log(each[0] / asked))):
+        for nearest, end in sorted(
+            found, key=lambda each: rounded(abs(np.log(each[0] / asked)), 9)
+        ):
             for farther in FARTHER:
                 depth = nearest * farther ** np.sign(np.log(end))
                 if works(depth):
@@ -172,7 +175,7 @@ class HeadingSearch:
             for trial in sound_zigzags(self.f, len(self.zigzag.angles), typed):
                 intervals = self.headings.of(trial).intervals()
                 if len(intervals):
-                    widest = intervals[int(np.ptp(intervals, axis=1).argmax())]
+                    widest = intervals[first_largest(np.ptp(intervals, axis=1))]
                     middle = rounded(tidy_degrees(float(widest.mean())), 6)
                     yield Remedy({"pattern.depth": typed, "pattern.heading_deg": middle})
                     break
@@ -222,7 +225,7 @@ def _rows_meet(
     growth = np.diff(np.tan(zigzag.angles / 2))[:, None]
     length = zigzag.lengths[1:-1, None]
     share = 1 + growth * headings.shifts(heading) / length
-    row, column = np.unravel_index(int(share.argmin()), share.shape)
+    row, column = np.unravel_index(first_smallest(share, size=1.0), share.shape)
     return DesignError(
         f"neighbouring rows meet inside the sheet: at heading_deg = {in_degrees(heading)} g runs "
         "too far along f's plane",

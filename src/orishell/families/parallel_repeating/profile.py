@@ -18,6 +18,7 @@ from orishell.families.shared.candidates import angles, does_not_cross
 from orishell.families.shared.staircases import Followed
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers
+from orishell.numerics.equals import first_largest
 from orishell.polylines import (
     Chords,
     Closeness,
@@ -159,7 +160,7 @@ class Row:
         """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
-        worst = np.unravel_index(int(outside.argmax()), outside.shape)
+        worst = np.unravel_index(first_largest(outside, size=np.pi), outside.shape)
         if outside[worst] < 0:
             return
         low, high = _planes_that_cross(self.turns())

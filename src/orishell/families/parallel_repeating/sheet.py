@@ -16,6 +16,7 @@ from orishell.families.shared.candidates import angles, part, sizes, values
 from orishell.motion import RESOLUTION
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
+from orishell.numerics.equals import first_smallest
 from orishell.polylines import Staircase
 from orishell.polylines.plane import is_simple_polygon
 
@@ -34,7 +35,7 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
     middle = np.abs(np.diff(mechanism.points))
     rows = (0, len(mechanism.lengths))
     share = np.stack([mechanism.row_lengths(row) for row in rows]) / middle
-    worst = np.unravel_index(int(share.argmin()), share.shape)
+    worst = np.unravel_index(first_smallest(share, size=1.0), share.shape)
     if share[worst] > SHORTEST_EDGE:
         return
     row, column = rows[int(worst[0])], int(worst[1]) + 1

@@ -15,6 +15,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.families.shared.candidates import angles, part, turned_to
+from orishell.numerics.equals import first_largest
 from orishell.polylines import (
     Staircase,
     choose_xi,
@@ -133,7 +134,7 @@ class Followed:
 
     def _steepest_place(self, trace: Trace, theta: float) -> str:
         """Where on the curve, as it was drawn, the tangent is farthest from the axis."""
-        k = int(np.argmax(np.maximum(np.abs(trace.heading), np.abs(trace.arriving))))
+        k = first_largest(np.maximum(np.abs(trace.heading), np.abs(trace.arriving)))
         drawn = trace.rotated(-theta)
         x, y = drawn.points[k] + drawn.origin
         return f"at the point ({x:.6g}, {y:.6g}) of {self.name}"

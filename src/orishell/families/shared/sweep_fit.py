@@ -28,6 +28,7 @@ from orishell.families.shared.sweep_state import (
     solved,
 )
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_largest, smallest_of
 
 Kind = Literal["moulding", "cylinder"]
 
@@ -153,7 +154,8 @@ def fit_upright(points: Array, normals: Array, limits: SweepLimits, turn: float 
         for side in limits.sides
         for each, (tilt, around) in tried
     ]
-    return min(found, key=lambda each: (not each[0].bends(each[1]), each[0].reach))[0]
+    sound = [sweep for sweep, side in found if sweep.bends(side)]
+    return smallest_of(sound or [sweep for sweep, _ in found], lambda each: each.reach)
 
 
 def fit_leaning(points: Array, limits: SweepLimits) -> Sweep:
@@ -176,7 +178,7 @@ def fit_leaning(points: Array, limits: SweepLimits) -> Sweep:
         for side in limits.sides
         for start in TILTS[limits.kind]
     ]
-    best = min(found, key=lambda each: each.max)
+    best = smallest_of(found, lambda each: each.max)
     state = State(best.frame, best.g, best.h)
     for _ in range(ROUNDS):
         off = np.abs(state.meet(problem.points).distance)
@@ -249,7 +251,7 @@ def _spread(points: Array, count: int) -> Integers:
     nearest = ((points - points.mean(axis=0)) ** 2).sum(axis=-1)
     chosen = np.empty(min(count, len(points)), dtype=np.intp)
     for k in range(len(chosen)):
-        chosen[k] = nearest.argmax()
+        chosen[k] = first_largest(nearest)
         gap = points - points[chosen[k]]
         np.minimum(nearest, np.einsum("ni,ni->n", gap, gap), out=nearest)
     return chosen

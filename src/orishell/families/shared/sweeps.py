@@ -21,6 +21,7 @@ from orishell.design.piece import Piece
 from orishell.design.shifted import Shifted
 from orishell.families.shared.sweep_fit import Sweep, SweepLimits, fit_upright
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import smallest_of
 
 POINTS = 21
 """Points of f, and of a g that bends: a spline through them is within 1e-5 of the polynomials."""
@@ -42,7 +43,7 @@ def best_sweep(piece: Piece, kinds: tuple[SweepLimits, ...]) -> Sweep:
     x, y = piece.axes[0, :2]
     turn = float(np.arctan2(y, x))
     found = [fit_upright(piece.vertices, piece.normals, limits, turn) for limits in kinds]
-    return min(found, key=lambda each: each.reach)
+    return smallest_of(found, lambda each: each.reach)
 
 
 def design_sweep(

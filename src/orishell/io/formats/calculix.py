@@ -20,6 +20,7 @@ from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest
 
 MODES = 6
 """Natural frequencies that are asked for."""
@@ -221,7 +222,7 @@ def _kept_still(shell: LoadedShell) -> Integers:
         if not len(free):
             break
         by_free = np.linalg.norm(moved @ free.T, axis=2)
-        node, axis = divmod(int(by_free.argmax()), 3)
+        node, axis = divmod(first_largest(by_free), 3)
         more.append((node, axis))
         rows = np.concatenate([rows, moved[node, axis][None]])
     return np.array(more, np.int64).reshape(-1, 2)

@@ -17,6 +17,7 @@ from orishell.io.patterns.rings import Rings, find_rings, loops_of
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.components import find_components
+from orishell.numerics.equals import first_smallest
 
 SHORT = 0.02
 """An edge is short below this share of the median one."""
@@ -78,7 +79,7 @@ def _with_short_edge(found: Arranged, lines: Lines, weld: float) -> Arranged:
     pattern = found.pattern
     ends = pattern.vertices[pattern.edges]
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
-    shortest = int(np.argmin(lengths))
+    shortest = first_smallest(lengths)
     length = float(lengths[shortest])
     wider = None
     if length < SHORT * np.median(lengths):

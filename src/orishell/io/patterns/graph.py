@@ -12,6 +12,7 @@ from orishell.io.patterns.lines import Lines
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
+from orishell.numerics.equals import first_smallest
 
 RANK = {"U": 0, "J": 1, "F": 1, "V": 2, "M": 2, "B": 3, "C": 4}
 """Of lines on each other the one with the highest rank counts."""
@@ -129,7 +130,7 @@ def _gap(graph: Graph, lines: Lines) -> GapError:
             shapely.points(ends), all_matches=False, return_distance=True
         )
         gaps[which] = np.minimum(gaps[which], apart)
-    worst = int(np.argmin(gaps))
+    worst = first_smallest(gaps)
     edge = int(np.argmax((graph.edges == alone[worst]).any(axis=1)))
     no_border = len(alone) > 2 and not (graph.letters == "B").any()
     error = GapError(

@@ -8,6 +8,7 @@ from orishell.conventions.record import record
 from orishell.io.patterns.graph import counted
 from orishell.motion.panel_sides import JoinedLoops
 from orishell.numerics.arrays import Array, Booleans, Complex, Integers
+from orishell.numerics.equals import first_largest
 
 FLATNESS = 1e-6
 """How far corners may leave the plane of their panel, and the flat sheet, by the diagonal."""
@@ -38,14 +39,14 @@ def lay_out(positions: Array, joined: JoinedLoops) -> Layout:
     diagonal = float(np.linalg.norm(np.ptp(positions[np.unique(loops[there])], axis=0)))
     local, height = _in_own_planes(positions, loops)
     if not height.max() <= FLATNESS * diagonal:
-        panel = int(np.argmax(height))
+        panel = first_largest(height)
         return Layout(
             None,
             f"panel {panel} is not flat: its corners leave a plane by {height[panel]:.3g}, "
             f"{height[panel] / diagonal:.2g} of the diagonal",
         )
     excess = _excess_deg(local, joined, len(positions))
-    vertex = int(np.argmax(np.abs(excess)))
+    vertex = first_largest(np.abs(excess))
     if abs(excess[vertex]) > DEVELOPABLE_DEG:
         wrong = int((np.abs(excess) > DEVELOPABLE_DEG).sum())
         return Layout(
@@ -65,7 +66,7 @@ def lay_out(positions: Array, joined: JoinedLoops) -> Layout:
     if not gap.max() <= FLATNESS * diagonal:
         return Layout(
             None,
-            f"the panels do not close into a flat sheet: at panel {int(np.argmax(gap))} they miss "
+            f"the panels do not close into a flat sheet: at panel {first_largest(gap)} they miss "
             f"each other by {gap.max():.3g}",
         )
     return Layout(np.stack([mean.real, mean.imag], axis=-1), "")

@@ -12,6 +12,7 @@ from orishell.motion.following.correcting import CLOSED, Linearised, corrected
 from orishell.motion.following.start import SIZE
 from orishell.motion.following.system import Closure
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import descending, first_largest
 
 End = Literal["asked", "closed", "turns back", "lost"]
 """Why a motion ends: the fold angle asked for is reached; a crease is folded flat; the largest fold
@@ -126,7 +127,7 @@ def _at_largest(
     """
     allowed, tolerance = limits
     near = np.abs(folds) >= np.pi - NEARLY_FLAT
-    largest_of = [np.arange(len(folds)) == each for each in np.argsort(-np.abs(folds))[:OTHERS]]
+    largest_of = [np.arange(len(folds)) == each for each in descending(np.abs(folds))[:OTHERS]]
     for fixed in [near, *largest_of] if largest >= np.pi and near.any() else largest_of:
         size = np.where(fixed, largest * np.sign(folds), folds)
         found, residual = corrected(closure, size, np.zeros(len(folds)), fixed)
@@ -153,7 +154,7 @@ def states_at(
         share = (drive - known[place - 1]) / (known[place] - known[place - 1])
         folds = (1 - share) * path.folds[place - 1] + share * path.folds[place]
         if 0 < share < 1:
-            first = int(np.abs(folds).argmax())
+            first = first_largest(np.abs(folds))
             fixed = np.arange(len(folds)) == first
             folds[first] = np.copysign(drive, folds[first])
             folds, residual = corrected(closure, folds, np.zeros(len(folds)), fixed)

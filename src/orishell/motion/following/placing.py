@@ -11,6 +11,7 @@ from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.quads import lengths, units
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import classes
 
 
 class _Hinged(NamedTuple):
@@ -147,7 +148,7 @@ def _middle_panels(pattern: CreasePattern, pieces: Integers) -> Integers:
     centres = corners.sum(axis=1) / there.sum(axis=1)[:, None]
     count = np.bincount(pieces)
     means = np.stack([np.bincount(pieces, each) / count for each in centres.T], axis=-1)
-    order = np.lexsort((np.linalg.norm(centres - means[pieces], axis=1), pieces))
+    order = np.lexsort((classes(np.linalg.norm(centres - means[pieces], axis=1)), pieces))
     return np.asarray(order[np.cumsum(count) - count])
 
 

@@ -20,6 +20,7 @@ from orishell.design_file.fit import AXES, FitTable
 from orishell.locking import Lock, lock_without_clash
 from orishell.numerics.arrays import Array
 from orishell.numerics.broyden import MOST, Sizing
+from orishell.numerics.equals import largest_of
 from orishell.shell.designed import designed
 from orishell.shell.fit.built_size import BuiltShell
 from orishell.shell.fit.report import FittedSize, in_words
@@ -255,7 +256,7 @@ class SizeFit:
             return DesignError(what, keys=keys)
         candidates = []
         free = {"width": width, "depth": depth}
-        wide = max(free, key=lambda key: free[key])
+        wide = largest_of(free, lambda key: free[key])
         if headroom <= head:
             said = f"its headroom is {size(headroom, unit)}"
             candidates += [

@@ -19,6 +19,7 @@ from orishell.design.fittings import SHORT, TRIMMED, Fittings, fit_hinges
 from orishell.motion.boards import ARM, EDGES, KNUCKLE, Boards
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_smallest
 
 
 def build_whole_boards(panels: Array, inset: Array, hinges: Hinges, build: PanelSpec) -> Boards:
@@ -88,7 +89,7 @@ def _arms(panels: Array, hinges: Hinges, build: PanelSpec) -> tuple[Integers, In
         outline = _fins(panels[own], edge, 0.5 * build.gap, build.fin)
         room = _room(panels[own], outline)
         if room.min(initial=0.0) < -SHORT * t:
-            panel = list(divmod(int(own[room.argmin()]), hinges.levels.shape[1]))
+            panel = list(divmod(int(own[first_smallest(room)]), hinges.levels.shape[1]))
             raise _too_thick(f"at the {EDGES[edge]} edge of panel {panel}", build)
         ends = np.where(up, low[own] + t, end), np.where(up, end, low[own])
         found.append((own, np.full(len(own), edge), _upright(outline, *ends)))

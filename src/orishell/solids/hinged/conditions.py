@@ -23,6 +23,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_largest
 
 FLAT_FOLDABLE = 1e-9
 """Opposite sectors may miss half a turn together by so much (radians)."""
@@ -132,7 +133,7 @@ def _require_flat_foldable(sectors: Array) -> None:
     away = np.abs(sectors[:2] + sectors[2:] - np.pi).max(axis=0)
     if not away.size or away.max() <= FLAT_FOLDABLE:
         return
-    row, column = np.unravel_index(int(away.argmax()), away.shape)
+    row, column = np.unravel_index(first_largest(away), away.shape)
     raise DesignError(
         "whole boards on hinges need a sheet that folds flat",
         place=f"at vertex [{row + 1}, {column + 1}]",

@@ -12,6 +12,7 @@ import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 from orishell.structure.load_settings import Snow
 from orishell.structure.loads.cases import Effect, called
 from orishell.structure.loads.exposure import UP, Exposure
@@ -72,7 +73,7 @@ def _drifted(exposure: Exposure, *, left: bool) -> tuple[Array, str]:
     peaks = [0, 0.5 * most, 0, most, 0]
     share = np.interp(across, np.linspace(0, 1, 5), peaks[::-1] if left else peaks)
     side = (-1 if left else 1) * way.mean(axis=0)
-    axis = int(np.abs(side).argmax())
+    axis = first_largest(np.abs(side))
     rule = (
         f"drifted towards {'-' if side[axis] < 0 else '+'}{'xy'[axis]}: mu_3 = {plain(most)} there "
         f"and half of it on the other side, by a rise of {plain(rise)} and a span of {plain(span)} "

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
+from orishell.numerics.equals import SOLVED, largest_of
 from orishell.structure.case import CaseResult
 from orishell.structure.equilibrium import PairForce
 from orishell.structure.loads import KINDS, Vector
@@ -72,7 +73,7 @@ def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
         f"Does it carry its loads? {words[0].upper()}{words[1:]}.", f"lead {report.sign}"
     )
     if report.balanced:
-        found, case = max(report.balanced, key=lambda each: each[0].displacement.size)
+        found, case = largest_of(report.balanced, lambda each: each[0].displacement.size, SOLVED)
         yield paragraph(
             f"The largest displacement is {said.displacement(found.displacement.size)}, "
             f"under {report.name_of(case)}.",

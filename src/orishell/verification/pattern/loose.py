@@ -14,6 +14,7 @@ from orishell.motion.following.hinge_gaps import Parted, RigidPanels
 from orishell.motion.following.system import Closure
 from orishell.motion.parts import find_parts
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.verification.pattern.vertices import shortest_creases
 
 WIDEST = 0.02
@@ -47,7 +48,7 @@ class LooseMotion:
     @property
     def widest(self) -> float:
         """The drive at which they do (radians)."""
-        return float(self.drives[self.gaps.argmax()])
+        return float(self.drives[first_largest(self.gaps)])
 
     @property
     def clear_until(self) -> float:
@@ -115,7 +116,8 @@ def _driving(pattern: CreasePattern, drives: Array, folds: Array) -> int:
     off[~pattern.crease] = np.inf
     alike = np.flatnonzero(off <= off.min() + 1e-9)
     middles = pattern.vertices[pattern.edges[alike]].mean(axis=1)
-    return int(alike[np.linalg.norm(middles - pattern.vertices.mean(axis=0), axis=1).argmin()])
+    away = np.linalg.norm(middles - pattern.vertices.mean(axis=0), axis=1)
+    return int(alike[first_smallest(away)])
 
 
 def _clear(

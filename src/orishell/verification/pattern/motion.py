@@ -25,6 +25,7 @@ from orishell.motion.following.rigid import find_rigid
 from orishell.motion.following.system import Closure
 from orishell.motion.sizes import diagonal, drive_at_fold
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.verification.pattern.loose import LooseMotion, find_loose
 from orishell.verification.pattern.on_grid import OnGrid
 
@@ -87,7 +88,7 @@ class FoldingMotion:
     @property
     def half_way(self) -> int:
         """The number of the state whose drive is nearest to 90 degrees."""
-        return int(np.abs(self.drives - np.pi / 2).argmin())
+        return first_smallest(np.abs(self.drives - np.pi / 2), size=np.pi)
 
     def closes(self, limits: Array, play: float) -> bool:
         """Whether all states close: vertices, and creases round holes.
@@ -115,7 +116,7 @@ class FoldingMotion:
     @property
     def worst_vertex(self) -> int:
         """The number of the vertex that misses most."""
-        return int(self.vertices[self.misses.max(axis=0).argmax()])
+        return int(self.vertices[first_largest(self.misses.max(axis=0))])
 
 
 @record

@@ -17,6 +17,7 @@ from orishell.families.drawn.signs import MOST
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.dofs import Freedom, least_count
+from orishell.numerics.equals import first_largest
 from orishell.verification.pattern.loose import LARGEST, WIDEST, LooseMotion
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
@@ -106,7 +107,7 @@ class Judged:
             said = f"{closed}; hinges need a play of {quantity(motion.play, self.unit)}"
             return Row("holds", "folds", f"rigidly, to the tolerance: {said}")
         half = motion.half_way
-        worst = motion.vertices[motion.misses[half].argmax()]
+        worst = motion.vertices[first_largest(motion.misses[half])]
         said = f"not with these letters: {self._missed(motion)}, most at vertex {worst}"
         if len(self.pattern.faces) > LARGEST:
             said += f"; how far hinges must give way is not looked at beyond {LARGEST} panels"
@@ -198,7 +199,7 @@ class Judged:
         nearest = "; of its kind none near it is nearer" if motion.nearby.nearest else ""
         return (
             f"a sheet nearby folds, its vertices moved by up to "
-            f"{quantity(float(moved.max()), self.unit)}, most at vertex {moved.argmax()} "
+            f"{quantity(float(moved.max()), self.unit)}, most at vertex {first_largest(moved)} "
             f"(tried){nearest}"
         )
 

@@ -21,6 +21,7 @@ from orishell.motion.mesh import folds_between
 from orishell.motion.parts import Parts, find_parts
 from orishell.motion.quads import dots, lengths, units
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import descending, first_largest
 from orishell.verification.residuals import turn_between
 
 
@@ -57,7 +58,7 @@ def examine_states(read: ReadPattern, flat: CreasePattern, error: float) -> Iter
         ("shape", "panels keep theirs", "panels change theirs", [each.shape for each in found]),
         ("planes", "panels stay plane", "panels are bent", [each.bend for each in found]),
     ):
-        state, panel = np.unravel_index(int(np.argmax(figures)), np.shape(figures))
+        state, panel = np.unravel_index(first_largest(figures), np.shape(figures))
         worst = float(figures[state][panel])
         if worst <= error:
             yield Row("holds", subject, f"{keep} in {many}, to {quantity(worst, read.unit, 2)}")
@@ -85,7 +86,7 @@ def _angles(given: list[Array], limits: Array, many: str) -> Iterator[Row]:
         yield Row("says", "angles", f"no fold angles are given of {many}")
         return
     beyond = np.nan_to_num(off - limits, nan=-np.inf)
-    state, edge = np.unravel_index(int(beyond.argmax()), beyond.shape)
+    state, edge = np.unravel_index(first_largest(beyond), beyond.shape)
     if beyond.max() <= 0:
         most = in_degrees(float(np.nanmax(off)))
         yield Row("holds", "angles", f"those given fit coordinates, to {most} degrees")
@@ -133,7 +134,7 @@ def _examined(
         pairs = pairs[parts.panels[pairs[:, 0]] != parts.panels[pairs[:, 1]]]
         depths = overlap_depths(places, parts.faces, pairs)
         overlap = float(depths.max(initial=0.0))
-        touching = parts.panels[pairs[np.argsort(-depths, kind="stable")]]
+        touching = parts.panels[pairs[descending(depths)]]
     return StateFigures(shape, bend, turns, against, touching, overlap)
 
 

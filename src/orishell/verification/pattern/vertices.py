@@ -8,6 +8,7 @@ from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.rigid import sectors_between
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import descending
 
 
 @record
@@ -36,7 +37,7 @@ class VertexConditions:
 
     def _failing(self, fails: Booleans, miss: Array) -> Integers:
         here = np.flatnonzero(fails)
-        return self.vertices[here[np.argsort(-miss[here], kind="stable")]]
+        return self.vertices[here[descending(miss[here])]]
 
 
 def find_conditions(pattern: CreasePattern, limits: Array) -> VertexConditions:

@@ -12,6 +12,7 @@ from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.equals import first_smallest
 from orishell.workshop.boards import has_sheet
 
 
@@ -203,7 +204,7 @@ def _corner(document: Document, panel: int, corner: int) -> Array:
         return np.asarray(place)
     levels = boards.outlines[mine[0]]
     outline = levels[len(levels) // 2, :, :2]
-    return np.asarray(outline[np.hypot(*(outline - place).T).argmin()])
+    return np.asarray(outline[first_smallest(np.hypot(*(outline - place).T))])
 
 
 def _feet(

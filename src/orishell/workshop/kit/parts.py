@@ -13,6 +13,7 @@ from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest, largest_of
 from orishell.workshop.assembly import with_clipped
 from orishell.workshop.boards import SIDES, distinct_corners, has_sheet, seen_from_outside
 from orishell.workshop.cut_parts import whole_sheet
@@ -106,7 +107,7 @@ def _boards(everything: Document) -> Iterator[KitPart]:
         if not len(seen.numbers):
             continue
         areas = boards.areas()[seen.numbers]
-        largest = distinct_corners(seen.outlines[int(areas.argmax())])
+        largest = distinct_corners(seen.outlines[first_largest(areas)])
         values = {"thick": size(thick, unit), "area": area(float(areas.sum()), unit)}
         yield KitPart(LAYERS[side], len(seen.numbers), values, (_closed(largest),))
 
@@ -114,7 +115,7 @@ def _boards(everything: Document) -> Iterator[KitPart]:
 def _hinges(fittings: Fittings, unit: str) -> Iterator[KitPart]:
     """Hinges of whole boards, their screws and arms."""
     lengths = fittings.lengths
-    longest = int(lengths.argmax())
+    longest = first_largest(lengths)
     half, leaf = 0.5 * float(lengths[longest]), float(fittings.leaves[longest])
     low, high = (size(each, unit) for each in (float(lengths.min()), float(lengths.max())))
     values = {"total": size(float(lengths.sum()), unit), "least": low, "most": high}
@@ -124,7 +125,7 @@ def _hinges(fittings: Fittings, unit: str) -> Iterator[KitPart]:
         values = {"hole": size(fittings.hole, unit)}
         yield KitPart("screw", fittings.screws, values, (_ring(np.zeros(2)),))
     if fittings.arms:
-        arm = max(fittings.arms, key=lambda each: each.area)
+        arm = largest_of(fittings.arms, lambda each: each.area)
         values = {"kinds": str(len(fittings.arms))}
         half = 0.5 * arm.length
         outline = _rectangle(-half, -arm.foot, half, arm.height)

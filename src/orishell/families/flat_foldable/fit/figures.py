@@ -9,6 +9,7 @@ from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.residuals import Fitted
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array
+from orishell.numerics.equals import first_largest
 
 SHARES = 5
 """Points along both sides of a panel that are measured."""
@@ -49,7 +50,7 @@ class Reached:
 def measure(piece: Piece, fitted: Fitted, size: float, offset: float) -> Reached:
     """Measure a shell whose offset is given (in units of the size)."""
     off = np.abs(fitted.heights) * size / piece.diagonal
-    worst = np.unravel_index(int(off.argmax()), off.shape)
+    worst = np.unravel_index(first_largest(off), off.shape)
     points = within_panels(fitted.placed.vertices)
     shell = np.abs(piece.nearest(points)[0]).max()
     step = max(1, len(piece.vertices) // BACK)

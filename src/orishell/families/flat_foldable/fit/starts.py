@@ -15,6 +15,7 @@ from orishell.families.flat_foldable.fit.course import FAST, THOROUGH, Course, f
 from orishell.families.flat_foldable.fit.figures import Reached
 from orishell.families.flat_foldable.fit.residuals import Fitted
 from orishell.families.flat_foldable.fit.unknowns import Unknowns
+from orishell.numerics.equals import smallest_of
 
 SECTOR = 1.1
 """Sector angle of the Miura-ori that a fit begins with (radians)."""
@@ -160,4 +161,4 @@ def fit_sheet(
             finished.append(found)
             if found.reached.vertices <= good:
                 break
-    return min(finished, key=lambda each: each.reached.score(), default=None)
+    return smallest_of(finished, lambda each: each.reached.score()) if finished else None
