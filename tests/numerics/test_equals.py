@@ -61,4 +61,4 @@ def test_infinities_and_what_is_no_number() -> None:
 
 def test_places_of_an_array_are_counted_along_its_rows() -> None:
     table = np.array([[0.0, 2.0], [2.0 + 1e-12, 1.0]])
-    assert np.unravel_index(first_largest(table), table.shape) == (0, 1)
+    assert divmod(first_largest(table), 2) == (0, 1)

@@ -71,9 +71,8 @@ def examine_pairs(
     else:
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             found = list(pool.map(examine, parts))
-    at_start, at_stop = (
-        _nearest([touch for each in found for touch in each[end]], tolerance) for end in (1, 2)
-    )
+    at_start = _nearest([touch for _, touching, _ in found for touch in touching], tolerance)
+    at_stop = _nearest([touch for _, _, touching in found for touch in touching], tolerance)
     return Findings(joined([each[0] for each in found]), at_start, at_stop)
 
 

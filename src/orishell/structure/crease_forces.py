@@ -42,9 +42,6 @@ FORCES = ("pull", "push", "shear in the plane", "shear across")
 """Forces per length along a crease, as ``largest_forces`` has them."""
 ROUNDING = 1e-9
 """Forces below this share of the largest are none."""
-EQUAL = 1e-6
-"""Sizes that differ by less than this share are equal: of creases alike the first is named,
-whichever is larger by rounding."""
 UNBALANCED = 1e-6
 """Panels that miss more than this share of the loads for their balance mean a fault."""
 

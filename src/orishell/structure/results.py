@@ -86,7 +86,7 @@ class Analysis:
     def ranked(self) -> tuple[CaseResult, ...]:
         """All cases, the worst first."""
         used = classes([-each.used for each in self.cases], SOLVED)
-        signs = [ORDER.index(each.sign) for each in self.cases]
+        signs = np.array([ORDER.index(each.sign) for each in self.cases])
         return tuple(self.cases[k] for k in np.lexsort((used, signs)).tolist())
 
     @property

@@ -157,5 +157,5 @@ def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:
     """Findings, the worst first."""
     found = list(findings)
     beyond = classes([-(each.excess or 0) for each in found], SOLVED)
-    order = np.lexsort((beyond, [ORDER.index(each.sign) for each in found]))
+    order = np.lexsort((beyond, np.array([ORDER.index(each.sign) for each in found])))
     return tuple(found[k] for k in order.tolist())

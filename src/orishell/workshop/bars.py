@@ -83,9 +83,9 @@ def cut_bars(
     sizes = np.minimum(lengths - whole * bar + kerf, room)
     # Equal pieces fit into equal remainders, however they were rounded.
     alike = classes(sizes, size=room)
-    longest = np.zeros(len(sizes))
-    np.maximum.at(longest, alike, sizes)
-    sizes = longest[alike]
+    largest = np.zeros(len(sizes))
+    np.maximum.at(largest, alike, sizes)
+    sizes = largest[alike]
     of = np.zeros(len(lengths), np.int64)
     left: list[tuple[float, int]] = []  # what is left of every bar, the least first
     count = int(whole.sum())
