@@ -137,7 +137,7 @@ def test_paths_that_are_no_files(
     assert ran.status == 2
     assert "shell.fold: the file does not exist" in ran.err
     (tmp_path / "shell.fold").mkdir()
-    assert "the file cannot be read" in check(monkeypatch, capsys, tmp_path).err
+    assert "this is not a file; got a directory" in check(monkeypatch, capsys, tmp_path).err
 
 
 def test_as_a_process(tmp_path: Path) -> None:

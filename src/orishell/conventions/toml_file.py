@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.source_file import read_source_file
 
 MAX_BYTES = 1_000_000
 DEEPEST = 8
@@ -42,17 +43,9 @@ def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[s
     ``remedy`` is what to do if it does not exist.
     """
     try:
-        if path.exists() and not path.is_file():
-            raise InputError("this is not a file", where=str(path))
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"this is too large for a {what}", where=str(path))
-        text = path.read_text(encoding="utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"the {what} does not exist", where=str(path), remedy=remedy) from None
-    except OSError as error:
-        raise InputError(
-            f"the {what} cannot be read", where=str(path), got=error.strerror or str(error)
-        ) from None
+        text = read_source_file(path, what, MAX_BYTES, remedy).decode("utf-8-sig")
+    except InputError as error:
+        raise error.located(str(path)) from None
     except UnicodeDecodeError as error:
         raise InputError(
             f"the {what} cannot be read", where=str(path), got=str(error), expected="UTF-8"

@@ -12,6 +12,7 @@ import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.quantities import conversion
+from orishell.conventions.source_file import read_source_file
 from orishell.curves.joining import CHOOSE, Chain, join_pieces
 from orishell.curves.pieces import Piece
 from orishell.numerics.arrays import Array
@@ -81,17 +82,9 @@ def read_source(path: str | Path, kind: str, most: int = MAX_BYTES) -> bytes:
     """The bytes of a file that messages call ``kind``; an InputError does not name it."""
     try:
         path = Path(path)
-        if path.exists() and not path.is_file():
-            raise InputError("this is not a file")
-        if path.stat().st_size > most:
-            raise InputError(f"the {kind} is too large", expected=f"at most {most} bytes")
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(
-            f"the {kind} does not exist", remedy="the path is read relative to the design file"
-        ) from None
-    except (OSError, TypeError, ValueError) as error:
+    except TypeError as error:
         raise InputError(f"the {kind} cannot be read", got=str(error)) from None
+    return read_source_file(path, kind, most, "the path is read relative to the design file")
 
 
 def read_points(path: str | Path, *, into: str | None = None, unit: str | None = None) -> Array:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.source_file import require_source_file
 from orishell.design.gltf_mesh import read_gltf
 from orishell.numerics.arrays import Array, Integers
 
@@ -26,10 +27,9 @@ def read_mesh(path: Path) -> tuple[Array, Integers]:
     if path.suffix.lower() not in ENDINGS:
         raise _refused(path, "this kind of file holds no mesh that is read here", path.suffix)
     try:
-        if path.stat().st_size > LARGEST:
-            raise _refused(path, "the file is too large", f"{path.stat().st_size} bytes")
-    except OSError as error:
-        raise _refused(path, "the file cannot be read", error.strerror or "") from None
+        require_source_file(path, "file", LARGEST)
+    except InputError as error:
+        raise error.at_key("mesh", "mesh").in_file(path) from None
     if path.suffix.lower() in (".glb", ".gltf"):
         return read_gltf(path)
     import meshio

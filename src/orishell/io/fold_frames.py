@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.conventions.source_file import read_source_file
 from orishell.io.format import plain_line
 from orishell.motion.mesh import QuadMesh
 from orishell.numerics.arrays import Array, Integers
@@ -218,17 +219,11 @@ def _read_json(path: Path) -> dict[str, Any]:
     import orjson
 
     try:
-        if path.exists() and not path.is_file():
-            raise InputError("this is not a file")
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError("this file is too large", expected=f"at most {MAX_BYTES / 1e9:g} GB")
-        content = orjson.loads(path.read_bytes().removeprefix(b"\xef\xbb\xbf"))
-    except FileNotFoundError:
-        raise InputError("the file does not exist") from None
+        content = orjson.loads(
+            read_source_file(path, "file", MAX_BYTES).removeprefix(b"\xef\xbb\xbf")
+        )
     except orjson.JSONDecodeError as error:
         raise InputError("this is not JSON", got=str(error)) from None
-    except (OSError, ValueError) as error:
-        raise InputError("the file cannot be read", got=str(error)) from None
     if not isinstance(content, dict):
         raise InputError("this is not FOLD", got=shown(content), expected="an object with keys")
     return content

@@ -179,19 +179,26 @@ def test_files_that_would_do_harm(name: str, content: str, tmp_path: Path) -> No
     assert "\n" not in str(caught.value)
 
 
-def test_many_lines_across_each_other_are_refused_before_memory_runs_out(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("orishell.io.patterns.crossings.MOST_PAIRS", 100_000)  # 20 million
-    count = 1000
+def test_many_lines_across_each_other_are_refused_before_any_are_compared(tmp_path: Path) -> None:
+    count = 1010  # a million crossings, and twenty thousand more
     rows = [f"M0 {k}H{count}M{k} 0V{count}" for k in range(count)]
     (tmp_path / "weave.svg").write_text(
         f'<svg xmlns="{SVG}" stroke="red">'
         + "".join(f'<path d="{row}"/>' for row in rows)
         + "</svg>"
     )
-    with pytest.raises(InputError, match="too many lines"):
+    with pytest.raises(InputError, match=r"too many lines .* at most 1000000 pairs"):
         read_pattern(tmp_path / "weave.svg")
+
+
+def test_many_pieces_on_one_line_are_refused_before_any_are_compared(tmp_path: Path) -> None:
+    """A line that runs to and fro 6000 times: all pieces lie on each other, 18 million pairs."""
+    points = " ".join(f"{k % 2 * (5 + k % 7)},0" for k in range(6001))
+    (tmp_path / "hatch.svg").write_text(
+        f'<svg xmlns="{SVG}" stroke="red"><polyline points="{points}"/></svg>'
+    )
+    with pytest.raises(InputError, match="6000 lines, expected at most 1000000 pairs"):
+        read_pattern(tmp_path / "hatch.svg")
 
 
 def test_a_long_mark_within_a_panel_is_left_out_soon(tmp_path: Path) -> None:

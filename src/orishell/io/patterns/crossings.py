@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.io.patterns.lines import MOST_PAIRS, Lines, weld_points
+from orishell.io.patterns.lines import Lines, most_pairs, weld_points
 from orishell.numerics.arrays import Array, Integers
 
 BLOCK = 4096
@@ -75,7 +73,7 @@ def split_lines(lines: Lines, weld: float) -> Split:
     return Split(together[used], numbers.reshape(-1, 2), line[1:][part])
 
 
-def near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
+def near_pairs(ends: Array, weld: float) -> list[tuple[Integers, Integers]]:
     """Pairs of lines (S, 2, 2) whose boxes are near each other, the smaller number first.
 
     Raises InputError: If there are too many.
@@ -85,18 +83,22 @@ def near_pairs(ends: Array, weld: float) -> Iterator[tuple[Integers, Integers]]:
     low, high = ends.min(axis=1) - weld, ends.max(axis=1) + weld
     boxes = shapely.box(*low.T, *high.T)
     tree = shapely.STRtree(boxes)
-    total = 0
-    block = max(min(BLOCK, MOST_PAIRS // max(len(ends), 1)), 1)
+    total, most = 0, most_pairs(len(ends))
+    block = max(min(BLOCK, most // max(len(ends), 1)), 1)
+    found = []
     for begin in range(0, len(ends), block):
         one, two = tree.query(boxes[begin : begin + block])
-        one = one + begin
-        total += len(one)
-        if total > 2 * MOST_PAIRS:
+        first = one + begin < two
+        found.append((one[first] + begin, two[first]))
+        total += int(first.sum())
+        if total > most:  # before any are compared, which takes longer
             raise InputError(
-                "too many lines lie across each other", expected=f"at most {MOST_PAIRS} pairs"
+                "too many lines lie across each other",
+                got=f"{len(ends)} lines",
+                expected=f"at most {most} pairs of lines whose boxes meet",
+                remedy="draw every crease once, and remove what is none",
             )
-        first = one < two
-        yield one[first], two[first]
+    return found
 
 
 def cross(a: Array, b: Array) -> Array:

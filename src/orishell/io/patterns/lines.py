@@ -17,8 +17,14 @@ WELD = 1e-5
 """Points nearer to each other than this share of the drawing's diagonal are one. Drawing programs
 round coordinates to a hundredth of a pixel of some thousand."""
 MOST_LINES = 1_000_000
-MOST_PAIRS = 20_000_000
-"""Points, or lines, that may lie near each other, counted in pairs."""
+MOST_PAIRS, PAIRS_EACH = 1_000_000, 16
+"""Pairs of lines, or of points, that may lie near each other: so many, or so many for each if that
+is more. Sheets have a few for each; 700 lines across 700 others have half of it."""
+
+
+def most_pairs(count: int) -> int:
+    """Pairs of so many lines or points that may lie near each other."""
+    return max(MOST_PAIRS, PAIRS_EACH * count)
 
 
 @record
@@ -88,11 +94,15 @@ def weld_points(points: Array, tolerance: float) -> Integers:
     different, first, places = np.unique(points, axis=0, return_index=True, return_inverse=True)
     places = places.ravel()
     tree = KDTree(different)
-    if tree.count_neighbors(tree, tolerance) > MOST_PAIRS:
+    count, most = len(different), most_pairs(len(different))
+    if tree.count_neighbors(tree, tolerance) - count > 2 * most:  # each pair from both sides
         raise InputError(
-            "too many points lie within the tolerance that welds them", got=f"{tolerance:.3g}"
+            "too many points lie within the tolerance that welds them",
+            got=f"{tolerance:.3g}",
+            expected=f"at most {most} pairs of points so near to each other",
+            remedy="a smaller weld",
         )
-    group = find_components(tree.query_pairs(tolerance, output_type="ndarray"), len(different))
+    group = find_components(tree.query_pairs(tolerance, output_type="ndarray"), count)
     leader = np.full(int(group.max()) + 1, len(points))
     np.minimum.at(leader, group, first)
     far = np.abs(different - points[leader[group]]).max(axis=1) > 3 * tolerance

@@ -11,6 +11,8 @@ import numpy as np
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.source_file import require_source_file
+from orishell.io.fold_frames import MAX_BYTES
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.dxf import read_dxf_lines
 from orishell.io.patterns.fold import read_fold_pattern
@@ -120,13 +122,12 @@ def _drawn(
 def _require_kind(path: Path) -> str:
     """The ending of a file, if its content is of that kind."""
     ending = path.suffix.lower()
+    require_source_file(path, "file", MAX_BYTES)
     try:
         with path.open("rb") as file:
             begin = file.read(1000).removeprefix(b"\xef\xbb\xbf").lstrip()
-    except FileNotFoundError:
-        raise InputError("the file does not exist") from None
-    except (OSError, ValueError) as error:
-        raise InputError("the file cannot be read", got=str(error)) from None
+    except OSError as error:
+        raise InputError("the file cannot be read", got=error.strerror or str(error)) from None
     if not begin:
         raise InputError("the file is empty")
     kind = next((name for start, name in BEGINNINGS.items() if begin.startswith(start)), "")

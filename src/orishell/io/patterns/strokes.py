@@ -36,15 +36,17 @@ def straight_ends(pieces: Sequence[Piece]) -> Array:
     for piece in pieces:
         if isinstance(piece, Arc):
             raise _curved("an arc")
-        points = piece.control[:, :2] / piece.control[:, 2:]
-        if len(points) > 2:
+        if len(piece.control) > 2:
+            points = piece.control[:, :2] / piece.control[:, 2:]
             way, apart = points[-1] - points[0], points - points[0]
             off = np.abs(apart[:, 0] * way[1] - apart[:, 1] * way[0])
             if not off.max() <= STRAIGHT * (way @ way):
                 raise _curved(f"from ({points[0, 0]:.6g}, {points[0, 1]:.6g})")
-        if len(pieces) == 1 or (points[0] != points[-1]).any():
-            ends.append(points[[0, -1]])
-    return np.array(ends).reshape(-1, 2, 2)
+        ends += [piece.control[0], piece.control[-1]]
+    found = np.array(ends).reshape(-1, 2, 3)
+    found = found[..., :2] / found[..., 2:]
+    long = (found[:, 0] != found[:, 1]).any(axis=-1) | (len(pieces) == 1)
+    return np.asarray(found[long])
 
 
 def _curved(got: str) -> InputError:
