@@ -34,7 +34,6 @@ from orishell.motion.grid import Vertex, VertexPair
 from orishell.motion.hinges import Hinges
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.numerics.equals import first_smallest
 
 SMALLEST = 2.0**-44
 """No range is halved that is a smaller part than this of the way from flat to pack."""
@@ -300,5 +299,5 @@ def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any
 def _nearest(ranges: Array, target: float) -> tuple[int, float]:
     """Which of ranges (2, K) is the nearest to the target, and which drive in it."""
     drives = np.clip(target, *ranges)
-    number = first_smallest(np.abs(drives - target), size=np.pi)
+    number = int(np.abs(drives - target).argmin())
     return number, float(drives[number])
