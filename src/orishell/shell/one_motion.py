@@ -1,8 +1,8 @@
 """Sheets of more motions than one: what is said of them, and changes that leave one, tried.
 
-Limit: along a straight g without flaps in the sheet every row folds by itself. The shell is made, its
-degrees of freedom are counted, and what is proved is proved of the one motion in which all of it
-folds together.
+Limit: along a straight g without flaps in the sheet every row folds by itself. The shell is made,
+its degrees of freedom are counted, and what is proved is proved of the one motion in which all of
+it folds together.
 """
 
 from __future__ import annotations
