@@ -62,7 +62,7 @@ def unbounded() -> Design:
 def test_what_has_no_bound_is_not_proved_and_does_not_meet(value: float) -> None:
     sheet = small().mechanism
     size = 1e-9 * diagonal(sheet.positions(0.0))
-    found = find_first_contact(Unbounded(sheet, value), 2.0, size).contact  # type: ignore[arg-type]
+    found = find_first_contact(Unbounded(sheet, value), 2.0, size).contact
     assert found is not None
     assert found.clear_until <= LOST <= found.drive
     assert found.drive - found.clear_until <= 2.0 / TICKS * (1 + 1e-3)

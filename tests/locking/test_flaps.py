@@ -114,7 +114,7 @@ def test_other_remedies_work_too(g: Tables, key: str) -> None:
     farther = (
         1.05 * value
         if isinstance(value, float)
-        else [0.0, min(1.05 * float(value[1]), asked.g.stop)]
+        else [0.0, min(1.05 * float(str(value[1])), asked.g.stop)]
     )
     assert not works(asked.changed({key: farther}))
 

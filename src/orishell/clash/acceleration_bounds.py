@@ -50,7 +50,8 @@ class EdgeBounds:
         rows, columns = self._table(level, index)
         part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
         steps = rows[part].max(axis=0), columns[part].max(axis=0)
-        return RangeBounds(steps, *(Running.of(each) for each in steps), self.hull, self.layout)
+        along, down = (Running.of(each) for each in steps)
+        return RangeBounds(steps, along, down, self.hull, self.layout)
 
     def _table(self, level: int, index: int) -> tuple[Array, Array]:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""

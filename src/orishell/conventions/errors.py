@@ -149,7 +149,9 @@ class CurveError(InputError):
     """A curve that cannot be used: not finite, not regular, too short, without a range."""
 
 
-Value = float | int | str | list[float] | list[str]
+Vertices = list[int] | list[list[int]] | list[list[list[int]]]
+"""Rows and columns of vertices, of pairs of them, of lists of pairs."""
+Value = float | int | str | list[float] | list[str] | Vertices
 """What can be written at a key of the design file."""
 
 
