@@ -142,12 +142,9 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         allowed = (
             ((stop - start) * np.pi) ** 2
             / 8
-            * np.sum(
-                [
-                    sums.between(np.minimum(*ends), np.maximum(*ends))
-                    for sums, ends in ((bound.down, (i, k)), (bound.along, (j, m)))
-                ],
-                axis=0,
+            * (
+                bound.down.between(np.minimum(i, k), np.maximum(i, k))
+                + bound.along.between(np.minimum(j, m), np.maximum(j, m))
             )
         )
         assert (chord_error <= allowed + 1e-12).all()

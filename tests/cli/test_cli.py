@@ -35,7 +35,10 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
     orishell("design", EXAMPLE, "--out", "two", "--write", "svg,csv", cwd=tmp_path)
     (tmp_path / "two" / "panels.csv").write_text("mine")
-    again = orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    refused = orishell_process("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    assert refused.returncode == 2
+    assert "panels.csv" in refused.stderr
+    again = orishell("design", EXAMPLE, "--out", "two", "--force", cwd=tmp_path)
     # What the run before wrote more is gone, but what was changed since is not.
     removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
     assert removed == [

@@ -111,11 +111,10 @@ def test_other_remedies_work_too(g: Tables, key: str) -> None:
     assert lock.cause == "flaps"
     value = remedy.changes[key]
     assert isinstance(value, float | list)
-    part: Any = value
     farther = (
         1.05 * value
         if isinstance(value, float)
-        else [0.0, min(1.05 * float(part[1]), asked.g.stop)]
+        else [0.0, min(1.05 * float(str(value[1])), asked.g.stop)]
     )
     assert not works(asked.changed({key: farther}))
 

@@ -26,6 +26,7 @@ from orishell.shell import make_shell
 from orishell.shell.candidate import find_candidate
 from orishell.shell.designed import designed
 from orishell.shell.report import Report
+from orishell.shell.steps import Step
 from orishell.shell.verdict import find_verdict
 from orishell.structure.nothing import borne_by
 from orishell.verification.pattern import FoldingMotion, judge_pattern
@@ -154,10 +155,8 @@ def test_ties_that_are_offered_are_slack_in_two_hundred_states() -> None:
 
 @pytest.fixture(scope="module")
 def report() -> Report:
-    return make_shell(
-        read_design_file(EXAMPLES / "figure1.toml"),
-        skip=("remedies", "deviation", "stock", "verification", "pack"),
-    ).report
+    skip: tuple[Step, ...] = ("remedies", "deviation", "stock", "verification", "pack")
+    return make_shell(read_design_file(EXAMPLES / "figure1.toml"), skip=skip).report
 
 
 @pytest.mark.parametrize(("slack", "sign"), [(True, "holds"), (False, "warns"), (None, "holds")])

@@ -49,9 +49,9 @@ class EdgeBounds:
         index = int(start * parts)
         rows, columns = self._table(level, index)
         part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
-        along, down = rows[part].max(axis=0), columns[part].max(axis=0)
-        sums = Running.of(along), Running.of(down)
-        return RangeBounds((along, down), *sums, self.hull, self.layout)
+        steps = rows[part].max(axis=0), columns[part].max(axis=0)
+        along, down = (Running.of(each) for each in steps)
+        return RangeBounds(steps, along, down, self.hull, self.layout)
 
     def _table(self, level: int, index: int) -> tuple[Array, Array]:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""

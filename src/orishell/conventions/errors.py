@@ -149,7 +149,9 @@ class CurveError(InputError):
     """A curve that cannot be used: not finite, not regular, too short, without a range."""
 
 
-Value = float | int | str | list[float] | list[str] | list[list[list[int]]]
+Vertices = list[int] | list[list[int]] | list[list[list[int]]]
+"""Rows and columns of vertices, of pairs of them, of lists of pairs."""
+Value = float | int | str | list[float] | list[str] | Vertices
 """What can be written at a key of the design file."""
 
 
@@ -177,7 +179,7 @@ def _written(key: str, value: Value) -> str:
     return f"{name} = {_toml(value)}" + ("" if table == "pattern" else f" in [{table}]")
 
 
-def _toml(value: object) -> str:
+def _toml(value: Value) -> str:
     if isinstance(value, list):
         return f"[{', '.join(map(_toml, value))}]"
     return f'"{value}"' if isinstance(value, str) else repr(value).removesuffix(".0")

@@ -143,9 +143,9 @@ class Lock:
                 "room there",
             )
         if contact is not None and contact.apart is not None:
-            near, beside = contact.names
+            first, second = contact.names
             return (
-                f"that {near} and {beside} do not meet is not proved beyond drive "
+                f"that {first} and {second} do not meet is not proved beyond drive "
                 f"{in_degrees(contact.clear_until)} of {in_degrees(self.target_drive)} degrees: "
                 "nothing is known of the way from there to the target",
             )
