@@ -1,4 +1,4 @@
-"""How a drawn sheet folds in closed form: decided here, for whoever checks, folds or designs it."""
+"""How a drawn sheet folds in closed form: decided once, for all that ask (not in the paper)."""
 
 from __future__ import annotations
 
