@@ -48,7 +48,7 @@ def envelopes(cases: Sequence[CaseResult]) -> Iterator[Envelope]:
         own = [case for case in cases if case.limit_state == state]
         if own:
             moving = [case for case in own if case.equilibrium is None]
-            worst = largest_of(moving or own, lambda case: _largest(case)[1] or 0.0, SOLVED)
+            worst = moving[0] if moving else largest_of(own, _share, SOLVED)
             part, share = (None, None) if moving else _largest(worst)
             count = len({case.name for case in own})
             moves = len({case.name for case in moving})
@@ -65,6 +65,10 @@ def _largest(case: CaseResult) -> tuple[str | None, float | None]:
         return (None, None) if found.friction is None else ("friction", found.friction)
     used = found.utilisation
     return (None, None) if used.governs is None else (used.governs, used.shares[used.governs])
+
+
+def _share(case: CaseResult) -> float:
+    return _largest(case)[1] or 0.0
 
 
 def told(
