@@ -47,7 +47,14 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     ]
     assert (tmp_path / "two" / "panels.csv").read_text() == "mine"
     printed = json.loads(first.stdout)
-    assert set(printed.pop("seconds")) == {"design", "clash", "fold", "deviation", "write"}
+    assert set(printed.pop("seconds")) == {
+        "design",
+        "clash",
+        "deviation",
+        "freedom",
+        "fold",
+        "write",
+    }
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
     for name in (".orishell.json", *FILES):
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
