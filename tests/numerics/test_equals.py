@@ -30,7 +30,8 @@ def test_whichever_way_two_are_rounded_the_first_is_taken(
     assert descending(values).tolist() == [1, 2, 3, 0]
     assert ascending(-values).tolist() == [1, 2, 3, 0]
     assert classes(values).tolist() == [0, 2, 2, 1]
-    assert largest_along_first(values.reshape(2, 2)[::-1]).tolist() == [0, 0]
+    columns = np.array([[first[0], 0.0], [abs(second[1]), 1.0]])
+    assert largest_along_first(columns).tolist() == [0, 1]
     assert largest_of("abc", dict(zip("abc", values[[3, 1, 2]], strict=True)).__getitem__) == "b"
     assert smallest_of("abc", dict(zip("abc", -values[[3, 1, 2]], strict=True)).__getitem__) == "b"
 
