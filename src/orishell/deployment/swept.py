@@ -40,8 +40,10 @@ PARTS = 4
 ROUNDS, MOST = 24, 20_000_000
 """So often are ranges parted, and no more than so many corners are placed, of all states."""
 SMALLEST = 2.0**-30
-"""A range that is a smaller part than this of the way is not parted: at the very end of a motion
-accelerations may grow beyond all bounds. Both its ends are inside. Elsewhere it is not known."""
+"""A range that is a smaller part than this of the way is not parted."""
+LAST = 64 * SMALLEST
+"""In so much of the way, at the very end of a motion, accelerations may grow beyond all bounds:
+there the ends of ranges that are not parted further are inside. Elsewhere it is not known then."""
 NUMBERS = 2_000_000
 """Coordinates that are held at once: memory grows with it."""
 
@@ -122,8 +124,9 @@ def find_sweep(
         )
         states = np.concatenate([states, *ends])
         left = ~_within(looked, hull, margin, float(states[:, 1].max()), float(states[:, 2].min()))
-        small = stop - start <= SMALLEST * abs(end - target)
-        if (left & small & (start != end) & (stop != end)).any():
+        way = abs(end - target)
+        small = stop - start <= SMALLEST * way
+        if (left & small & (np.maximum(abs(start - end), abs(stop - end)) > LAST * way)).any():
             return None
         left &= ~small
         if not left.any():
