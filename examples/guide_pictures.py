@@ -154,7 +154,7 @@ def draw_zigzags(path: Path) -> None:
         )
         place.plot(*trace.points.T, color=F_COLOUR, linewidth=2)
         place.plot(*zigzag.vertices.T, color=LINE_COLOUR, marker="o", markersize=3)
-        place.set_ylim(-1.1, 0.2)
+        place.set_ylim(-1.1, 0.3)
         to_scale(place, f"depth = {depth}\nmean angle {np.rad2deg(zigzag.angles.mean()):.0f}°")
     depths = np.linspace(0.04, 0.3, 27)
     for rows, colour in ((9, LINE_COLOUR), (19, OTHER_COLOUR)):

@@ -16,6 +16,7 @@ from orishell.plot.scene import GRID, new_chart, save_chart
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+DECADE = 10.0
 APART = 1.5
 """A design is labelled if it has this many times the panels of the last labelled one."""
 LINE, CHOSEN, LIMIT = "#1f5fbf", "#d62728", "#0a8f3c"
@@ -50,18 +51,28 @@ def plot_tradeoff(
     last = 0.0
     for count, error, name in tried:
         if count > APART * last:
+            # Below on the left nothing is drawn: designs with fewer panels are farther away.
             axes.annotate(
-                name, (count, error), xytext=(5, 5), textcoords="offset points", color=LINE
+                name,
+                (count, error),
+                xytext=(-5, -4),
+                textcoords="offset points",
+                color=LINE,
+                ha="right",
+                va="top",
             )
             last = count
     axes.axhline(tolerance, color=LIMIT, linestyle="--", label=f"tolerance {tolerance:g} {unit}")
     axes.plot(*chosen[:2], "o", color=CHOSEN, markersize=9, label=f"chosen: {chosen[2]}")
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.margins(x=0.12)  # the name of the last design is as wide
-    for axis in (axes.xaxis, axes.yaxis):
+    axes.margins(0.12)  # the name of the first design is as wide
+    for axis, shown in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
-        axis.set_minor_formatter(LogFormatter())  # says them where few powers of ten are in view
+        narrow = (
+            shown[1] < DECADE * shown[0]
+        )  # at most one power of ten is in view: others are said
+        axis.set_minor_formatter(StrMethodFormatter("{x:g}") if narrow else LogFormatter())
     axes.set_xlabel("panels (without flaps)")
     axes.set_ylabel(f"largest distance between shell and surface ({unit})")
     axes.set_title("Fewest panels for a distance from the surface")
