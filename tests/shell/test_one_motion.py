@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -45,10 +46,10 @@ PARALLEL = STRAIGHT.replace("orthodiagonal", "parallel-repeating").replace("dept
 equations in two folded states."""
 
 
-def made(folder: Path, text: str, **options: object) -> Shell:
+def made(folder: Path, text: str, **options: Any) -> Shell:
     file = folder / "straight.toml"
     file.write_text(text)
-    return make_shell(read_design_file(file), **options)  # type: ignore[arg-type]
+    return make_shell(read_design_file(file), **options)
 
 
 @pytest.fixture(scope="module")
