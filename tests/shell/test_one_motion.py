@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -46,10 +45,10 @@ PARALLEL = STRAIGHT.replace("orthodiagonal", "parallel-repeating").replace("dept
 equations in two folded states."""
 
 
-def made(folder: Path, text: str, **options: Any) -> Shell:
+def made(folder: Path, text: str) -> Shell:
     file = folder / "straight.toml"
     file.write_text(text)
-    return make_shell(read_design_file(file), **options)
+    return make_shell(read_design_file(file))
 
 
 @pytest.fixture(scope="module")
