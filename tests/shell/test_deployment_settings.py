@@ -44,7 +44,7 @@ def report(directory: Path) -> Any:
         ("largest_fold_deg = nan", "largest_fold_deg", "nan", "a finite number"),
         ("largest_fold_deg = 181", "largest_fold_deg", "181", "at most 180"),
         ('largest_fold_deg = "90"', "largest_fold_deg", "'90'", "a number"),
-        ('ties = "hands"', "ties", "'hands'", "'none' or 'feet'"),
+        ('ties = "hands"', "ties", "'hands'", "'none', 'feet' or 'folds'"),
         ("ties = [[[0, 1]]]", "ties", "[[[0, 1]]]", "2 entries"),
         ("ties = [[[-1, 1], [12, 1]]]", "ties", "[[[-1, 1], [12, 1]]]", "at least 0"),
         ("ties = [[[0.5, 1], [12, 1]]]", "ties", "[[[0.5, 1], [12, 1]]]", "a whole number"),
