@@ -18,7 +18,10 @@ WIDTHS = {1440: 900, 1024: 768, 820: 1180, 390: 844}
 SIDEWAYS = "pre, table, math, .table-wrapper, .math-wrapper"
 """What may be read by scrolling sideways: code, tables and formulas, and nothing else."""
 
-OUTSIDE = """(sideways) => {
+DRAWERS = ".sidebar-drawer, .toc-drawer"
+"""What the site keeps beside the window until it is called; what is drawn out is looked at."""
+
+OUTSIDE = """([sideways, drawers]) => {
   const wrong = new Set(), NEAR = 1.5, root = document.documentElement;
   const styles = new Map(), boxes = new Map(), rooms = new Map(), hidden = new Map();
   const kept = (map, key, make) => map.get(key) ?? map.set(key, make(key)).get(key);
@@ -107,6 +110,8 @@ OUTSIDE = """(sideways) => {
   const look = (each) => {
     if (LEFT_OUT.test(each.localName) || each instanceof MathMLElement) return;
     if (each.ownerSVGElement && each.localName !== "text") return [...each.children].forEach(look);
+    if (each.matches(drawers) && style(each).position === "fixed"
+        && (box(each).right <= 0 || box(each).left >= root.clientWidth)) return;
     if (!each.checkVisibility({ visibilityProperty: true })) {
       if (style(each).display === "none") return;
     } else if (!isPage(each) && !unseen(each) && box(each).width > 0.5 && box(each).height > 0.5) {
@@ -156,7 +161,7 @@ STATES = "[...document.querySelectorAll('details')].map((each) => each.open)"
 
 def outside(page: Page) -> list[str]:
     """What lies outside its box in a page as it stands."""
-    found: list[str] = page.evaluate(OUTSIDE, SIDEWAYS)
+    found: list[str] = page.evaluate(OUTSIDE, [SIDEWAYS, DRAWERS])
     return found
 
 

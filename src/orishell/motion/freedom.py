@@ -3,7 +3,7 @@
 They are counted in folded states on the way to the target, where its panels and all of its creases
 are hinged, those that stay unfolded included. Whole boards on hinges beside their creases have as
 many: at a vertex where panels move, the conditions under which boards move with them
-(:mod:`.hinges`) hold for any multiple of that motion.
+(:mod:`orishell.motion.hinges`) hold for any multiple of that motion.
 """
 
 from __future__ import annotations
