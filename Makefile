@@ -21,7 +21,11 @@ PAGES := src/orishell/studio/static/index.html
 # One more than there are cores: tests of pages wait as often as they work.
 PARALLEL := --numprocesses $(shell echo $$(($$(nproc) + 1))) --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
-PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --no-compile --constraint constraints.txt
+# uv takes a tenth of the time that pip does, which does it where uv cannot: an index of pip's own.
+LISTED := --constraint constraints.txt
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --no-compile $(LISTED)
+UV := $(BIN)/uv pip install --quiet --python $(BIN)/python $(LISTED)
+INSTALL := { $(PIP) uv && $(UV) --editable "$$it"; } || $(PIP) --editable "$$it"
 # What is imported is compiled then, once; most of what is installed never is.
 unexport PYTHONDONTWRITEBYTECODE
 
@@ -99,17 +103,17 @@ $(VENV)/bin/python:
 
 everything: $(VENV)/bin/python
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[test,quality,cad,docs]"
+	@it=".[test,quality,cad,docs]"; $(INSTALL)
 	@touch $(VENV)/.run $(VENV)/.test $(VENV)/.quality $(VENV)/.cad $(VENV)/.studio $(VENV)/.docs
 
 $(VENV)/.run: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable .
+	@it="."; $(INSTALL)
 	@touch $@
 
 $(VENV)/.studio: $(VENV)/.run
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[studio,notebook]"
+	@it=".[studio,notebook]"; $(INSTALL)
 	@touch $@
 
 $(PAGES): $(FRONTEND)
@@ -121,22 +125,22 @@ $(PAGES): $(FRONTEND)
 
 $(VENV)/.test: $(VENV)/.run
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[test]"
+	@it=".[test]"; $(INSTALL)
 	@touch $@
 
 $(VENV)/.cad: $(VENV)/.test
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[test,cad]"
+	@it=".[test,cad]"; $(INSTALL)
 	@touch $@
 
 $(VENV)/.docs: $(VENV)/.studio
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[docs]"
+	@it=".[docs]"; $(INSTALL)
 	@touch $@
 
 $(VENV)/.quality: $(VENV)/.test
 	@echo "installing into $(VENV) ..."
-	@$(PIP) --editable ".[test,quality]"
+	@it=".[test,quality]"; $(INSTALL)
 	@touch $@
 
 $(NODE)/.installed: tests/node/package.json
