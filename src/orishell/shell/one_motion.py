@@ -7,7 +7,6 @@ it folds together.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -21,11 +20,13 @@ from orishell.conventions.row import Row, Sign
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.motion.freedom import FreedomOfSheet
-from orishell.shell.remedies import SECONDS
 
 if TYPE_CHECKING:
     from orishell.shell.report import Report
 
+PANELS = 6_000
+"""Changes are tried until the shells made have so many panels together."""
+LOOKING = "looking for what leaves one motion"
 RISES = (0.05, 0.1)
 """How high g is bent over its length: the shares that are tried."""
 
@@ -56,21 +57,17 @@ def find_joining(file: DesignFile, joins: Joins, progress: Progress) -> Joining 
 
     joins: Makes the shell of a file, and says whether it has one motion.
     """
-    until = time.thread_time() + SECONDS
-
-    def watch(share: float = 0.0, what: str = "") -> None:
-        progress(share, "looking for what leaves one motion")
-        if time.thread_time() > until:
-            raise TimeoutError
-
+    tried = 0
     for each in _candidates(file):
         try:
-            if joins(file.changed(each.change.changes), watch):
+            changed = file.changed(each.change.changes)
+            tried += changed.panel_count
+            if tried > PANELS:
+                return None
+            if joins(changed, lambda share, _what: progress(share, LOOKING)):
                 return each
         except (DesignError, InputError, VerificationError):
             continue
-        except TimeoutError:
-            return None
     return None
 
 
