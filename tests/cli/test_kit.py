@@ -8,6 +8,7 @@ import pytest
 
 from command_line import orishell
 from documents import EXAMPLES
+from samples import thorough
 
 CARD = EXAMPLES / "figure1_card.toml"
 CANOPY = EXAMPLES / "canopy.toml"
@@ -87,6 +88,7 @@ def test_wrong_arguments_are_one_message(tmp_path: Path) -> None:
         assert sorted(tmp_path.rglob("*")) == there
 
 
+@thorough
 def test_a_design_that_cannot_be_made_leaves_nothing(tmp_path: Path) -> None:
     file = tmp_path / "clash.toml"
     file.write_text(

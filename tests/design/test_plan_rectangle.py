@@ -11,6 +11,7 @@ from orishell.design import FormulaSurface, MeshSurface, PlanRectangle
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
+from samples import thorough
 
 PART = PlanRectangle((0.1, -0.2), (1.1, 0.9), np.deg2rad(25))
 
@@ -70,6 +71,7 @@ def test_a_whole_building_serves_as_long_as_the_roof_over_the_rectangle_is_one()
     assert plan_area(MeshSurface.over(PART, *both)) == pytest.approx(0.99, rel=1e-12)
 
 
+@thorough
 @pytest.mark.slow
 def test_a_sheet_fitted_to_part_of_a_mesh_is_the_one_fitted_to_the_formula() -> None:
     """Of 20,000 triangles: 0.057 % of the diagonal was seen, and 0.1 is asked."""

@@ -306,6 +306,7 @@ def test_random_designs_against_dense_samples(request: Request) -> None:
     agrees_with_dense_samples(request.feasible())
 
 
+@thorough
 @pytest.mark.slow
 @settings(max_examples=examples(25), deadline=None)
 @given(orthodiagonal_requests())

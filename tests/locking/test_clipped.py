@@ -15,7 +15,7 @@ from orishell.io import Settings
 from orishell.io.formats.obj import write_obj
 from orishell.numerics.arrays import Array, Integers
 from orishell.shell.make import Shell
-from samples import THOROUGH
+from samples import THOROUGH, thorough
 
 NOTHING = 1e-12
 """Common volume of two boards below which they do not overlap (unit cubed)."""
@@ -131,6 +131,7 @@ def test_boards_are_apart_or_refused_with_an_offer_that_works(number: int, tmp_p
     assert not overlaps(made(design), tmp_path)
 
 
+@thorough
 def test_corners_are_cut_where_boards_of_flaps_would_meet_others(
     tmp_path: Path,
 ) -> None:

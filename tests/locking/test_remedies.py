@@ -59,6 +59,7 @@ def test_what_is_offered_works(case: str) -> None:
         assert refused(mended(design, remedy)) is None
 
 
+@thorough
 def test_the_nearest_length_is_offered() -> None:
     # 0.70 of it works, as was found by trying.
     design = FOUND_IN_USE["a length far from the nearest"]

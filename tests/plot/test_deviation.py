@@ -8,6 +8,7 @@ from PIL import Image
 from orishell.deviation import locked_shell, measure_signed
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.plot import plot_deviation
+from samples import thorough
 from strategies import graph
 
 
@@ -41,6 +42,7 @@ def share(pixels: np.ndarray, hue: str) -> float:
     return float(part.mean())
 
 
+@thorough
 def test_both_signs_and_both_curves_are_there(tmp_path: Path) -> None:
     for rows, columns in ((5, 6), (1, 2), (101, 61)):
         pixels = picture(tmp_path / "deviation.png", rows, columns)

@@ -13,6 +13,7 @@ from loaded_shells import loaded_document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, plot_structure
 from orishell.plot.structure import DRAWN, exaggeration
+from samples import thorough
 
 TAUT = (20, 134, 143)
 DEEP = (69, 40, 90)
@@ -51,6 +52,7 @@ def test_what_is_displaced_most_is_the_deepest(tmp_path: Path) -> None:
     assert near(moved, DEEP) > 10 * near(still, DEEP) > 0
 
 
+@thorough
 def test_every_case_has_its_part_until_there_are_too_many(tmp_path: Path) -> None:
     one, four, twelve, more = (
         picture(tmp_path / "one.png", cases=cases) for cases in (1, 4, 12, 15)

@@ -10,6 +10,7 @@ import pytest
 from orishell.search import Problem, SearchResult, alone, journal_in_memory, search_designs
 from orishell.search.evaluate import asked_of_loads, evaluate, job_of, reasons, violation
 from orishell.search.problem import parse_problem
+from samples import thorough
 from search.problems import PATH, loaded_tables, small_problem
 
 THICK = [0.001, 0.003, 0.014]
@@ -72,6 +73,7 @@ def test_what_is_not_known_to_carry_is_not_on_the_front() -> None:
     assert "is not known to carry its loads" in asked_of_loads(allowed)
 
 
+@thorough
 def test_the_file_may_allow_it_and_then_it_is_said() -> None:
     problem = posed(BREAKS, subject_to={"utilisation": {"most": 1e4}})
     assert len(found(problem).front.members) == 3

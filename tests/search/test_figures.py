@@ -11,6 +11,7 @@ from orishell.search.figures import NAMES, figure
 from orishell.search.problem import parse_problem
 from orishell.shell.make import make_shell
 from orishell.shell.report import Report
+from samples import thorough
 from search.problems import PATH, loaded_tables
 
 KEYS = (
@@ -39,6 +40,7 @@ def report() -> Report:
     return make_shell(check_design(TABLES, PATH)).report
 
 
+@thorough
 def test_what_a_search_leaves_out_changes_no_figure(report: Report) -> None:
     (outcome,) = evaluate(job_of(parse_problem(TABLES, PATH)), [{}])
     assert outcome.figures == {name: figure(name).read(report) for name in (*NAMES, *KEYS)}

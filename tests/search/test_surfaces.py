@@ -73,6 +73,7 @@ def test_front_is_that_of_shells_made_one_by_one(figure: str) -> None:
     assert sorted(scores(grid, each) for each in found.front.members) == unbeaten(np.array(figures))
 
 
+@thorough
 def test_bred_variants_are_made_once() -> None:
     bred = problem(method="nsga2", population=4, evaluations=6)
     with alone() as pool:

@@ -77,6 +77,7 @@ def test_keys_that_are_not_there(tmp_path: Path) -> None:
     assert "one of from, flap_attachment, largest_fold_deg, ties" in done.stderr
 
 
+@thorough
 def test_a_motion_from_a_pack_has_three_states_at_least(tmp_path: Path) -> None:
     """The pack, the target and the flat sheet."""
     done = design(tmp_path, deployed(PACK, SHELTER.replace("frames = 25", "frames = 2")))

@@ -15,14 +15,14 @@ from orishell.design_file import check_design
 from orishell.design_file.tables import with_values
 from orishell.shell import remedies
 from orishell.shell.make import make_shell
-from samples import THOROUGH
+from samples import thorough
 
 PARALLEL, ORTHO, LONG = (
     "parallel-repeating",
     "orthodiagonal",
     "longitudinal-linear-repeating",
 )
-REFUSALS = 120 if THOROUGH else 1
+REFUSALS = 120
 """Random designs are drawn until so many are refused."""
 
 
@@ -126,6 +126,7 @@ def refusal(asked: Tables) -> DesignError | None:
     return None
 
 
+@thorough
 def test_every_offer_typed_in_is_made(record_property: Callable[[str, object], None]) -> None:
     refused = offered = number = 0
     while refused < REFUSALS:

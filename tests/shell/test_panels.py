@@ -171,6 +171,7 @@ def test_without_a_target_hinges_end_the_motion(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.rad2deg(fold), 40, rtol=1e-9)
 
 
+@thorough
 def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) -> None:
     # Thin boards: panels of the rolled sheet meet first, boards a little before.
     path = tmp_path / "sheet.toml"

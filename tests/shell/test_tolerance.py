@@ -130,6 +130,7 @@ def test_panels_keep_the_sizes_asked_for(tmp_path: Path) -> None:
     assert measured.longest <= 2.5
 
 
+@thorough
 def test_what_panels_of_the_smallest_size_cannot_meet(tmp_path: Path) -> None:
     text = "surface = 0.02\npanel_min = 0.2"
     file = read_design_file(write_file(tmp_path, "parallel-repeating", text))

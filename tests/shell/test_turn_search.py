@@ -12,6 +12,7 @@ from orishell.design_file import DesignFile
 from orishell.design_file.file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import Step
+from samples import thorough
 
 BARREL = "sqrt(9 - (x*cos(pi/6) + y*sin(pi/6))**2)"
 """A cylinder whose rulings run 120 degrees from x."""
@@ -32,6 +33,7 @@ def file_of(family: str, pattern: dict[str, Any], **surface: Any) -> DesignFile:
     return check_design({"shell": shell, "target": target, "pattern": pattern}, Path("x.toml"))
 
 
+@thorough
 def test_the_rectangle_is_turned_to_where_the_shell_comes_nearest_and_the_report_says_so() -> None:
     """A cylinder is swept exactly over a rectangle along its rulings, and over no other."""
     file = file_of("orthodiagonal", {"rows": 11, "columns": 7}, size=[4, 2])

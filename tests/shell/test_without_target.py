@@ -17,6 +17,7 @@ from orishell.io.formats import formats_for
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, design_shell
 from orishell.verification import inspect_fold
+from samples import thorough
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "sectors.toml"
 TEXT = EXAMPLE.read_text()
@@ -92,6 +93,7 @@ def test_contact_not_looked_for() -> None:
     assert made.report.not_checked == ("contact between panels on the way",)
 
 
+@thorough
 def test_a_stage_that_panels_do_not_reach(tmp_path: Path) -> None:
     path = write(tmp_path, TEXT.replace(STAGE, "stage_deg = 12"))
     with pytest.raises(DesignError, match="meet before the shell reaches its stage"):

@@ -17,7 +17,7 @@ from orishell.shell.make import Shell, make_shell
 from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, largest_height
 from orishell.solids.setbacks import bare_faces
 from orishell.solids.sides import SideFolds
-from samples import THOROUGH, examples
+from samples import THOROUGH, examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
@@ -84,6 +84,7 @@ def test_the_drive_for_a_height_is_the_last_that_leaves_enough(
         assert largest_height(flat, grid, mechanism.fold_angles(before)) >= height * (1 - 2e-6)
 
 
+@thorough
 def test_boards_end_the_motion_of_the_shelter() -> None:
     """10 mm boards fold to 177 degrees: set-backs take half of the narrowest panel."""
     shell = shelter(0.01)
@@ -105,6 +106,7 @@ def test_boards_end_the_motion_of_the_shelter() -> None:
     assert np.rad2deg(shell.report.panel.set_back_for) == np.rad2deg(deployment.end_drive)
 
 
+@thorough
 def test_thicker_boards_pack_larger() -> None:
     sizes = []
     for thickness in (0.004, 0.01, 0.02, 0.04) if THOROUGH else (0.004, 0.02):
@@ -114,6 +116,7 @@ def test_thicker_boards_pack_larger() -> None:
     assert sizes == sorted(sizes)
 
 
+@thorough
 def test_boards_too_thick_for_the_target() -> None:
     with pytest.raises(
         DesignError, match=r"room for 0\.2101 at most, and panels are 0\.5 thick"

@@ -15,7 +15,7 @@ from orishell.motion.boards import Boards
 from orishell.numerics.bisection import bisect
 from orishell.solids import build_boards, find_meetings, find_stop, largest_folds
 from orishell.solids.built import Meetings
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -59,6 +59,7 @@ def distances(edges: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.norm(across, axis=-1))
 
 
+@thorough
 @settings(max_examples=examples(30))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),

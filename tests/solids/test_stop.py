@@ -185,6 +185,7 @@ def test_a_stop_that_is_too_early_for_the_boards_is_refused() -> None:
     assert error.remedies[0].changes == {"panel.stop_deg": "auto"}
 
 
+@thorough
 def test_a_stop_that_no_flap_can_have_is_refused() -> None:
     """Flaps of Figure 1 can stop short by less than half of its xi of 50 degrees."""
     error = refusal(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=30.0))

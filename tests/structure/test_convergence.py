@@ -118,6 +118,7 @@ def stresses(path: Path, cells: int, structure: Structure, **pattern: object) ->
     return [balanced.stress.size for balanced, _ in found.balanced]
 
 
+@thorough
 def test_stress_does_not_grow_with_finer_cells() -> None:
     """Figure 2's shell, pinned at points, under snow: within 10 %, 0.2 % seen."""
     snow = (LoadCase(name="snow", snow=Snow(ground=850)),)

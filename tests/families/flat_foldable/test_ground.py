@@ -17,6 +17,7 @@ from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.motion.quads import grid_corners
 from orishell.shell.designed import design_of
 from orishell.shell.make import make_shell
+from samples import thorough
 
 DOME = {"formula": "sqrt(25 - x**2 - y**2)", "x": [-3, 3], "y": [-3, 3]}
 BARREL = {"formula": "sqrt(9 - y**2) + 0.05*x", "x": [-3, 3], "y": [-2.5, 2.5]}
@@ -92,6 +93,7 @@ def test_only_the_border_moves_and_it_stays_planar_and_folds_as_before(
         assert (ours == theirs).all()
 
 
+@thorough
 def test_the_report_says_how_it_stands_and_the_proof_runs_as_ever() -> None:
     shell = make_shell(file_of(DOME, rows=5, columns=5, ground="corners"))
     said = {row.subject: row.finding for row in shell.report.verdict}

@@ -77,6 +77,7 @@ def test_boards_are_apart_to_the_lock(seed: int, build: str, stop: float | None)
         assert report.meeting.creases == len(mechanism.layout.pairs)
 
 
+@thorough
 def test_corners_are_cut_where_boards_meet_at_border_vertices() -> None:
     design = designed(1, BUILDS["bevel"])
     assert isinstance(design.mechanism, SlitFlaps)

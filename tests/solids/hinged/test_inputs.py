@@ -179,6 +179,7 @@ def test_what_does_not_go_together(case: str, tmp_path: Path) -> None:
     refused(SHELTER.replace(before, after), status, words, tmp_path)
 
 
+@thorough
 def test_remedies_are_tried(tmp_path: Path) -> None:
     text = SHELTER.replace("largest_arm = 0.03\npieces = 4 ", "largest_arm = 0.05\n")
     refused(text, 1, "Nearest found that works: pieces = 6 in [panel]", tmp_path)
