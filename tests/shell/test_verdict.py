@@ -28,7 +28,7 @@ def shell(name: str) -> Shell:
     if file.structure is not None:
         half = {"pattern.columns": 7, "target.g.range": [0, 3], "structure.cells": 2}
         file = file.changed(half)
-    return make_shell(file, skip=("remedies",))
+    return make_shell(file, skip=["remedies"])
 
 
 def rows(report: Report) -> dict[str, tuple[Sign, str]]:
