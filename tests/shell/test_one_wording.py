@@ -80,7 +80,8 @@ def viewed(page: Path) -> dict[str, Any]:
         r'<script type="application/octet-stream" id="[^"]*">([^<]*)', page.read_text()
     )
     assert found is not None
-    return header_of(base64.b64decode(found[1]))["report"]
+    report: dict[str, Any] = header_of(base64.b64decode(found[1]))["report"]
+    return report
 
 
 def header_of(view: bytes) -> dict[str, Any]:
