@@ -10,7 +10,7 @@ import { stateOfTie, tiesOf } from "../src/shared/ties.ts";
 import type { Header, View } from "../src/shared/view.ts";
 import { isPinned } from "../src/studio/shell/compare.ts";
 import { suitsCurve } from "../src/studio/curves/ground.ts";
-import { differences } from "../src/studio/shell/differences.ts";
+import { differences } from "../src/shared/differences.ts";
 import { headroomWords } from "../src/studio/shell/sheet-figures.ts";
 import { Signal } from "../src/studio/state/signal.ts";
 import type { Freshness } from "../src/studio/state/store.ts";

@@ -17,7 +17,6 @@ from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
 from orishell.search.variants import VariantsPage
-from orishell.structure.utilisation import GOVERNING
 from orishell.studio import api, info
 from orishell.studio.refusals import make_refusal
 from samples import led_by
@@ -25,16 +24,9 @@ from typescript import declarations, fits
 
 SHARED = Path(__file__).parents[2] / "frontend" / "src" / "shared"
 TYPES = SHARED / "api-types.ts"
-WORDS = SHARED / "api-words.ts"
 HEAD = """\
 // What the server sends and pages have in them, from orishell.studio.api and orishell.studio.info,
 // orishell.io.view, orishell.search.page and orishell.search.variants. Do not edit:
-// ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
-
-"""
-WORDS_HEAD = """\
-// Words that every page has, those without a server too, from orishell.structure.equilibrium.
-// Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 """
@@ -70,14 +62,6 @@ def test_pages_have_the_servers_types() -> None:
     if os.environ.get("ORISHELL_WRITE_GOLDEN"):
         TYPES.write_text(text)
     assert TYPES.read_text() == text
-
-
-def test_pages_have_the_programs_words() -> None:
-    lines = "".join(f'  {part}: "{words}",\n' for part, words in GOVERNING.items())
-    text = f"{WORDS_HEAD}/** What governs. */\nexport const GOVERNING = {{\n{lines}}} as const;\n"
-    if os.environ.get("ORISHELL_WRITE_GOLDEN"):
-        WORDS.write_text(text)
-    assert WORDS.read_text() == text
 
 
 def test_what_the_page_asks_for_first(client: httpx.Client) -> None:

@@ -1,7 +1,8 @@
 // What is known of the chosen member, and of that which it is compared with.
 
 import type { FrontPage } from "../shared/api-types.ts";
-import { length, threeDigits } from "../shared/quantities.ts";
+import { differences } from "../shared/differences.ts";
+import { figured } from "../shared/figures.ts";
 import type { View } from "../shared/view.ts";
 import { element } from "../viewer/elements.ts";
 import { written } from "../shared/written.ts";
@@ -11,8 +12,8 @@ interface Row {
   name: string;
   note: string;
   values: unknown[];
-  /** Where it is not written as a bare value. */
-  texts?: string[];
+  /** Whether it is in words. */
+  said?: boolean;
 }
 
 /** The table of one member, or of two with their differences. */
@@ -24,7 +25,7 @@ export function tableOf(page: FrontPage, numbers: number[], views: (View | null)
     ["Minimise", figures.filter((_, k) => wanted[k])],
     ["Limited", figures.filter((_, k) => !wanted[k])],
     ["Variables", page.variables.map((name, k) => ({ name, note: "", values: members.map((each) => each.values[k]) }))],
-    ["Sizes", sizesOf(views)],
+    ["Verdict", rowsOf(views)],
   ];
   const table = element("table", "figures-table");
   const two = members.length === 2;
@@ -47,37 +48,31 @@ export function tableOf(page: FrontPage, numbers: number[], views: (View | null)
   return table;
 }
 
-function lineOf({ name, note, values, texts }: Row, two: boolean): HTMLElement {
+function lineOf({ name, note, values, said = false }: Row, two: boolean): HTMLElement {
   const line = element("tr", "");
   const title = element("th", "", { scope: "row" }, name);
   if (note) title.append(element("small", "", {}, note));
-  line.append(title, ...values.map((value, k) => element("td", "", {}, texts?.[k] ?? written(value))));
+  line.append(title, ...values.map((value) => element("td", said ? "said" : "", {}, written(value))));
   if (two) {
-    const change = difference(values[0], values[1]);
-    line.append(element("td", change === "same" ? "same" : "change", {}, change));
+    const change = said ? changeOf(String(values[0]), String(values[1])) : difference(values[0], values[1]);
+    line.append(element("td", change === "same" ? "same" : said ? "said" : "change", {}, change));
   }
   return line;
 }
 
-/** Sizes that every report has; none where a shell is not drawn. */
-function sizesOf(views: (View | null)[]): Row[] {
-  const reports = views.flatMap((view) => (view ? [view.header.report] : []));
-  if (reports.length < views.length || !views.length) return [];
-  const unit = views[0]!.header.unit;
-  const row = (name: string, read: (report: (typeof reports)[number]) => number | null | undefined, say: (value: number) => string): Row[] => {
-    const values = reports.map(read);
-    if (values.some((value) => value === null || value === undefined)) return [];
-    return [{ name, note: "", values, texts: values.map((value) => say(value!)) }];
-  };
-  const sized = (value: number): string => length(value, unit);
-  return [
-    ...row("width", ({ deployed }) => deployed?.width, sized),
-    ...row("depth", ({ deployed }) => deployed?.depth, sized),
-    ...row("height", ({ deployed }) => deployed?.height, sized),
-    ...row("flat sheet, width", ({ sheet }) => sheet?.width, sized),
-    ...row("flat sheet, height", ({ sheet }) => sheet?.height, sized),
-    ...row("motion ends at", ({ lock }) => lock?.drive_deg, (value) => `${threeDigits(value)}\u00b0`),
-  ];
+/** By how much the numbers of a sentence differ from those of another, in its order. */
+function changeOf(now: string, other: string): string {
+  const change = differences(now, other);
+  return change.startsWith("was ") ? "differs" : change || "same";
+}
+
+/** Rows of the verdict that every report has, as they are written; none where a shell is not drawn. */
+function rowsOf(views: (View | null)[]): Row[] {
+  const [first, ...others] = views.map((view) => figured(view?.header.report.verdict ?? []));
+  return (first ?? []).flatMap(({ subject, finding }) => {
+    const texts = [finding, ...others.map((rows) => rows.find((row) => row.subject === subject)?.finding)];
+    return texts.every((text) => text !== undefined) ? [{ name: subject, note: "", values: texts, said: true }] : [];
+  });
 }
 
 /** What it gains and costs to take a neighbour instead. */

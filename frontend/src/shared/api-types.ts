@@ -798,9 +798,11 @@ export interface Header {
   drives_deg: (number | null)[];
   /** Numbers of the states that have a name: flat, target, pack. */
   named: Record<string, number>;
-  /** The fields of ``report.json``; empty if there is none. */
+  /** The fields of ``report.json``; if there is none, what the verdict says of sizes. */
   report: Record<string, unknown>;
+  /** The fields of ``report.json``; if there is none, what the verdict says of sizes. */
   contact: FirstContact | null;
+  /** The fields of ``report.json``; if there is none, what the verdict says of sizes. */
   arrays: Record<string, ArrayPlace>;
   /** In the studio. */
   curves?: Curves;
@@ -1432,10 +1434,12 @@ export interface Report {
   stands: Feet | null;
   /** How close it is to its target; None without one. */
   deviation: DeviationReport | null;
-  /** Sizes of the flat sheet and of the shell. */
+  /** Size of the flat sheet. */
   sheet: SheetReport;
-  /** Sizes of the flat sheet and of the shell. */
+  /** The box around what folds, its boards where panels have a thickness; and around all that is built, with flaps that are clipped on. */
   deployed: BoxReport;
+  /** The box around what folds, its boards where panels have a thickness; and around all that is built, with flaps that are clipped on. */
+  outside: BoxReport;
   /** How it is deployed and held, and how small it packs. */
   deployment: DeploymentReport;
   /** What follows if it is cut with errors; None if the file gives none. */

@@ -24,11 +24,6 @@ export function length(value: number, unit: string): string {
   return said === "unit" ? threeDigits(size) : `${threeDigits(size)} ${said}`;
 }
 
-/** Sides of a box, in the unit of the whole. */
-export function sides(values: number[], unit: string): string {
-  return `${values.map(threeDigits).join(" \u00d7 ")}${unit === "unit" ? "" : ` ${unit}`}`;
-}
-
 /** An area likewise. */
 export function area(value: number, unit: string): string {
   const metric = METRIC[unit];

@@ -4,7 +4,7 @@ import type * as Api from "./api-types.ts";
 
 export type Contact = Api.FirstContact;
 
-/** The report is empty if only a file of a sheet was read, and what only the proof can say may be
+/** The report has only rows of sizes if a file of a sheet was read, and what only the proof can say may be
  * left out; see figures.ts. */
 export type Known = Partial<Omit<Api.Report, "deviation">> & { deviation?: Partial<Api.DeviationReport> | null };
 export type Header = Omit<Api.Header, "report"> & { report: Known };

@@ -15,8 +15,12 @@ if TYPE_CHECKING:
 def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterator[str]:
     """Lines that say what was designed, what was found, and which files were written."""
     report = shell.report
-    panels = shell.report.quantities.panels - shell.report.quantities.clipped
-    yield f"{report.family}: {report.rows} x {report.columns} inner vertices, {panels} panels"
+    bill = report.quantities
+    clipped = f", {bill.clipped} of them clipped on" if bill.clipped else ""
+    yield (
+        f"{report.family}: {report.rows} x {report.columns} inner vertices, "
+        f"{bill.panels} panels{clipped}"
+    )
     if report.chosen is not None:
         yield (
             f"chosen for {report.chosen.tolerance:g} {report.unit} from the surface, with the "

@@ -99,7 +99,8 @@ class _Book:
         if self.document.model_scale is not None:
             ratio = f"1:{plain(1 / self.document.model_scale)}"
             lines.append(say("cover.model", scale=ratio))
-        lines += ["", say("cover.opened", size=box(facts.whole, self.unit))]
+        key = "cover.opened_clipped" if facts.flaps else "cover.opened"
+        lines += ["", say(key, size=box(facts.whole, self.unit))]
         if facts.packs and facts.starts_packed:
             key = "cover.packed" if facts.construction else "cover.packed_bare"
             sizes = pack_words(facts, self.unit)

@@ -13,15 +13,18 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Literal, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.record import as_table
 from orishell.conventions.row import Sign
 from orishell.document import Document, DocumentState, FirstContact
 from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.document.sizes import rows_of_panels
 from orishell.numerics.arrays import Array
 
 VERSION = 1
@@ -74,7 +77,8 @@ class Header(TypedDict):
     origin: tuple[float, float, float]
     drives_deg: list[float | None]  # drive of every state, in the order of the motion
     named: Mapping[str, int]  # numbers of the states that have a name: flat, target, pack
-    report: Mapping[str, object]  # the fields of ``report.json``; empty if there is none
+    # the fields of ``report.json``; if there is none, what the verdict says of sizes
+    report: Mapping[str, object]
     contact: FirstContact | None
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]  # in the studio
@@ -86,6 +90,8 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     """The view of a document, with the first, the last and the named states among those taken."""
     shell = document.shell.positions if len(document.states) else np.zeros((0, 3))
     origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
+    if not document.report:
+        document = replace(document, report={"verdict": as_table(rows_of_panels(document))})
     return _dump_about(origin, document, curves)
 
 

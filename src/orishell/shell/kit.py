@@ -259,7 +259,7 @@ def _readme(
     else:
         yield "DXF files are 1:1 in the unit that they declare, PDF files as each says."
     yield ""
-    yield f"- Opened: {box(facts.whole, unit)}"
+    yield f"- Opened: {facts.opened_in_words(unit)}"
     if facts.packs and facts.starts_packed:
         bare = "" if facts.construction else f", without the thickness of {facts.layers} layers"
         yield f"- Packed: {pack_words(facts, unit)}{bare}"

@@ -6,6 +6,8 @@ from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
@@ -18,6 +20,7 @@ from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
 from orishell.document import Document, DocumentTie, FirstContact
 from orishell.document.from_design import document_of_motion
+from orishell.document.sizes import BoxReport, SheetReport
 from orishell.families.registry import AUTO
 from orishell.locking import Lock
 from orishell.locking.report import describe_panels
@@ -28,13 +31,15 @@ from orishell.shell.candidate import ClashPolicy, find_candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting, warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.families import choose_family
+from orishell.shell.fit.built_size import triangles_of
 from orishell.shell.one_motion import find_joining, warn_of_freedom
 from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
-from orishell.shell.report import BoxReport, Report, SheetReport, describe_assignment
+from orishell.shell.report import Report, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.stronger import Stronger, find_stronger
+from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse
 from orishell.structure.anchors import with_anchors
@@ -148,6 +153,12 @@ def _joined(file: DesignFile, progress: Progress) -> bool:
     return _made(file, progress, "refused", skip).report.freedom.one_motion
 
 
+def _reached(file: DesignFile, progress: Progress) -> bool:
+    """Whether the shell of a file that is tried is proved to reach its target."""
+    skip: tuple[Step, ...] = (*MEASURES, "remedies", "stock", "structure", "verification")
+    return _made(file, progress, "refused", skip).report.feasible is True
+
+
 def _made(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
@@ -206,6 +217,7 @@ def _step_by_step(
         STRUCTURE: analysis is None and file.structure is not None,
     }
     width, height, _ = extents(points_of(design.mechanism, 0.0))
+    opened = _box(replace(document, clipped=()))
     report = Report(
         family=file.family,
         unit=file.unit,
@@ -244,7 +256,8 @@ def _step_by_step(
         stands=feet,
         deviation=deviation,
         sheet=SheetReport(width, height, area_of(design.mechanism)),
-        deployed=BoxReport(*_deployed(design, document)),
+        deployed=opened,
+        outside=_box(document) if document.clipped else opened,
         deployment=deployment,
         cutting=cutting,
         panel=describe_panels(design, lock),
@@ -259,7 +272,9 @@ def _step_by_step(
     if not found.freedom.one_motion and clash != "unexamined" and "remedies" not in skip:
         joining = find_joining(file, _joined, progress)
         clock.lap("remedies")
-    verdict = find_verdict(report, stronger, file.workshop.stock, joining)
+    trial = None if clash == "unexamined" or "remedies" in skip else _reached
+    two = find_two_thicknesses(file, trial, progress)
+    verdict = find_verdict(report, stronger, file.workshop.stock, joining, two)
     report = replace(report, verdict=verdict)
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
@@ -307,11 +322,9 @@ def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotio
     )
 
 
-def _deployed(design: Design, document: Document) -> tuple[float, float, float]:
-    """Size of the shell as it stands: of its boards where these lie beside the sheet."""
-    if design.has_whole_boards and document.boards is not None:
-        return extents(document.boards_in(document.shell))
-    return extents(points_of(design.mechanism, design.mechanism.target_drive))
+def _box(document: Document) -> BoxReport:
+    """The box around all that is built, as it stands."""
+    return BoxReport(*np.ptp(triangles_of(document).reshape(-1, 3), axis=0).tolist())
 
 
 def _first_contact(design: Design, lock: Lock) -> FirstContact | None:

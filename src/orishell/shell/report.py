@@ -18,6 +18,7 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
+from orishell.document.sizes import BoxReport, SheetReport
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
@@ -44,26 +45,6 @@ class AssignmentReport:
     constant: bool | None
     # whether Maekawa's condition holds at every inner vertex; None if that was not measured
     maekawa: bool | None
-
-
-@record
-class SheetReport:
-    """Size of the flat sheet."""
-
-    # its bounding box
-    width: float
-    height: float
-    area: float  # area of all panels
-
-
-@record
-class BoxReport:
-    """Bounding box of a state."""
-
-    # along x, y and z
-    width: float
-    depth: float
-    height: float
 
 
 @record
@@ -99,9 +80,11 @@ class Report:
     not_checked: tuple[str, ...]  # what was left out on request
     stands: Feet | None  # what it stands on; None if it cannot stand
     deviation: DeviationReport | None  # how close it is to its target; None without one
-    # sizes of the flat sheet and of the shell
-    sheet: SheetReport
+    sheet: SheetReport  # size of the flat sheet
+    # the box around what folds, its boards where panels have a thickness; and around all that is
+    # built, with flaps that are clipped on
     deployed: BoxReport
+    outside: BoxReport
     deployment: DeploymentReport  # how it is deployed and held, and how small it packs
     # what follows if it is cut with errors; None if the file gives none
     cutting: CuttingReport | None

@@ -7,16 +7,18 @@ from collections.abc import Iterator
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.quantities import area, box, plain, size
+from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.deviation.verdict import surface_rows
+from orishell.document.sizes import size_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.shell.stronger import Stronger
+from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order import order_in_words
 
 CONTACT, STOCK, STRUCTURE, CUTTING = (
@@ -50,22 +52,25 @@ def find_verdict(
     stronger: Stronger | None = None,
     stock: tuple[float, float] | None = None,
     joining: Joining | None = None,
+    two: TwoThicknesses | None = None,
 ) -> tuple[Row, ...]:
     """The findings of a report, worst first.
 
     stronger: What has it carry its loads, which has been tried.
     stock: Size of the sheets that it is cut from, where they are known.
     joining: What leaves a sheet one motion that has several, which has been tried.
+    two: The thickness that only its structure has.
     """
     rows = [
         *_stands(report, stronger or Stronger()),
         *folds_rows(report, _way(report), joining),
         *_locks(report),
-        *_packs(report),
+        *_packs(report, said=two is not None),
         *_fits(report, stock),
         *order_in_words(report.quantities.order),
         *_unchecked(report),
         *of_one_motion(report, _boards(report)),
+        *thickness_rows(report, two),
         *of_one_motion(report, _hinges(report)),
         *_feet(report),
         *surface_rows(report.deviation, report.unit),
@@ -193,8 +198,11 @@ def _locks(report: Report) -> Iterator[Row]:
     yield Row(sign, subject, f"{where}: {text}")
 
 
-def _packs(report: Report) -> Iterator[Row]:
-    """How small it is before it opens, where it opens from a pack."""
+def _packs(report: Report, *, said: bool) -> Iterator[Row]:
+    """How small it is before it opens, where it opens from a pack.
+
+    said: Whether it is only said, as panels are thicker under loads than they are there.
+    """
     deployment, unit = report.deployment, report.unit
     packed = deployment.packed
     if deployment.start != "pack" or report.feasible is False:
@@ -211,7 +219,9 @@ def _packs(report: Report) -> Iterator[Row]:
         total = f"{len(deployment.pieces)} pieces, {plain(volume, 3)} {unit}3 together"
         least = f"{total}, the largest {least}"
     deep = f", {packed.layers} panels deep" if flat else ""
-    sign: Sign = "says" if report.feasible is None else "holds"
+    if report.panel is None:
+        deep += ", without their thickness" if flat else ", of panels without a thickness"
+    sign: Sign = "says" if said or report.feasible is None else "holds"
     yield Row(sign, "packs", f"{least} at {_degrees(packed.drive)}{deep}")
 
 
@@ -311,7 +321,11 @@ def _feet(report: Report) -> Iterator[Row]:
 
 
 def _sizes(report: Report) -> Iterator[Row]:
-    unit, sheet, shell = report.unit, report.sheet, report.deployed
-    sides = box((sheet.width, sheet.height), unit)
-    yield Row("says", "sheet", f"{sides}, area {area(sheet.area, unit)}")
-    yield Row("says", "deployed", box((shell.width, shell.depth, shell.height), unit))
+    clipped = report.deployment.flap_attachment == "clipped"
+    return size_rows(
+        report.sheet,
+        report.deployed,
+        report.outside if clipped else None,
+        report.unit,
+        boards=report.panel is not None,
+    )

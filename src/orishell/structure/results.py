@@ -29,6 +29,10 @@ from orishell.structure.whole_boards import arm_warnings
 
 LINEAR = "large displacements: all is linear, from the shape as it was designed"
 FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
+FOLDED = (
+    "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
+    "without one, as [panel] gives them none"
+)
 NOT_COVERED = (
     "imperfections of shape and fit, and play of hinges",
     "buckling of single webs and faces of boards between their webs",
@@ -70,7 +74,8 @@ class Analysis:
         """What the analysis says nothing of."""
         first = FOLLOWED if self.model.structure.nonlinear else LINEAR
         thinned = thinned_in_words(self.model.thinned)
-        return (first, *([thinned] if thinned else ()), *NOT_COVERED)
+        bare = FOLDED if self.model.design.panel is None else ""
+        return (first, *(each for each in (thinned, bare) if each), *NOT_COVERED)
 
     @property
     def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:

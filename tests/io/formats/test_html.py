@@ -24,6 +24,9 @@ from documents import (
 )
 from orishell.conventions.colours import rgb
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import box
+from orishell.conventions.record import as_table
+from orishell.conventions.row import Row
 from orishell.design import PanelSpec
 from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats import html
@@ -339,12 +342,25 @@ def test_thickness_is_switched_off_and_on(
 
 
 def test_figures(browser: Browser, tmp_path: Path) -> None:
-    """Of a document without a report: measured on the sheet itself."""
+    """They are rows as they are written; of a document without a report, of its panels alone."""
     document = demo_document("orthodiagonal")
-    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    rows = (
+        Row("warns", "held", "at 90 degrees: by its ties"),
+        Row("holds", "folds", "in one motion"),
+        Row("says", "deployed", "4 x 3 x 2 m of its boards; 5 x 3.1 x 2 m with clipped flaps"),
+        Row("says", "sheet", "6 x 4 m, area 24 m2"),
+    )
+    sizes = box(np.ptp(document.shell.positions, axis=0), "m")
+    width, height = np.ptp(document.require_flat(), axis=0)
+    sheet = f"{box((width, height), 'm')}, area {document.areas().sum():.3g} m2"
     with watched_page(browser) as page:
-        opened(page, tmp_path / "viewer.html")
-        figures = page.locator(".figures").inner_text()
-    assert f"{len(document.mesh.faces)}" in figures
-    assert f"{document.areas().sum():.3g} m\u00b2" in figures
-    assert f"{np.ptp(document.shell.positions[:, 2]):.3g} m" in figures
+        for report, expected in (
+            ({}, [sizes + " of panels without a thickness", sheet]),
+            ({"verdict": as_table(rows)}, [rows[2].finding, rows[3].finding, rows[0].finding]),
+        ):
+            shown = replace(document, report=report)
+            write_html(tmp_path / "viewer.html", shown, DEFAULT_SETTINGS)
+            opened(page, tmp_path / "viewer.html")
+            numbers = page.locator(".figures .orishell-number").all_inner_texts()
+            assert numbers[1] == f"{len(document.mesh.faces)}"
+            assert numbers[:1] + numbers[2:] == expected

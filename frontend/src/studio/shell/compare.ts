@@ -4,7 +4,7 @@ import { renderFigures } from "../../shared/figures.ts";
 import { Ghost3D } from "../../shared/ghost3d.ts";
 import { outlines, type View } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
-import { differences } from "./differences.ts";
+import { differences } from "../../shared/differences.ts";
 import { h, setAttribute } from "../parts/dom.ts";
 import type { Results } from "./results.ts";
 import type { Stage } from "./stage.ts";
@@ -75,7 +75,7 @@ export class Compare {
 
   private figuresOf(view: View): HTMLElement {
     const figures = h("div");
-    renderFigures(figures, view);
+    renderFigures(figures, view, (text) => this.store.labels.said(text));
     this.more(figures, view);
     return figures;
   }

@@ -7,7 +7,6 @@ import { Pattern2D } from "../../shared/pattern2d.ts";
 import { assignmentCounts } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h, keepFocus, scrolledByKeys } from "../parts/dom.ts";
-import { pretty } from "../parts/numbers.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
 
@@ -68,7 +67,7 @@ export class Results {
     const view = this.store.view.value;
     if (!view) return;
     keepFocus(() => {
-      renderFigures(this.figures, view);
+      renderFigures(this.figures, view, (text) => this.store.labels.said(text));
       this.onFigures?.(this.figures);
     });
   }
@@ -76,9 +75,8 @@ export class Results {
   private summary(): string {
     const report = this.store.report.value;
     if (!report) return "";
-    const { rows, columns, sheet } = report;
-    const unit = this.store.design.value.shell.unit;
-    return `${rows} rows, ${columns} columns; the flat sheet is ${pretty(sheet.width, 3)} by ${pretty(sheet.height, 3)} ${unit}.`;
+    const sheet = report.verdict.find(({ subject }) => subject === "sheet")?.finding ?? "";
+    return `${report.rows} rows, ${report.columns} columns; the flat sheet is ${sheet}.`;
   }
 
   private say(text: string): void {

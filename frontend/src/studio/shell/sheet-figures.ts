@@ -9,11 +9,11 @@ import { h } from "../parts/dom.ts";
 import type { Selection } from "./selection.ts";
 import type { Measured, Standing } from "./standing.ts";
 
-/** Put them among the others: headroom below the height, panels below their number. */
+/** Put them among the others: headroom below the sizes, panels below their number. */
 export function addFigures(figures: HTMLElement, view: View, standing: Standing, selection: Selection): void {
   const { unit } = view.header;
   const room = headroomWords(view, standing.headroom.value);
-  if (room) row(figures, "height", "headroom", "Headroom", room, Person3D.suits(view) ? "over a person's width, where most" : "clear, where most");
+  if (room) row(figures, "deployed", "headroom", "Headroom", room, Person3D.suits(view) ? "over a person's width, where most" : "clear, where most");
   if (panelCount(view) < 2) return;
   const { smallest, largest, areas, shortest } = sheetOf(view);
   for (const [key, name, panel] of [["largest", "Largest", largest], ["smallest", "Smallest", smallest]] as const) {

@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
+from orishell.document.sizes import BoxReport, deployed_in_words
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_smallest
 from orishell.workshop.boards import has_sheet
@@ -22,8 +23,8 @@ class KitFacts:
 
     starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
     construction: str  # as in [panel]; empty where panels have no thickness
-    # sides of the boxes around the flat sheet, and around the shell at its target with its boards:
-    # what folds, and that with what is clipped on
+    # sides of the boxes around the flat sheet and around the shell at its target, as its report has
+    # them: what folds, with its boards, and that with what is clipped on
     sheet: tuple[float, float]
     opened: tuple[float, float, float]
     whole: tuple[float, float, float]
@@ -47,6 +48,12 @@ class KitFacts:
     # degrees of freedom; None where it is
     freedoms: tuple[str, str] | None
 
+    def opened_in_words(self, unit: str) -> str:
+        """Its sizes at the target, as its verdict says them."""
+        outside = BoxReport(*self.whole) if self.flaps else None
+        boards = bool(self.construction)
+        return deployed_in_words(BoxReport(*self.opened), outside, unit, boards=boards)
+
 
 def find_facts(document: Document) -> KitFacts:
     """What is known of a document, and of what its report says."""
@@ -66,8 +73,8 @@ def find_facts(document: Document) -> KitFacts:
         starts_packed=packed,
         construction=document.panel.construction if document.panel and built else "",
         sheet=(width, height),
-        opened=_sides(document),
-        whole=_sides(document, *document.clipped),
+        opened=_reported(document, "deployed") or _sides(document),
+        whole=_reported(document, "outside") or _sides(document, *document.clipped),
         packs=tuple(
             (factor * each["length"], factor * each["width"], factor * each["height"])
             for each in packs
@@ -98,6 +105,15 @@ def _freedoms(report: Mapping[str, object]) -> tuple[str, str] | None:
     if count is None:
         return "unknown", ""
     return ("nearly", str(freedom["nearly"])) if count == 1 else ("known", str(count))
+
+
+def _reported(document: Document, key: str) -> tuple[float, float, float] | None:
+    """Sides of a box of the report; None of a model, which has no boards, or without a report."""
+    found = _table(document.report, key)
+    if not found or document.model_scale is not None:
+        return None
+    factor = _factor(document)
+    return factor * found["width"], factor * found["depth"], factor * found["height"]
 
 
 def _sides(*pieces: Document) -> tuple[float, float, float]:

@@ -1,0 +1,95 @@
+"""Sizes of a sheet and of a shell that stands, and the words in which every report has them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from orishell.conventions.quantities import area, box
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.document.document import Document
+
+
+@record
+class SheetReport:
+    """Size of the flat sheet."""
+
+    # its bounding box
+    width: float
+    height: float
+    area: float  # area of all panels
+
+
+@record
+class BoxReport:
+    """Bounding box of a state."""
+
+    # along x, y and z
+    width: float
+    depth: float
+    height: float
+
+
+def size_rows(
+    sheet: SheetReport | None,
+    deployed: BoxReport | None,
+    outside: BoxReport | None,
+    unit: str,
+    *,
+    boards: bool,
+) -> Iterator[Row]:
+    """The rows of the verdict that say sizes.
+
+    Parameters
+    ----------
+    sheet, deployed
+        Of the flat sheet, and of what folds; None where there is none.
+    outside
+        Of that and what is clipped on; None where nothing is.
+    unit
+        Of length.
+    boards
+        Whether panels have a thickness.
+    """
+    if sheet is not None:
+        yield Row("says", "sheet", f"{sheet_in_words(sheet, unit)}, area {area(sheet.area, unit)}")
+    if deployed is not None:
+        words = deployed_in_words(deployed, outside, unit, boards=boards)
+        yield Row("says", "deployed", words)
+
+
+def sheet_in_words(sheet: SheetReport, unit: str) -> str:
+    """The sides of a flat sheet."""
+    return box((sheet.width, sheet.height), unit)
+
+
+def deployed_in_words(
+    deployed: BoxReport, outside: BoxReport | None, unit: str, *, boards: bool
+) -> str:
+    """The sides of a shell that stands, each with what it is of.
+
+    Parameters are those of :func:`size_rows`.
+    """
+    of = "of its boards" if boards else "of panels without a thickness"
+    clipped = "" if outside is None else f"; {sides_in_words(outside, unit)} with clipped flaps"
+    return f"{sides_in_words(deployed, unit)} {of}{clipped}"
+
+
+def sides_in_words(of: BoxReport, unit: str) -> str:
+    """The sides of a box along x, y and z."""
+    return box((of.width, of.depth, of.height), unit)
+
+
+def rows_of_panels(document: Document) -> tuple[Row, ...]:
+    """The rows of a document of which nothing but its panels is known."""
+    flat, states = document.flat, document.states
+    sheet = None
+    if flat is not None:
+        width, height = np.ptp(flat, axis=0).tolist()
+        sheet = SheetReport(width, height, float(document.areas().sum()))
+    deployed = None
+    if len(states):
+        deployed = BoxReport(*np.ptp(document.shell.positions, axis=0).tolist())
+    return tuple(size_rows(sheet, deployed, None, document.unit, boards=False))
