@@ -10,8 +10,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
+from orishell.conventions.asked import Asked
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.conventions.table import placed
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
@@ -82,6 +84,9 @@ class DesignFile:
     fit: FitTable | None = field(default=None, repr=False)
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
+    # the keys of the file as it was read, and which of them were asked for, by what was made of it
+    # with changes, too
+    keys: Asked = field(default_factory=Asked, repr=False)
 
     @property
     def panel_count(self) -> int:
@@ -109,7 +114,7 @@ class DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
         known = (self.target, self.surface, self.drawing) if same else NOTHING
-        return _checked(tables, self.path, files=self.files, known=known)
+        return _checked(tables, self.path, files=self.files, known=known, keys=self.keys)
 
     @property
     def f(self) -> Curve:
@@ -177,12 +182,21 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     return _checked(with_joined_keys(raw), path, files=files)
 
 
-def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOTHING) -> DesignFile:
+def _checked(
+    raw: dict[str, Any],
+    path: Path,
+    *,
+    files: bool,
+    known: Known = NOTHING,
+    keys: Asked | None = None,
+) -> DesignFile:
     """A checked design file; a target that is known is not read again."""
+    keys, first = keys or Asked(), keys is None
     try:
         file = FileTable.model_validate(raw)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
+    given = list(placed(file, keys.asked))
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     directory = path.parent if files else None
     target, surface, drawing = known
@@ -196,6 +210,9 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         pattern = family.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(family), ("pattern",)) from None
+    given += placed(pattern, keys.asked, "pattern.")
+    if first:
+        keys.given = tuple(key for key in given if value_at(raw, key) is not None)
     if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
         raise InputError(
             "too few states for a motion from the pack over the target to the flat sheet",
@@ -243,6 +260,7 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         search=file.search,
         tables=raw,
         files=files,
+        keys=keys,
         turns=()
         if file.target is None or file.target.surface is None
         else file.target.surface.open_turns,
