@@ -111,10 +111,17 @@ class DesignFile:
         InputError
             As when the file is read.
         """
+        return self._with(values, self.keys)
+
+    def tried(self, values: Mapping[str, Any]) -> DesignFile:
+        """As :meth:`changed`, for a trial: what it is asked for is not asked of this file."""
+        return self._with(values, Asked())
+
+    def _with(self, values: Mapping[str, Any], keys: Asked) -> DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
         known = (self.target, self.surface, self.drawing) if same else NOTHING
-        return _checked(tables, self.path, files=self.files, known=known, keys=self.keys)
+        return _checked(tables, self.path, files=self.files, known=known, keys=keys)
 
     @property
     def f(self) -> Curve:
@@ -196,7 +203,7 @@ def _checked(
         file = FileTable.model_validate(raw)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
-    given = list(placed(file, keys.asked))
+    given = [key for key in placed(file, keys.asked) if key != "pattern"]  # the family's table
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     directory = path.parent if files else None
     target, surface, drawing = known

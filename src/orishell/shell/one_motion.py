@@ -65,7 +65,7 @@ def find_joining(file: DesignFile, joins: Joins, progress: Progress) -> Joining 
 
     for each in _candidates(file):
         try:
-            if joins(file.changed(each.change.changes), watch):
+            if joins(file.tried(each.change.changes), watch):
                 return each
         except (DesignError, InputError, VerificationError):
             continue

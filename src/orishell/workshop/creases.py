@@ -102,14 +102,10 @@ def made_lengths(document: Document, part: CutPart, workshop: Workshop) -> MadeL
     holed = _surrounded(document, part, workshop)
     creases = _between_rims(document, part, np.where(holed, 0.5 * workshop.relief_hole, 0.0))
     gap = 0.0 if workshop.corner_gap == "auto" else workshop.corner_gap
-    if workshop.creases == "score":
-        made = creases.lengths - 2 * gap
-    else:
-        folded = creases.layers != "ENGRAVE"
-        counts, _, _, length = _cuts(document, creases.lengths, gap, workshop, folded)
-        made = counts * length
+    folded = creases.layers != "ENGRAVE"
+    counts, _, _, length = _cuts(document, creases.lengths, gap, workshop, folded)
     return MadeLengths(
-        creases=float(np.maximum(made, 0.0).sum()),
+        creases=float(np.maximum(counts * length, 0.0).sum()),
         holes=float(np.pi * workshop.relief_hole * holed.sum()),
     )
 
@@ -228,13 +224,15 @@ def _cuts(
     document: Document, lengths: Array, gap: float, workshop: Workshop, folded: Booleans
 ) -> tuple[Array, Array, Array, Array]:
     """Number of cuts (C,), start of the first, distance from one to the next, and their length."""
-    continuous = ~folded | (workshop.creases == "score")
+    if workshop.creases == "score":
+        one = np.ones(len(lengths))
+        return one, gap * one, lengths, lengths - 2 * gap
     perforation = workshop.creases == "perforation"
     dash, duty = dash_length(document, workshop), workshop.duty
     bridge = (1 - duty) * dash
     whole = (lengths - 2 * max(gap, 0.5 * bridge) + bridge) / dash
     counts = np.floor(whole * (1 + STRAIGHT)) if perforation else np.rint(whole)
-    counts = np.where(continuous, 1, np.maximum(counts, 1))
+    counts = np.where(folded, np.maximum(counts, 1), 1)
     if perforation:
         cut = np.minimum(duty * np.minimum(dash, lengths / counts), lengths - 2 * gap)
         margin = np.maximum(gap, 0.5 * (lengths / counts - cut))
@@ -243,8 +241,8 @@ def _cuts(
         margin = np.maximum(gap, 0.5 * (1 - duty) * lengths / counts)
         pitch = (lengths - 2 * margin) / (counts - 1 + duty)
         cut = duty * pitch
-    first = np.where(continuous, gap, np.where(counts > 1, margin, 0.5 * (lengths - cut)))
-    return counts, first, pitch, np.where(continuous, lengths - 2 * gap, cut)
+    first = np.where(folded, np.where(counts > 1, margin, 0.5 * (lengths - cut)), gap)
+    return counts, first, pitch, np.where(folded, cut, lengths - 2 * gap)
 
 
 def _require_few(document: Document, counts: Array, workshop: Workshop) -> Integers:
