@@ -228,7 +228,7 @@ HOLED = {"relief_hole": 0.05 * MEAN, "corner_gap": 0.02 * MEAN}
 @pytest.mark.parametrize(
     ("document", "workshop"),
     [
-        (demo_document(), Workshop(**HOLED)),
+        (demo_document(), Workshop().having(**HOLED)),
         (demo_document(), stock_for("parallel-repeating").having(**HOLED)),
         (slit_document(), Workshop()),
     ],
