@@ -28,6 +28,7 @@ from orishell.design_file.tables import (
     FileTable,
     Ground,
     keys_of,
+    sized,
     structure_of,
     value_at,
     weighed,
@@ -48,8 +49,6 @@ CURVES = ("shell.unit", "target")
 Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None, Drawing | None]
 """The target curves, or the surface or the drawn sheet in their place."""
 NOTHING: Known = (None, None, None)
-ANY_SIZE = (1, 2)
-"""Rows and columns of a pattern whose size is still to be chosen."""
 
 
 @record
@@ -114,7 +113,18 @@ class DesignFile:
         return self._with(values, self.keys)
 
     def tried(self, values: Mapping[str, Any]) -> DesignFile:
-        """As :meth:`changed`, for a trial: what it is asked for is not asked of this file."""
+        """The same for a trial: what that is asked for is not asked of this file.
+
+        Parameters
+        ----------
+        values
+            As for :meth:`changed`.
+
+        Raises
+        ------
+        InputError
+            As when the file is read.
+        """
         return self._with(values, Asked())
 
     def _with(self, values: Mapping[str, Any], keys: Asked) -> DesignFile:
@@ -212,7 +222,7 @@ def _checked(
             drawing = file.target.pattern.drawing(directory, file.shell.unit)
         except InputError as error:
             raise error.in_file(path) from None
-    table = _sized(path, file, drawing)
+    table = sized(path, file, drawing)
     try:
         pattern = family.model_validate(table)
     except ValidationError as error:
@@ -272,35 +282,3 @@ def _checked(
         if file.target is None or file.target.surface is None
         else file.target.surface.open_turns,
     )
-
-
-def _sized(path: Path, file: FileTable, drawing: Drawing | None) -> dict[str, Any]:
-    """The table [pattern] with rows and columns where a drawing or a tolerance says them."""
-    if drawing is not None:
-        size, why = drawing.inner, "rows and columns are those of the drawn sheet"
-        remove = ""
-        if file.tolerance is not None:
-            raise InputError(why, file=path, keys=("tolerance",), remedy="remove the table")
-    elif file.tolerance is not None:
-        if file.target is None:
-            raise InputError(
-                "a tolerance needs a target to be measured from",
-                file=path,
-                keys=("tolerance",),
-                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
-                "rows and columns",
-            )
-        size, why = ANY_SIZE, "rows and columns are chosen where there is a tolerance"
-        remove = ", or the table [tolerance]"
-    else:
-        return file.pattern
-    for key in ("rows", "columns"):
-        if key in file.pattern:
-            raise InputError(
-                why,
-                file=path,
-                keys=(f"pattern.{key}",),
-                got=repr(file.pattern[key]),
-                remedy=f"remove {key}{remove}",
-            )
-    return {**file.pattern, "rows": size[0], "columns": size[1]}

@@ -146,8 +146,8 @@ def write_kit(
     if paper:  # what the shell itself has asked for is not for the model
         keys = keys.forgetting("workshop")
         workshop = workshop.noting(keys.asked)
-    told = stretch(progress, 0.0, STATES)
-    document, workshop, scale = _subject(shell, workshop, paper, told, WRITING)
+    begun = stretch(progress, 0.0, STATES)
+    document, workshop, scale = _subject(shell, workshop, paper, begun, WRITING)
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with OutputDirectory(directory).drafting() as made:
@@ -182,8 +182,8 @@ def booklet_of_kit(
     InputError
         If a setting does not fit the sheet.
     """
-    workshop = shell.file.workshop
-    document, workshop, _ = _subject(shell, workshop, paper, progress, "drawing the booklet")
+    told = (progress, "drawing the booklet")
+    document, workshop, _ = _subject(shell, shell.file.workshop, paper, *told)
     return booklet_pages(document, workshop, ground=not paper)
 
 
