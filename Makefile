@@ -1,6 +1,7 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
 # make thorough  the same, with what is long and rarely fails, and eight times as many random examples
+# make least   every command once with the least versions that pyproject.toml allows, and the newest
 # make portable  those that compare numbers, as other processors round them
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
@@ -29,7 +30,7 @@ INSTALL := { $(PIP) uv && $(UV) --editable "$$it"; } || $(PIP) --editable "$$it"
 # What is imported is compiled then, once; most of what is installed never is.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test thorough portable docs paper screenshots pages test-pages studio cad node everything quick bench lint types contracts check format clean
+.PHONY: demo test thorough least portable docs paper screenshots pages test-pages studio cad node everything quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -42,6 +43,11 @@ thorough: export ORISHELL_THOROUGH := 1
 
 test thorough: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip $(PARALLEL) --durations=15
+
+thorough: least
+
+least: $(VENV)/.run $(PAGES)
+	.ci/least
 
 portable: $(VENV)/.test
 	.ci/portable

@@ -15,10 +15,13 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from documents import FAMILIES, demo_document
+from documents import FAMILIES, demo_document, slit_document
 from orishell.conventions.errors import InputError
-from orishell.workshop import Drawing, Workshop
+from orishell.document import Document
+from orishell.workshop import Drawing, Line, Workshop
+from orishell.workshop.creases import mean_edge
 from orishell.workshop.layout import lay_out
+from orishell.workshop.settings import CreaseStyle
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.sheets import draw_sheets, measure_waste
 from samples import examples
@@ -210,3 +213,49 @@ def test_drawings_do_not_depend_on_the_hash_seed() -> None:
     ]
     assert len(said[0]) > 10_000
     assert said[0] == said[1]
+
+
+def length_of(line: Line) -> float:
+    points = np.concatenate([line.points, line.points[: int(line.closed)]])
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+MEAN = mean_edge(demo_document())
+HOLED = {"relief_hole": 0.05 * MEAN, "corner_gap": 0.02 * MEAN}
+
+
+@pytest.mark.parametrize("creases", ["score", "dashes", "perforation"])
+@pytest.mark.parametrize(
+    ("document", "workshop"),
+    [
+        (demo_document(), Workshop().having(**HOLED)),
+        (demo_document(), stock_for("parallel-repeating").having(**HOLED)),
+        (slit_document(), Workshop()),
+    ],
+    ids=["whole", "on stock", "slit"],
+)
+def test_lengths_are_those_of_what_is_drawn(
+    document: Document, workshop: Workshop, creases: CreaseStyle
+) -> None:
+    """The machine goes along outlines, slits, holes and dashes, as far as they are drawn."""
+    workshop = workshop.having(creases=creases)
+    sheets = draw_sheets(document, workshop)
+    sheets = sheets[len(sheets) > 1 :]  # without the map
+    lines = [line for sheet in sheets for line in sheet.lines]
+    holes = [circle for sheet in sheets for circle in sheet.circles]
+    assert all(hole.layer == "CUT" for hole in holes)
+    assert bool(holes) == bool(workshop.relief_hole)
+    waste = measure_waste(document, workshop)
+    cut = sum(length_of(line) for line in lines if line.layer == "CUT")
+    around = sum(2 * np.pi * hole.radius for hole in holes)
+    assert waste.cut_length == pytest.approx(cut + around, rel=1e-9)
+    along = sum(length_of(line) for line in lines if line.layer not in ("CUT", "LABEL"))
+    assert waste.crease_length == pytest.approx(along, rel=1e-9)
+
+
+def test_lengths_of_what_cannot_be_drawn_are_no_refusal() -> None:
+    """The sheet is as it is; its drawing is refused."""
+    document, workshop = demo_document(), Workshop(relief_hole=100.0)
+    assert measure_waste(document, workshop).crease_length == 0
+    with pytest.raises(InputError, match="holes leave too little"):
+        draw_sheets(document, workshop)

@@ -1815,9 +1815,9 @@ export interface Waste {
   used_area: number;
   /** Share of the stock that is not used. */
   waste: number;
-  /** Length of all outlines that are cut. */
+  /** Length of all that is cut: outlines, cuts within them and relief holes. */
   cut_length: number;
-  /** Length of all creases, those of tabs and strips too. */
+  /** Length of all that is scored, engraved, or cut in dashes, along creases, those of tabs and strips too. */
   crease_length: number;
 }
 

@@ -20,12 +20,16 @@ from orishell.cli.files import (
     require_loads,
     say,
     state_named,
+    warn_of_unused,
 )
 from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 
 if TYPE_CHECKING:
     from orishell.shell.candidate import ClashPolicy
+
+MAKING = ("cut", "paper", "kit")
+"""Tasks of formats that are what [workshop] is for: else that table is not asked for."""
 
 
 def design(
@@ -81,6 +85,8 @@ def design(
     earlier = output.of_earlier_run()
     with bar() as progress:
         written = write_shell(shell, out, chosen, settings, progress, force=force)
+    beside = ("search",) if any(each.task in MAKING for each in chosen) else ("search", "workshop")
+    warn_of_unused(asked.keys.unused(beside))
     if json_report:
         say(json.dumps({**shell.report.as_dict(), "seconds": shell.seconds}, indent=2))
     else:

@@ -6,7 +6,7 @@ import contextlib
 import re
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -109,6 +109,12 @@ def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
     for warning in shell.report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     return shell
+
+
+def warn_of_unused(keys: Collection[str]) -> None:
+    """Name keys of a design file that nothing has asked for."""
+    if keys:
+        say(f"orishell: warning: nothing here uses {', '.join(keys)}", err=True)
 
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(format_modules())}; or {ALL}."

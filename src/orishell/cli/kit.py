@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.files import FORCE_HELP, bar, designed, directory, say, shortened
+from orishell.cli.files import FORCE_HELP, bar, designed, directory, say, shortened, warn_of_unused
 
 
 def kit(
@@ -35,6 +35,7 @@ def kit(
     shell = designed(asked)
     with bar() as progress:
         made = write_kit(shell, out, paper=paper, progress=progress, force=force)
+    warn_of_unused(made.unused)
     if paper:
         say(f"scale     1:{plain(1 / made.scale)}")
     for text in shortened(made.files):

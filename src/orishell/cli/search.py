@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import FORCE_HELP, bar, directory, say, shortened
+from orishell.cli.files import FORCE_HELP, bar, directory, say, shortened, warn_of_unused
 from orishell.conventions.progress import asked_to_stop
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ def _search(file: Path, out: Path, pool: WorkerPool, *, variants: bool, force: b
                 written = write_found(
                     problem, found, out, pool, shown, variants=variants, stop=stopped, force=force
                 )
+    warn_of_unused(problem.keys.unused(beside=problem.tables))
     say("\n".join(_summary(problem, found, written)))
     if stopped.is_set():
         raise typer.Exit(128 + stopped.number)

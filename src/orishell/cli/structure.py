@@ -18,6 +18,7 @@ from orishell.cli.files import (
     require_carried,
     say,
     shortened,
+    warn_of_unused,
 )
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Quantities, plain
@@ -243,6 +244,7 @@ def structure(
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     written = [] if out is None else write_structure(shell, out, force=force)
+    warn_of_unused(asked.keys.unused(beside=("motion", "search", "workshop")))
     if json_report:
         say(json.dumps(as_table(report), indent=2, allow_nan=False))
     else:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, Self, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError, PydanticKnownError
+
+from orishell.conventions.asked import PLACE, Place
 
 T = TypeVar("T")
 
@@ -53,15 +56,74 @@ Pair = Annotated[tuple[T, T], entries(2)]
 class Table(BaseModel):
     """A table of the design file, which is the settings of its subject.
 
-    It has no unknown keys, and its values have the type they should have.
+    It has no unknown keys, and its values have the type they should have. Where it stands in a file
+    it notes which of its keys are read.
     """
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
+    if not TYPE_CHECKING:  # else every attribute would be known
+
+        def __getattribute__(self, name: str) -> Any:
+            """A value, noted as asked for."""
+            place = super().__getattribute__("__dict__").get(PLACE)
+            if place is not None:
+                place.note(name)
+            return super().__getattribute__(name)
+
     def having(self, **values: Any) -> Self:
-        """The table with other values, which nobody checks."""
+        """The table with other values, which nobody checks, and which are not those of a file."""
         assert values.keys() <= type(self).model_fields.keys()
-        return self.model_copy(update=values)
+        made = self.model_copy(update=values)
+        if PLACE in vars(made):
+            vars(made)[PLACE] = vars(made)[PLACE].without(values)
+        return made
+
+    def noting(self, asked: set[str]) -> Self:
+        """The same table, which notes in another set what it is asked for."""
+        made = self.model_copy()
+        if PLACE in vars(made):
+            vars(made)[PLACE] = Place(vars(made)[PLACE].keys, asked)
+        return made
+
+    def note_all(self) -> None:
+        """Note that it is read as a whole."""
+        for name in type(self).model_fields:
+            getattr(self, name)
+
+
+def placed(table: Table, asked: set[str], inside: str = "") -> Iterator[str]:
+    """Have a table and those within it note what they are asked for; the keys that they have.
+
+    Parameters
+    ----------
+    asked
+        Where to: a set of dotted keys.
+    inside
+        The key of the table itself, with a dot behind it.
+    """
+    keys: dict[str, str] = {}
+    for name, field in type(table).model_fields.items():
+        if name not in table.model_fields_set:
+            continue
+        key = inside + (field.alias or name)
+        tables = list(_tables_in(getattr(table, name), key))
+        if not tables:
+            keys[name] = key
+            yield key
+        for place, inner in tables:
+            yield from placed(inner, asked, f"{place}.")
+    vars(table)[PLACE] = Place(keys, asked)
+
+
+def _tables_in(value: Any, key: str) -> Iterator[tuple[str, Table]]:
+    """The tables in a value by their keys, those of a list by their numbers from 0."""
+    if isinstance(value, Table):
+        yield key, value
+    elif isinstance(value, tuple | Mapping):
+        named = value.items() if isinstance(value, Mapping) else enumerate(value)
+        for number, each in named:
+            yield from _tables_in(each, f"{key}.{number}")
 
 
 Kind = Literal["integer", "number", "choice", "angles4", "switch", "size"]

@@ -10,8 +10,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
+from orishell.conventions.asked import Asked
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.conventions.table import placed
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
@@ -26,6 +28,7 @@ from orishell.design_file.tables import (
     FileTable,
     Ground,
     keys_of,
+    sized,
     structure_of,
     value_at,
     weighed,
@@ -46,8 +49,6 @@ CURVES = ("shell.unit", "target")
 Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None, Drawing | None]
 """The target curves, or the surface or the drawn sheet in their place."""
 NOTHING: Known = (None, None, None)
-ANY_SIZE = (1, 2)
-"""Rows and columns of a pattern whose size is still to be chosen."""
 
 
 @record
@@ -82,6 +83,9 @@ class DesignFile:
     fit: FitTable | None = field(default=None, repr=False)
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
+    # the keys of the file as it was read, and which of them were asked for, by what was made of it
+    # with changes, too
+    keys: Asked = field(default_factory=Asked, repr=False)
 
     @property
     def panel_count(self) -> int:
@@ -106,10 +110,28 @@ class DesignFile:
         InputError
             As when the file is read.
         """
+        return self._with(values, self.keys)
+
+    def tried(self, values: Mapping[str, Any]) -> DesignFile:
+        """The same for a trial: what that is asked for is not asked of this file.
+
+        Parameters
+        ----------
+        values
+            As for :meth:`changed`.
+
+        Raises
+        ------
+        InputError
+            As when the file is read.
+        """
+        return self._with(values, Asked())
+
+    def _with(self, values: Mapping[str, Any], keys: Asked) -> DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
         known = (self.target, self.surface, self.drawing) if same else NOTHING
-        return _checked(tables, self.path, files=self.files, known=known)
+        return _checked(tables, self.path, files=self.files, known=known, keys=keys)
 
     @property
     def f(self) -> Curve:
@@ -177,12 +199,21 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     return _checked(with_joined_keys(raw), path, files=files)
 
 
-def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOTHING) -> DesignFile:
+def _checked(
+    raw: dict[str, Any],
+    path: Path,
+    *,
+    files: bool,
+    known: Known = NOTHING,
+    keys: Asked | None = None,
+) -> DesignFile:
     """A checked design file; a target that is known is not read again."""
+    keys, first = keys or Asked(), keys is None
     try:
         file = FileTable.model_validate(raw)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
+    given = [key for key in placed(file, keys.asked) if key != "pattern"]  # the family's table
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     directory = path.parent if files else None
     target, surface, drawing = known
@@ -191,11 +222,14 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
             drawing = file.target.pattern.drawing(directory, file.shell.unit)
         except InputError as error:
             raise error.in_file(path) from None
-    table = _sized(path, file, drawing)
+    table = sized(path, file, drawing)
     try:
         pattern = family.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(family), ("pattern",)) from None
+    given += placed(pattern, keys.asked, "pattern.")
+    if first:
+        keys.given = tuple(key for key in given if value_at(raw, key) is not None)
     if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
         raise InputError(
             "too few states for a motion from the pack over the target to the flat sheet",
@@ -243,39 +277,8 @@ def _checked(raw: dict[str, Any], path: Path, *, files: bool, known: Known = NOT
         search=file.search,
         tables=raw,
         files=files,
+        keys=keys,
         turns=()
         if file.target is None or file.target.surface is None
         else file.target.surface.open_turns,
     )
-
-
-def _sized(path: Path, file: FileTable, drawing: Drawing | None) -> dict[str, Any]:
-    """The table [pattern] with rows and columns where a drawing or a tolerance says them."""
-    if drawing is not None:
-        size, why = drawing.inner, "rows and columns are those of the drawn sheet"
-        remove = ""
-        if file.tolerance is not None:
-            raise InputError(why, file=path, keys=("tolerance",), remedy="remove the table")
-    elif file.tolerance is not None:
-        if file.target is None:
-            raise InputError(
-                "a tolerance needs a target to be measured from",
-                file=path,
-                keys=("tolerance",),
-                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
-                "rows and columns",
-            )
-        size, why = ANY_SIZE, "rows and columns are chosen where there is a tolerance"
-        remove = ", or the table [tolerance]"
-    else:
-        return file.pattern
-    for key in ("rows", "columns"):
-        if key in file.pattern:
-            raise InputError(
-                why,
-                file=path,
-                keys=(f"pattern.{key}",),
-                got=repr(file.pattern[key]),
-                remedy=f"remove {key}{remove}",
-            )
-    return {**file.pattern, "rows": size[0], "columns": size[1]}

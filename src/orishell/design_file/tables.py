@@ -24,6 +24,7 @@ from orishell.design_file.targets import Targets
 from orishell.families.registry import FAMILIES
 from orishell.families.tolerance import Tolerance
 from orishell.locking import CONTACT_TOLERANCE
+from orishell.motion.drawing import Drawing
 from orishell.structure.load_settings import OWN_WEIGHT, LoadCase
 from orishell.structure.materials import materials
 from orishell.structure.settings import Structure, StructureTable
@@ -193,6 +194,10 @@ class MotionTable(Table):
     contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
+ANY_SIZE = (1, 2)
+"""Rows and columns of a pattern whose size is still to be chosen."""
+
+
 class FileTable(Table):
     """All tables of a design file; those of the family's pattern are checked by the family."""
 
@@ -228,6 +233,38 @@ class FileTable(Table):
             what = "f and g, which this family sweeps; a surface asks for family = {able}"
             raise PydanticCustomError("source", what, {"able": " or ".join(able), "key": "surface"})
         return target
+
+
+def sized(path: Path, file: FileTable, drawing: Drawing | None) -> dict[str, Any]:
+    """The table [pattern] with rows and columns where a drawing or a tolerance says them."""
+    if drawing is not None:
+        size, why = drawing.inner, "rows and columns are those of the drawn sheet"
+        remove = ""
+        if file.tolerance is not None:
+            raise InputError(why, file=path, keys=("tolerance",), remedy="remove the table")
+    elif file.tolerance is not None:
+        if file.target is None:
+            raise InputError(
+                "a tolerance needs a target to be measured from",
+                file=path,
+                keys=("tolerance",),
+                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
+                "rows and columns",
+            )
+        size, why = ANY_SIZE, "rows and columns are chosen where there is a tolerance"
+        remove = ", or the table [tolerance]"
+    else:
+        return file.pattern
+    for key in ("rows", "columns"):
+        if key in file.pattern:
+            raise InputError(
+                why,
+                file=path,
+                keys=(f"pattern.{key}",),
+                got=repr(file.pattern[key]),
+                remedy=f"remove {key}{remove}",
+            )
+    return {**file.pattern, "rows": size[0], "columns": size[1]}
 
 
 def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:

@@ -109,6 +109,7 @@ class Target(Table):
 
         Without a directory no file may be read. Raises InputError if there is no curve.
         """
+        self.note_all()  # what has no meaning for its source was refused
         if self.svg is None and self.dxf is None and not isinstance(self.points, str):
             return _curve_of(self.model_dump_json(exclude_unset=True), unit)
         return self._curve(directory, unit)

@@ -173,10 +173,20 @@ class Pattern(Table):
         """Design what these parameters alone ask for, in a family that needs no target."""
         raise NotImplementedError
 
+    def idle(self) -> set[str]:
+        """Keys that change nothing beside the others, so that nothing is asked of them."""
+        return set() if self.flap else {"flap_side"}
+
     def arguments(self) -> dict[str, Any]:
-        """The keys as the functions take them: angles in radians, one side for each flap."""
+        """The keys as the functions take them: angles in radians, one side for each flap.
+
+        Those that are idle are left out.
+        """
         values: dict[str, Any] = {}
+        idle = self.idle()
         for key in type(self).model_fields:
+            if key in idle:
+                continue
             value = getattr(self, key)
             if key == "flap_side":
                 values["flap_sides"] = (value, value) if isinstance(value, str) else tuple(value)

@@ -41,7 +41,8 @@ class Levels:
         from scipy.sparse import coo_array
         from scipy.sparse.csgraph import connected_components, dijkstra
 
-        graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(count, count)).tocsr()
+        ends = pairs.T.astype(np.int32)  # SciPy before 1.14 finds no ways by longer numbers
+        graph = coo_array((np.ones(len(pairs)), ends), shape=(count, count)).tocsr()
         # What does not hang together begins with a thing of its own.
         pieces = connected_components(graph, directed=False)[1]
         starts = np.unique(pieces, return_index=True)[1]

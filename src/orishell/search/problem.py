@@ -5,10 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
 from orishell.conventions.arguments import path_of
+from orishell.conventions.asked import Asked
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
@@ -47,6 +49,7 @@ class Problem:
     objectives: tuple[Figure, ...]  # what is to be as small as can be
     # what figures may be: those of the file, and of a structure that it bears its loads
     limits: tuple[tuple[Figure, Limit], ...]
+    keys: Asked = field(default_factory=Asked, repr=False)  # which keys of the file are asked for
 
     @property
     def figures(self) -> dict[str, Figure]:
@@ -129,6 +132,7 @@ def parse_problem(
             (_figure(name, path, "search.subject_to"), limit)
             for name, limit in _limits(search, loaded=design.structure is not None).items()
         ),
+        design.keys,
     )
 
 

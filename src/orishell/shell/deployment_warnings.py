@@ -76,7 +76,7 @@ def _closes_better(file: DesignFile, packed: Pack) -> Remedy | None:
     if remedy is None or file.deployment.largest_fold < np.pi or file.panel:
         return None
     try:
-        design = designed(file.changed(remedy.changes))
+        design = designed(file.tried(remedy.changes))
     except (DesignError, InputError):
         return None
     lock = find_lock(design, tolerance=file.contact_tolerance)

@@ -86,6 +86,7 @@ class Kit:
 
     files: tuple[Path, ...]  # where they are now
     scale: float  # size of the model relative to the shell; 1 for the shell itself
+    unused: tuple[str, ...] = ()  # keys of the design file that nothing has asked for
 
 
 def folder_of(name: str, construction: str) -> str | None:
@@ -141,7 +142,12 @@ def write_kit(
     directory = path_of(directory, "write_kit: directory")
     require_shell(shell)
     require_kit_place(shell.file, directory, paper=paper, force=force)
-    document, workshop, scale = _subject(shell, paper, stretch(progress, 0.0, STATES), WRITING)
+    keys, workshop = shell.file.keys, shell.file.workshop
+    if paper:  # what the shell itself has asked for is not for the model
+        keys = keys.forgetting("workshop")
+        workshop = workshop.noting(keys.asked)
+    begun = stretch(progress, 0.0, STATES)
+    document, workshop, scale = _subject(shell, workshop, paper, begun, WRITING)
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with OutputDirectory(directory).drafting() as made:
@@ -158,7 +164,7 @@ def write_kit(
         readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, _places(shell.file, directory, force=force)))
-    return Kit(written, scale)
+    return Kit(written, scale, keys.unused(beside=("search",)))
 
 
 def booklet_of_kit(
@@ -176,20 +182,20 @@ def booklet_of_kit(
     InputError
         If a setting does not fit the sheet.
     """
-    document, workshop, _ = _subject(shell, paper, progress, "drawing the booklet")
+    told = (progress, "drawing the booklet")
+    document, workshop, _ = _subject(shell, shell.file.workshop, paper, *told)
     return booklet_pages(document, workshop, ground=not paper)
 
 
 def _subject(
-    shell: Shell, paper: bool, progress: Progress, what: str
+    shell: Shell, workshop: Workshop, paper: bool, progress: Progress, what: str
 ) -> tuple[Document, Workshop, float]:
     """What a kit is of: the shell, or a card model of it; and its size relative to the shell.
 
     Its states are made for ``what`` the progress is told.
     """
     require_shell(shell)
-    document, workshop = shell.document, shell.file.workshop
-    document = replace(document, states=states_of(shell.motion, progress, what))
+    document = replace(shell.document, states=states_of(shell.motion, progress, what))
     if not paper:
         return document, workshop, 1.0
     try:

@@ -60,7 +60,7 @@ def find_joining(file: DesignFile, joins: Joins, progress: Progress) -> Joining 
     tried = 0
     for each in _candidates(file):
         try:
-            changed = file.changed(each.change.changes)
+            changed = file.tried(each.change.changes)
             tried += changed.panel_count
             if tried > PANELS:
                 return None

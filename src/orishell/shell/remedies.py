@@ -150,7 +150,7 @@ class _RemedySearch:
         self.tried += 1 if self.file.tolerance is None else TRIALS // SEARCHES
         self._watch()
         try:
-            changed = self.file.changed(remedy.changes)
+            changed = self.file.tried(remedy.changes)
             self.tried += changed.panel_count * TRIALS // PANELS
             self.make(changed, self._watch)
         except DesignError as error:
@@ -170,7 +170,7 @@ class _RemedySearch:
     def _further(self, remedy: Remedy, reason: DesignError) -> Iterator[Remedy]:
         yield from reason.candidates
         if isinstance(reason, ClashError):
-            yield from _shrunk(self.file.changed(remedy.changes), reason.flap)
+            yield from _shrunk(self.file.tried(remedy.changes), reason.flap)
 
     def _apart(self, clash: ClashError) -> Iterator[Remedy]:
         """The widest flaps, the largest f and the longest part of g that keep panels apart."""
@@ -206,7 +206,7 @@ class _RemedySearch:
 
         def narrower(width: float) -> Design:
             self._watch()
-            return designed(self.file.changed({"pattern.flap": width}))
+            return designed(self.file.tried({"pattern.flap": width}))
 
         tolerance = self.file.contact_tolerance
         width = widest_flap(designed(self.file), narrower, tolerance)
@@ -230,7 +230,7 @@ class _RemedySearch:
         """Whether a changed shell can be designed, and its panels meet not before its target."""
         self._watch()
         try:
-            design = designed(self.file.changed(remedy.changes))
+            design = designed(self.file.tried(remedy.changes))
         except (DesignError, InputError):
             return False
         return reaches_target(design, self.file.contact_tolerance)

@@ -147,7 +147,7 @@ class _Trials:
         self.work += self.takes[quick]
         tried = {**changes, **self.few} if quick else changes
         try:
-            found, slack = self.analysed(self.file.changed(tried), watch, quick)
+            found, slack = self.analysed(self.file.tried(tried), watch, quick)
         except (DesignError, InputError):
             self.tried.append(f"{words} (cannot be made)")
             return None

@@ -57,9 +57,10 @@ class Snow(Table):
     @property
     def arrangements(self) -> tuple[Self, ...]:
         """The snow in each of its arrangements."""
-        if self.arrangement is not None or not SHAPES[self.shape]:
+        own = SHAPES[self.shape]
+        if self.arrangement is not None or not own:
             return (self,)
-        return tuple(self.having(arrangement=each) for each in SHAPES[self.shape])
+        return tuple(self.having(arrangement=each) for each in own)
 
     @model_validator(mode="after")
     def _check(self) -> Self:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table
 from orishell.structure.arrangements import arranged
@@ -189,7 +190,9 @@ class StructureTable(Table):
 
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:
         """The structure under load cases; its modulus is known."""
-        return Structure.model_construct(**dict(self), cases=cases)
+        made = Structure.model_construct(**dict(self), cases=cases)
+        vars(made).update({PLACE: vars(self)[PLACE]} if PLACE in vars(self) else {})
+        return made
 
 
 class Structure(StructureTable):

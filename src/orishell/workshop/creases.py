@@ -65,7 +65,8 @@ def crease_lines(document: Document, part: CutPart, workshop: Workshop) -> tuple
         layers, points = _straight_runs(document, creases)
     else:
         folded = creases.layers != "ENGRAVE"
-        counts, first, pitch, length = _cuts(document, creases.lengths, gap, workshop, folded)
+        found, first, pitch, length = _cuts(document, creases.lengths, gap, workshop, folded)
+        counts = _require_few(document, found, workshop)
         crease = np.repeat(np.arange(len(counts)), counts)
         number = np.arange(len(crease)) - np.repeat(np.cumsum(counts) - counts, counts)
         along = (first[crease] + number * pitch[crease])[:, None] + np.column_stack(
@@ -85,6 +86,30 @@ def relief_holes(document: Document, part: CutPart, workshop: Workshop) -> tuple
     )
 
 
+@record
+class MadeLengths:
+    """How far a machine goes along what is within the outlines of a part (lengths)."""
+
+    creases: float  # scored, cut in dashes or perforated, or engraved
+    holes: float  # around relief holes
+
+
+def made_lengths(document: Document, part: CutPart, workshop: Workshop) -> MadeLengths:
+    """The lengths of what is drawn by :func:`crease_lines` and :func:`relief_holes`.
+
+    Holes, gaps and dashes that do not fit the sheet, so that nothing is drawn, are not refused.
+    """
+    holed = _surrounded(document, part, workshop)
+    creases = _between_rims(document, part, np.where(holed, 0.5 * workshop.relief_hole, 0.0))
+    gap = 0.0 if workshop.corner_gap == "auto" else workshop.corner_gap
+    folded = creases.layers != "ENGRAVE"
+    counts, _, _, length = _cuts(document, creases.lengths, gap, workshop, folded)
+    return MadeLengths(
+        creases=float(np.maximum(counts * length, 0.0).sum()),
+        holes=float(np.pi * workshop.relief_hole * holed.sum()),
+    )
+
+
 def mean_edge(document: Document) -> float:
     """Mean length of the panels' edges in the flat sheet: what "auto" sizes follow."""
     corners = document.require_flat()[document.mesh.faces]
@@ -101,13 +126,20 @@ def dash_length(document: Document, workshop: Workshop) -> float:
 
 
 def _holed(document: Document, part: CutPart, workshop: Workshop) -> Booleans:
-    """Which vertices (V,) get a hole: inner ones of the sheet with all their panels in the part."""
+    """Which vertices (V,) get a hole; refused where there is no room for it."""
+    holed = _surrounded(document, part, workshop)
+    if workshop.relief_hole > 0:
+        _require_room(document, part, holed, workshop.relief_hole)
+    return holed
+
+
+def _surrounded(document: Document, part: CutPart, workshop: Workshop) -> Booleans:
+    """Which vertices (V,) are to get a hole: inner ones with all their panels in the part."""
     mesh = document.mesh
     holed = np.zeros(mesh.vertex_count, dtype=np.bool_)
     if workshop.relief_hole > 0:
         holed[mesh.inner_vertices()] = True
         holed[np.delete(mesh.faces, part.panels, axis=0)] = False
-        _require_room(document, part, holed, workshop.relief_hole)
     return holed
 
 
@@ -190,23 +222,17 @@ def _distances(points: Array, starts: Array, ends: Array) -> Array:
 
 def _cuts(
     document: Document, lengths: Array, gap: float, workshop: Workshop, folded: Booleans
-) -> tuple[Integers, Array, Array, Array]:
+) -> tuple[Array, Array, Array, Array]:
     """Number of cuts (C,), start of the first, distance from one to the next, and their length."""
-    continuous = ~folded | (workshop.creases == "score")
+    if workshop.creases == "score":
+        one = np.ones(len(lengths))
+        return one, gap * one, lengths, lengths - 2 * gap
     perforation = workshop.creases == "perforation"
     dash, duty = dash_length(document, workshop), workshop.duty
     bridge = (1 - duty) * dash
     whole = (lengths - 2 * max(gap, 0.5 * bridge) + bridge) / dash
     counts = np.floor(whole * (1 + STRAIGHT)) if perforation else np.rint(whole)
-    counts = np.where(continuous, 1, np.maximum(counts, 1))
-    if counts.sum() > MOST_CUTS:
-        raise InputError(
-            "the dashes are too fine",
-            keys=("workshop.dash",),
-            got=f"{dash:g} {document.unit}, {plain(counts.sum(), 3)} cuts",
-            expected=f"at most {MOST_CUTS:g} cuts",
-        )
-    counts = counts.astype(np.int64)
+    counts = np.where(folded, np.maximum(counts, 1), 1)
     if perforation:
         cut = np.minimum(duty * np.minimum(dash, lengths / counts), lengths - 2 * gap)
         margin = np.maximum(gap, 0.5 * (lengths / counts - cut))
@@ -215,8 +241,21 @@ def _cuts(
         margin = np.maximum(gap, 0.5 * (1 - duty) * lengths / counts)
         pitch = (lengths - 2 * margin) / (counts - 1 + duty)
         cut = duty * pitch
-    first = np.where(continuous, gap, np.where(counts > 1, margin, 0.5 * (lengths - cut)))
-    return counts, first, pitch, np.where(continuous, lengths - 2 * gap, cut)
+    first = np.where(folded, np.where(counts > 1, margin, 0.5 * (lengths - cut)), gap)
+    return counts, first, pitch, np.where(folded, cut, lengths - 2 * gap)
+
+
+def _require_few(document: Document, counts: Array, workshop: Workshop) -> Integers:
+    """Numbers of cuts, as whole numbers; refused if they are too many to be drawn."""
+    if counts.sum() > MOST_CUTS:
+        raise InputError(
+            "the dashes are too fine",
+            keys=("workshop.dash",),
+            got=f"{dash_length(document, workshop):g} {document.unit}, "
+            f"{plain(counts.sum(), 3)} cuts",
+            expected=f"at most {MOST_CUTS:g} cuts",
+        )
+    return counts.astype(np.int64)
 
 
 def _straight_runs(document: Document, creases: _Creases) -> tuple[Names, Array]:

@@ -157,13 +157,10 @@ def part_lines(document: Document, part: CutPart, workshop: Workshop) -> Content
 
     Raises InputError if holes or gaps are too large.
     """
-    flat, mesh = document.require_flat(), document.mesh
-    inside = np.flatnonzero(~mesh.crease & (mesh.edge_faces >= 0).all(axis=1))
-    inside = inside[np.isin(mesh.edge_faces[inside], part.panels).all(axis=1)]
     lines = (
         *(mark for mark in part.marks if isinstance(mark, Line)),
         *crease_lines(document, part, workshop),
-        *(Line("CUT", ends) for ends in flat[mesh.edges[inside]]),
+        *(Line("CUT", ends) for ends in cuts_within(document, part)),
         *(Line("CUT", without_straight(rim), closed=True) for rim in part.outlines[::-1]),
     )
     texts = (mark for mark in part.marks if isinstance(mark, Text))
@@ -172,6 +169,14 @@ def part_lines(document: Document, part: CutPart, workshop: Workshop) -> Content
         relief_holes(document, part, workshop),
         (*texts, *part_labels(document, part, workshop)),
     )
+
+
+def cuts_within(document: Document, part: CutPart) -> Array:
+    """Ends (C, 2, 2) of the cuts between panels of a part."""
+    flat, mesh = document.require_flat(), document.mesh
+    inside = np.flatnonzero(~mesh.crease & (mesh.edge_faces >= 0).all(axis=1))
+    inside = inside[np.isin(mesh.edge_faces[inside], part.panels).all(axis=1)]
+    return flat[mesh.edges[inside]]
 
 
 def draw_part(document: Document, part: CutPart, workshop: Workshop) -> Drawing:

@@ -11,6 +11,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
+from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import draw_map, number_text, with_clipped
 from orishell.workshop.board_sheets import count_board_sheets, draw_boards, draw_plan
 from orishell.workshop.boards import (
@@ -21,8 +22,16 @@ from orishell.workshop.boards import (
     sheet_title,
     with_glue_areas,
 )
+from orishell.workshop.creases import made_lengths
 from orishell.workshop.cut_parts import CutPart, whole_sheet
-from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
+from orishell.workshop.draw import (
+    cuts_within,
+    draw_page,
+    draw_part,
+    drawn_box,
+    part_lines,
+    require_drawable,
+)
 from orishell.workshop.layout import Layout, lay_out, on_its_roll, usable_stock
 from orishell.workshop.palettes import Drawing
 from orishell.workshop.placing import Placement, draw_stock_sheets
@@ -39,8 +48,11 @@ class Waste:
     stock_area: float
     used_area: float  # area of all parts, with tabs and strips
     waste: float  # share of the stock that is not used
-    cut_length: float  # length of all outlines that are cut
-    crease_length: float  # length of all creases, those of tabs and strips too
+    # length of all that is cut: outlines, cuts within them and relief holes
+    cut_length: float
+    # length of all that is scored, engraved, or cut in dashes, along creases, those of tabs and
+    # strips too
+    crease_length: float
 
 
 def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
@@ -123,28 +135,34 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet, or else the solid panels, need and waste; cuts and creases."""
     workshop = on_its_roll(document, workshop)
     everything = with_clipped(document)
-    flat, edges = everything.require_flat(), everything.mesh.edges
+    within, creases = 0.0, 0.0  # lengths
     if has_sheet(document):
         layout = lay_out(document, workshop)
         outlines = [outline for part in layout.parts for outline in part.outlines]
-        creases = np.concatenate([part.creases for part in layout.parts])
+        made = [made_lengths(everything, part, workshop) for part in layout.parts]
+        creases = sum(each.creases for each in made)
+        within = sum(each.holes for each in made)
+        within += sum(_length(cuts_within(everything, part)) for part in layout.parts)
         sheets = layout.sheets
     else:
         outlines = [*map(distinct_corners, seen_from_outside(everything, 0).outlines)]
-        creases = np.zeros(0, np.int64)
         sheets = count_board_sheets(document, workshop) or 1
     if workshop.stock is None:
         stock = float(np.prod(np.ptp(np.concatenate(outlines), axis=0)))
     else:
         stock = sheets * workshop.stock[0] * workshop.stock[1]
     used = sum(float(signed_areas(outline)) for outline in outlines)
-    around = [outline - np.roll(outline, 1, axis=0) for outline in outlines]
-    ends = flat[edges[creases]]
+    around = [np.stack([outline, np.roll(outline, 1, axis=0)], axis=1) for outline in outlines]
     return Waste(
         sheets=sheets,
         stock_area=stock,
         used_area=used,
         waste=1 - used / stock,
-        cut_length=float(sum(np.hypot(*sides.T).sum() for sides in around)),
-        crease_length=float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).sum()),
+        cut_length=sum(map(_length, around)) + within,
+        crease_length=creases,
     )
+
+
+def _length(lines: Array) -> float:
+    """Length of straight lines (L, 2, 2) together."""
+    return float(np.hypot(*(lines[:, 1] - lines[:, 0]).T).sum())

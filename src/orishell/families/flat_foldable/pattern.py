@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -45,8 +45,6 @@ ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
 COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
 SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
 Angles = list[Annotated[Number, Field(**FOLD)]]
-FITTED = ("edge_ratio", "direction", "border", "ground")
-"""Arguments of a fit only."""
 
 
 class FlatFoldablePattern(Pattern):
@@ -210,10 +208,9 @@ class FlatFoldablePattern(Pattern):
             return design
         return locked(design, self.flap, straight=self.border == "straight")
 
-    def arguments(self) -> dict[str, Any]:
-        """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""
-        values = super().arguments()
-        return {key: each for key, each in values.items() if key not in FITTED}
+    def idle(self) -> set[str]:
+        """Keys of a fit, of a sheet without a target."""
+        return super().idle() | {key for key, aim in self.only.items() if aim == "surface"}
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""

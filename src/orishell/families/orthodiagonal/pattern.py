@@ -93,6 +93,11 @@ class OrthodiagonalPattern(Pattern):
         require_one_kind("row_angle_deg")(self)
         return self
 
+    def idle(self) -> set[str]:
+        """Of a zigzag also the keys that place chords."""
+        chords = {"spacing", "placement"} if self.row == "zigzag" else set()
+        return super().idle() | chords
+
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
         """As for parallel repeating, and zigzags of any depth below the tolerance."""
         ways = [self] if self.row == "zigzag" else placement_variants(self, tolerance)

@@ -117,7 +117,8 @@ class Placing:
         pattern, count = self.pattern, len(self.pattern.faces)
         creases = np.flatnonzero(pattern.crease)
         pairs = pattern.edge_faces[creases]
-        graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(count, count)).tocsr()
+        ends = pairs.T.astype(np.int32)  # SciPy before 1.14 finds no ways by longer numbers
+        graph = coo_array((np.ones(len(pairs)), ends), shape=(count, count)).tocsr()
         pieces = connected_components(graph, directed=False)[1]
         first = _middle_panels(pattern, pieces.astype(np.int64))
         depths, before, _ = dijkstra(

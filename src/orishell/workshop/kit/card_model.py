@@ -27,6 +27,9 @@ class CardModel:
 def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     """The card model of a shell, at ``paper_scale``, or the largest scale that fits ``paper``.
 
+    Creases are made as those of the shell, but sizes in the workshop's settings are the shell's:
+    those of the model follow its sheet.
+
     Raises InputError if it takes more than 400 pages at ``paper_scale``.
     """
     millimetres = conversion(document.require_unit(), "mm")
@@ -39,7 +42,6 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     else:
         scale = tile_sheet(placed, workshop.paper_scale, workshop.paper).scale
     drawn = workshop.having(
-        creases="score",
         dash="auto",
         corner_gap="auto",
         relief_hole=0.0,

@@ -62,7 +62,9 @@ def _making(
     joined = ("strips" if "strip" in parts else "tabs",)
     if not facts.construction:
         scored = workshop.creases == "score"
-        first = Step("crease" if scored else "crease_cut", said, FLAT, plan=True)
+        name = "crease" if scored else "crease_cut"
+        printed = () if scored or not facts.model else ("printed",)
+        first = Step(name, said, FLAT, plan=True, more=printed)
         yield replace(first, check="all_parts" if split else check)
         if split:
             yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
