@@ -196,6 +196,12 @@ def test_a_mesh_that_is_shown_many_times_is_refused_before_it_is_made(tmp_path: 
         read_mesh(written(roof(copies), tmp_path))  # 1,088,000 triangles
 
 
+def test_a_scale_beyond_all_numbers_makes_no_surface(tmp_path: Path) -> None:
+    file = read_mesh(written(roof(nodes({"mesh": 0, "scale": [1e300] * 3})), tmp_path))
+    with pytest.raises(InputError, match="too large or too small"):
+        MeshSurface.of(file.vertices, file.triangles)
+
+
 GLB = b"glTF\2\0\0\0"
 BROKEN: dict[str, tuple[str, bytes, str]] = {
     "a number of a vertex that is far too large": (

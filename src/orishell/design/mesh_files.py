@@ -120,6 +120,7 @@ def _read(path: Path) -> MeshFile:
     return MeshFile(vertices, triangles, unit if unit in MILLIMETRES else "", up)
 
 
+@np.errstate(all="ignore")  # what overflows is refused as a surface
 def _shown(ending: str, content: bytes, buffers: Any = None) -> tuple[Array, Integers]:
     """Vertices and triangles of all that a file shows, each where its nodes put it."""
     import trimesh

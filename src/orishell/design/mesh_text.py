@@ -12,6 +12,8 @@ import re
 
 from orishell.design.mesh_file_error import MeshFileError, text_of
 
+MOST = 4_000_000
+"""Vertices, and triangles, of an OBJ file, at most."""
 HEAD, RECORD = 84, 50
 """Bytes of a binary STL file before its triangles, and of each."""
 _SOLID = re.compile(r"^[ \t]*((?:end)?solid)\b.*$", re.IGNORECASE | re.MULTILINE)
@@ -34,6 +36,8 @@ def plain_obj(data: bytes) -> tuple[bytes, int]:
             whole = whole[:-1] + " "
             continue
         words, whole = whole.split(), ""
+        if max(vertices, triangles) > MOST:
+            raise MeshFileError(f"line {number}", "more vertices or triangles", f"{MOST} at most")
         try:
             if words[:1] == ["v"]:
                 x, y, z = map(float, words[1:4])
