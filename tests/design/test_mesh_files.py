@@ -235,6 +235,25 @@ BROKEN: dict[str, tuple[str, bytes, str]] = {
         b"end_header\n-3 0 1 2\n",
         "breaks off",
     ),
+    "a face that is no list": (
+        "roof.ply",
+        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        b"property float z\nelement face 1\nproperty int vertex_indices\nend_header\n0 0 0 0\n",
+        "a list vertex_indices",
+    ),
+    "a list of heights": (
+        "roof.ply",
+        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        b"property list int float z\nelement face 1\nproperty list int int vertex_indices\n"
+        b"end_header\n0 0 1 0 3 0 0 0\n",
+        "vertex with x, y, z",
+    ),
+    "a list of a half": (
+        "roof.ply",
+        b"ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\n"
+        b"end_header\n2.5 0 1 2\n",
+        "a list of 2.5",
+    ),
     "words among numbers": (
         "roof.ply",
         b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\nabc\n",

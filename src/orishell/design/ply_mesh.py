@@ -23,6 +23,8 @@ KINDS: Final = {
     **{"float": "f", "float32": "f", "double": "d", "float64": "d"},
 }
 ORDERS: Final = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+LISTS: Final = ("vertex_indices", "vertex_index")
+"""What programs call the corners of a face."""
 Properties = dict[str, tuple[str, str]]
 """The kind of a number by name, and of the count of a list of such, or ""."""
 
@@ -41,15 +43,16 @@ def read_ply(data: bytes) -> tuple[Array, Integers]:
         except struct.error:
             what = f"{count} of element {name}"
             raise MeshFileError("", "a file that breaks off", what) from None
-    names = {name: list(properties) for name, (_, properties) in elements.items()}
     try:
-        x, y, z = (names["vertex"].index(axis) for axis in "xyz")
-        listed = next(each for each in names["face"] if each in {"vertex_indices", "vertex_index"})
+        vertex, face = elements["vertex"][1], elements["face"][1]
+        x, y, z = (list(vertex).index(axis) for axis in "xyz" if not vertex[axis][1])
+        listed = next(k for k, each in enumerate(face) if each in LISTS and face[each][1])
     except (KeyError, ValueError, StopIteration):
-        expected = "vertex with x, y, z, and face with vertex_indices"
-        raise MeshFileError("elements", str(names), expected) from None
+        got = "; ".join(f"{name}: {', '.join(each)}" for name, (_, each) in elements.items())
+        expected = "vertex with x, y, z, and face with a list vertex_indices"
+        raise MeshFileError("elements", got or "none", expected) from None
     points = np.array([(row[x], row[y], row[z]) for row in rows["vertex"]], np.float64)
-    polygons = [row[names["face"].index(listed)] for row in rows["face"]]
+    polygons = [row[listed] for row in rows["face"]]
     fans = [(p[0], p[k], p[k + 1]) for p in polygons for k in range(1, len(p) - 1)]
     triangles = np.array(fans, np.float64).reshape(-1, 3)
     if not (np.abs(triangles) < 2**53).all() or (triangles % 1).any():
@@ -119,7 +122,10 @@ def _rows(
         for kind, counted in properties:
             length = 1
             if counted:
-                length = int(struct.unpack_from(order + counted, body, at)[0])
+                (given,) = struct.unpack_from(order + counted, body, at)
+                length = int(given)
+                if length != given:
+                    raise MeshFileError("", f"a list of {given}", "lists of whole numbers of items")
                 at += struct.calcsize(order + counted)
             values = struct.unpack_from(f"{order}{length}{kind}", body, at)
             at += struct.calcsize(f"{order}{length}{kind}")
