@@ -19,7 +19,7 @@ from orishell.verification import TOLERANCE
 ROOT = Path(__file__).parents[2]
 
 FORMATS_AND_PICTURES = {
-    *("anywidget", "ezdxf", "igl", "matplotlib", "meshio", "orjson", "PIL", "pygltflib"),
+    *("anywidget", "ezdxf", "igl", "matplotlib", "meshio", "orjson", "PIL", "pygltflib", "trimesh"),
     *("reportlab", "rhino3dm", "scipy", "shapely"),
     *("fastapi", "starlette", "tomli_w", "uvicorn"),
     *("http.client", "urllib.request", "xml.sax"),

@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design.mesh_facing import vertex_normals
-from orishell.design.open_mesh import OpenMesh, find_corners, open_mesh
+from orishell.design.open_mesh import OpenMesh, find_corners, open_mesh, require_size
 from orishell.design.piece import Piece
 from orishell.design.plan_rectangle import PlanRectangle, mesh_over
 from orishell.design.surface import Lattice
@@ -24,6 +24,7 @@ class MeshSurface:
     """A mesh; its lattices, for pictures, lie on the surface with its vertices and normals."""
 
     piece: Piece
+    notes: tuple[str, ...] = ()  # what is to be said of how it was read
 
     @classmethod
     def of(cls, vertices: Array, triangles: Integers, corners: Array | None = None) -> MeshSurface:
@@ -61,7 +62,10 @@ class MeshSurface:
         mesh, normals, ends = mesh_over(rectangle, vertices, triangles)
         normals = normals / scale
         normals = normals / lengths(normals)[:, None]
-        return cls._between(replace(mesh, vertices=mesh.vertices * scale), normals, ends)
+        with np.errstate(over="ignore"):  # what overflows is refused
+            scaled = mesh.vertices * scale
+        require_size(scaled)
+        return cls._between(replace(mesh, vertices=scaled), normals, ends)
 
     @classmethod
     def _between(cls, mesh: OpenMesh, normals: Array, ends: Integers) -> MeshSurface:
@@ -131,6 +135,13 @@ class MeshSurface:
     def size(self) -> float:
         """The diagonal of its box."""
         return self.piece.diagonal
+
+
+def lies_on_its_side(piece: Piece) -> bool:
+    """Whether its mean normal is along y more than along z."""
+    p, q, r = np.moveaxis(piece.vertices[piece.triangles], 1, 0)
+    _, y, z = np.abs(np.cross(q - p, r - p).sum(axis=0))
+    return bool(y > z)
 
 
 def _along(line: Array, share: Array) -> Array:

@@ -16,6 +16,8 @@ MOST = 400_000
 """Triangles of a mesh, at most."""
 SAME = 1e-7
 """Vertices are the same one if they lie nearer than this share of the mesh's size."""
+FARTHEST = 1e60
+"""The largest coordinate; its fourth power still is a number."""
 CORNER = np.deg2rad(25)
 """A rim that turns by less has no corner there."""
 SHORTEST_SIDE = 0.08
@@ -160,8 +162,9 @@ def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Intege
             f"at most {MOST}",
             "write it with larger triangles",
         )
-    if not np.isfinite(vertices).all():
-        raise refused_mesh("the mesh has coordinates that are no numbers", "", "finite coordinates")
+    used, inverse = np.unique(triangles, return_inverse=True)  # what none uses has no size
+    vertices, triangles = vertices[used], inverse.reshape(-1, 3)
+    require_size(vertices)
     size = float(lengths(np.ptp(vertices, axis=0))) if len(vertices) else 0.0
     pairs = cKDTree(vertices).query_pairs(SAME * size, output_type="ndarray")
     links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
@@ -177,6 +180,20 @@ def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Intege
     triangles = triangles[np.sort(first)]
     used, inverse = np.unique(triangles, return_inverse=True)
     return vertices[used], inverse.reshape(-1, 3).astype(np.int64)
+
+
+def require_size(vertices: Array) -> None:
+    """Refuse coordinates that are no numbers, or whose squares of squares would be none."""
+    if not np.isfinite(vertices).all():
+        raise refused_mesh("the mesh has coordinates that are no numbers", "", "finite coordinates")
+    largest = float(np.abs(vertices).max(initial=0.0))
+    if largest > FARTHEST or 0 < largest < 1 / FARTHEST:
+        raise refused_mesh(
+            "the mesh is too large or too small for its coordinates",
+            f"coordinates up to {largest:.4g}",
+            f"from {1 / FARTHEST:g} to {FARTHEST:g}",
+            "check unit and scale",
+        )
 
 
 def _require_two_each(vertices: Array, triangles: Integers) -> None:

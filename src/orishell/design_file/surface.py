@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal, Self
 
@@ -14,13 +15,14 @@ from orishell.conventions.quantities import Unit, conversion
 from orishell.conventions.table import Number, Table
 from orishell.curves import FormulaOfTwo, parse_formula_of_two
 from orishell.design import FormulaSurface, MeshSurface, PlanRectangle
-from orishell.design.mesh_files import read_mesh
+from orishell.design.mesh_files import Axis, MeshFile, read_mesh, turned_up
+from orishell.design.mesh_surface import lies_on_its_side
 from orishell.design_file.target import Ends, Factor, beside, numbers, one_source
 
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
-    "mesh": {"unit", "corners", "x", "y", "centre", "size", "turn_deg"},
-    "vertices": {"triangles", "unit", "corners", "x", "y", "centre", "size", "turn_deg"},
+    "mesh": {"unit", "up", "corners", "x", "y", "centre", "size", "turn_deg"},
+    "vertices": {"triangles", "unit", "up", "corners", "x", "y", "centre", "size", "turn_deg"},
 }
 """The sources of a surface, and the keys that have a meaning for each."""
 MOST_VERTICES: Final = 200_000
@@ -30,6 +32,10 @@ RECTANGLE: Final = ("centre", "size", "turn_deg")
 TURNS: Final = (0.0, 30.0, 60.0, 90.0, 120.0, 150.0)
 """Turns of a rectangle that are tried where the file leaves them open (degrees)."""
 ALWAYS: Final = {"scale"}
+LYING: Final = (
+    'the mesh lies on its side: its mean normal is along y. If y points up in it, up = "y" in '
+    '[target.surface] turns it; up = "z" says that it is meant so'
+)
 
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Sizes = Annotated[list[Annotated[Number, Field(gt=0)]], Field(min_length=2, max_length=2)]
@@ -70,6 +76,7 @@ class SurfaceTable(Table):
     vertices: Listed | None = None
     triangles: Triples | None = None
     unit: Unit | None = None
+    up: Axis | None = None
     corners: Places | None = None
     scale: Factor | Factors = 1.0
 
@@ -205,28 +212,52 @@ class SurfaceTable(Table):
 
     def _mesh(self, directory: Path | None, unit: str) -> MeshSurface:
         path = None if self.mesh is None else _opened(directory, self.mesh)
-        vertices, faces = (
-            (np.array(self.vertices), np.array(self.triangles)) if path is None else read_mesh(path)
-        )
-        own = conversion(self.unit or unit, unit)
-        factor = own * np.array(self._scale)
-        corners = None if self.corners is None else np.array(self.corners)
+        file = self._listed() if path is None else read_mesh(path, self.up)
         try:
-            if self.size is not None or self.x is not None:
-                return MeshSurface.over(self._rectangle(), vertices, faces, factor)
-            return MeshSurface.of(
-                factor * vertices, faces, None if corners is None else factor * corners
-            )
+            return self._surface_of(file, unit)
         except InputError as error:
+            self._offer_up(error, file, unit)
             raise error if path is None else error.in_file(path) from None
+
+    def _listed(self) -> MeshFile:
+        """The mesh whose vertices and triangles are listed."""
+        vertices = turned_up(np.array(self.vertices), self.up or "z")
+        return MeshFile(vertices, np.array(self.triangles), "", None)
+
+    def _surface_of(self, file: MeshFile, unit: str) -> MeshSurface:
+        vertices, faces = file.vertices, file.triangles
+        factor = conversion(self.unit or file.unit or unit, unit) * np.array(self._scale)
+        if self.size is not None or self.x is not None:
+            made = MeshSurface.over(self._rectangle(), vertices, faces, factor)
+        else:
+            corners = None if self.corners is None else factor * np.array(self.corners)
+            with np.errstate(over="ignore"):  # what overflows is refused
+                made = MeshSurface.of(factor * vertices, faces, corners)
+        if (self.up or file.up) is None and lies_on_its_side(made.piece):
+            return replace(made, notes=(LYING,))
+        return made
+
+    def _offer_up(self, error: InputError, file: MeshFile, unit: str) -> None:
+        """Say in a refusal that the mesh may lie on its side, if it does when it stands."""
+        if (self.up or file.up) is not None:
+            return
+        standing = replace(file, vertices=turned_up(file.vertices, "y"), up="y")
+        try:
+            self._surface_of(standing, unit)
+        except InputError:
+            return
+        error.remedy = f'up = "y" if y points up in it, or {error.remedy}'.removesuffix(", or ")
 
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
         """The table with the mesh itself in place of its file's name."""
         table = self.model_dump(exclude_unset=True)
         if self.mesh is not None:
-            vertices, triangles = read_mesh(_opened(directory, self.mesh))
+            file = read_mesh(_opened(directory, self.mesh), self.up)
             del table["mesh"]
-            table |= {"vertices": vertices.tolist(), "triangles": triangles.tolist()}
+            table |= {"vertices": file.vertices.tolist(), "triangles": file.triangles.tolist()}
+            axis = self.up or file.up
+            table |= {"up": "z"} if axis is not None else {}  # as it is listed
+            table |= {"unit": self.unit or file.unit or unit}
         return table
 
 

@@ -87,7 +87,8 @@ def read_dropped_mesh(name: str, content: str, unit: str) -> DroppedTarget:
     The content is in base64. Raises InputError if it holds no open piece of surface.
     """
     with dropped_file(name, content, ENDINGS, "a mesh") as path:
-        mesh = open_mesh(*read_mesh(path))
+        file = read_mesh(path)
+        mesh = open_mesh(file.vertices, file.triangles)
     if len(mesh.triangles) > MOST_TRIANGLES:
         raise InputError(
             "the mesh has too many triangles for the studio",
@@ -98,9 +99,14 @@ def read_dropped_mesh(name: str, content: str, unit: str) -> DroppedTarget:
         )
     size = np.ptp(mesh.vertices, axis=0)
     places = DIGITS - 1 - int(np.floor(np.log10(size.max())))
-    table = {
+    table: dict[str, Any] = {
         "vertices": (np.round(mesh.vertices, places) + 0.0).tolist(),
         "triangles": mesh.triangles.tolist(),
     }
+    if file.unit not in {"", unit}:
+        table["unit"] = file.unit
+    if file.up is not None:
+        table["up"] = "z"  # as its vertices are listed
     sizes = " x ".join(plain(float(each), 3) for each in size)
-    return {"table": table, "note": f"{len(mesh.triangles)} triangles of {name}, {sizes} {unit}"}
+    note = f"{len(mesh.triangles)} triangles of {name}, {sizes} {file.unit or unit}"
+    return {"table": table, "note": note}
