@@ -64,7 +64,7 @@ def plain_gltf(data: bytes, directory: Path, most: int) -> tuple[bytes, Buffers]
         _keep_shapes(content, 2 * most)
         return orjson.dumps(content), Buffers(directory, most, binary)
     except (LookupError, TypeError, AttributeError, ValueError) as error:
-        got = f"{type(error).__name__}: {error}"
+        got = f"{type(error).__name__}: {error}".removesuffix(": ")
         raise MeshFileError("", got, "what the standard of glTF 2.0 says") from None
 
 

@@ -154,7 +154,7 @@ def _shown(ending: str, content: bytes, buffers: Any = None) -> tuple[Array, Int
     except MeshFileError:
         raise
     except Exception as error:
-        got = f"{type(error).__name__}: {error}"
+        got = f"{type(error).__name__}: {error}".removesuffix(": ")
         raise MeshFileError("", got, "what the standard of its format says") from None
     return np.concatenate(points), np.concatenate(triangles)
 
