@@ -177,6 +177,8 @@ def test_two_are_compared_at_one_scale_with_one_slider(
         first, second = (each.figures["panels"] for each in (members[0], members[-1]))
         share = 100 * (first - second) / second
         assert f"\u2212{-share:.1f} %" in figures(page)
+        # Sizes are in the words of the verdict, of both.
+        assert figures(page).count(" of panels without a thickness") == 2
 
         # The same size on the screen is the same size in the world, before and after a turn.
         arms = "orishell.shells.drawn.map((shell) => shell.arm().toArray())"
