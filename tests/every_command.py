@@ -32,7 +32,7 @@ columns = 2
 xi_deg = 50
 
 [search]
-minimise = ["panels", "height"]
+minimise = ["panels", "sheet_area"]
 evaluations = 8
 population = 4
 method = "nsga2"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +13,17 @@ from command_line import orishell
 from design_tables import Tables, formula, tables
 from documents import EXAMPLES
 from kits import read_sound
+from orishell import (
+    curve_from_formulas,
+    design_orthodiagonal,
+    design_parallel_repeating,
+    parse_formula,
+)
 from orishell.conventions.table import Table
+from orishell.design import Design
 from orishell.design_file import check_design, read_design_file
 from orishell.design_file.tables import with_values
+from orishell.motion.layout import points_of
 from orishell.shell import make_shell
 from orishell.shell.kit import write_kit
 from orishell.shell.steps import MEASURES
@@ -24,6 +33,7 @@ from samples import led_by
 ALL = sorted(path.stem for path in EXAMPLES.glob("*.toml"))
 QUICK = ("canopy", "sectors", "figure1_card")
 """Examples that are made in a second or two: with and without a target, and with many keys."""
+LOADED = sorted(name for name in ALL if "[structure]" in (EXAMPLES / f"{name}.toml").read_text())
 WHOLE = ".combine"
 """A table of names that the user chose."""
 
@@ -118,6 +128,19 @@ def test_what_is_named_can_be_left_out() -> None:
         assert one.as_dict()[key] == other.as_dict()[key]
 
 
+@pytest.mark.parametrize("make", [design_parallel_repeating, design_orthodiagonal])
+def test_where_flaps_fold_to_is_idle_without_flaps(make: Callable[..., Design]) -> None:
+    f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    g = curve_from_formulas(None, parse_formula("0.1*x**2"), 0, 2)
+    sheets = [
+        make(f, g, rows=5, columns=3, flap=0.0, **sides).mechanism
+        for sides in ({}, {"flap_sides": ("start", "start")}, {"flap_sides": ("end", "start")})
+    ]
+    for drive in (0.0, 0.9 * sheets[0].target_drive):
+        first, *others = (points_of(sheet, drive) for sheet in sheets)
+        assert all((other == first).all() for other in others)
+
+
 def test_changes_are_of_the_same_file() -> None:
     file = check_design({**small(), "workshop": {"stock": [6.0, 4.0]}}, Path("small.toml"))
     changed = file.changed({"pattern.rows": 5, "workshop.margin": 0.1})
@@ -161,6 +184,13 @@ def test_examples_have_no_key_in_vain(name: str, tmp_path: Path) -> None:
     model = write_kit(shell, tmp_path / "paper", paper=True).unused
     assert {key.rpartition(".")[2] for key in model} <= Workshop.model_fields.keys()
     assert "workshop.creases" not in model
+
+
+@pytest.mark.parametrize("name", led_by(LOADED, 0))
+def test_loaded_examples_have_no_key_in_vain(name: str) -> None:
+    ran = orishell("structure", EXAMPLES / f"{name}.toml")
+    assert ran.stdout
+    assert named(ran.stderr) == set()
 
 
 def test_a_table_by_itself_notes_nothing() -> None:

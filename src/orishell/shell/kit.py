@@ -19,7 +19,7 @@ from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory
 from orishell.io.booklet_pages import BookletPage, booklet_pages
-from orishell.io.format import Format, Settings
+from orishell.io.format import Settings
 from orishell.io.formats import find_formats
 from orishell.io.formats.booklet import FORMAT as BOOKLET
 from orishell.io.manifest import read_manifest
@@ -151,7 +151,7 @@ def write_kit(
     construction = document.panel.construction if document.panel else ""
     settings = Settings(workshop=workshop, ground=not paper)
     with OutputDirectory(directory).drafting() as made:
-        formats, told = _formats(paper), stretch(progress, STATES, 1.0)
+        formats, told = find_formats(CARD if paper else FORMATS), stretch(progress, STATES, 1.0)
         for format_ in followed(formats, len(formats), told, WRITING):
             path = made / format_.file
             write_document(format_, path, document, settings, str(shell.file.path))
@@ -203,10 +203,6 @@ def _subject(
     except InputError as error:
         raise error.located(f"{shell.file.path}:") from None
     return model.document, model.workshop, model.scale
-
-
-def _formats(paper: bool) -> tuple[Format, ...]:
-    return find_formats(CARD if paper else FORMATS)
 
 
 def require_kit_place(
