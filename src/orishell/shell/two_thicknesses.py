@@ -7,7 +7,6 @@ pack are then of panels without a thickness, which those that carry the loads do
 from __future__ import annotations
 
 import json
-import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
@@ -18,13 +17,14 @@ from orishell.conventions.quantities import size
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
-from orishell.shell.remedies import SECONDS
 
 if TYPE_CHECKING:
     from orishell.shell.report import Report
 
 GAP: Final = 0.2
 """Between boards that are tried, relative to their thickness: room for a hinge."""
+MOST: Final = 1_500
+"""Boards of more panels are not tried."""
 
 Makes = Callable[[DesignFile, Progress], bool]
 """Makes the shell of a file, and says whether it is proved to reach its target."""
@@ -61,16 +61,14 @@ def find_two_thicknesses(
 
 
 def _works(file: DesignFile, changes: Mapping[str, Any], makes: Makes, progress: Progress) -> bool:
-    until = time.thread_time() + SECONDS
-
-    def watch(share: float = 0.0, what: str = "") -> None:
-        progress(share, "trying boards of the structure's thickness")
-        if time.thread_time() > until:
-            raise TimeoutError
-
+    if file.panel_count > MOST:
+        return False
     try:
-        return makes(file.changed(changes), watch)
-    except (DesignError, InputError, VerificationError, TimeoutError):
+        return makes(
+            file.tried(changes),
+            lambda share, _what: progress(share, "trying boards of the structure's thickness"),
+        )
+    except (DesignError, InputError, VerificationError):
         return False
 
 
