@@ -61,7 +61,7 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     settle(page)
     cases = page.get_by_test_id("load-case")
     assert cases.locator("option").all_inner_texts() == ["Without loads", "! own weight", "! snow"]
-    assert "Displacement" in page.get_by_test_id("figures").inner_text()
+    assert "\nStands\nnot known: under snow" in page.get_by_test_id("figures").inner_text()
     page.get_by_test_id("flat").click()
     await_frames(page)
     before = pixels(page, "canvas")
