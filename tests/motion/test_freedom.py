@@ -82,7 +82,7 @@ def _one_flap(rng: np.random.Generator, number: int) -> Mechanism:
 def _longitudinal(rng: np.random.Generator, number: int) -> Mechanism:
     degrees = tuple(np.round(rng.uniform(75, 105, 4), 3).tolist())
     rows, columns = (int(n) for n in rng.integers(1, 6, 2))
-    return longitudinal(degrees, rows, columns + 1, "FS"[number % 2])  # type: ignore[arg-type]
+    return longitudinal(degrees, rows, columns + 1, "S" if number % 2 else "F")
 
 
 def _nets(rng: np.random.Generator, number: int) -> Mechanism:

@@ -17,6 +17,7 @@ SKIP = {*MEASURES} - {"pack"}
 
 def arch(loaded: float, start: str = "pack", **panel: Any) -> DesignFile:
     """An arch of 3 x 2 m whose sheet folds flat, 20 panels on each other."""
+    structure = {"modulus": 9e9, "supports": [{"at": "feet", "kind": "pinned"}]}
     tables = {
         "shell": {"family": "orthodiagonal", "unit": "m"},
         "target": {
@@ -27,10 +28,8 @@ def arch(loaded: float, start: str = "pack", **panel: Any) -> DesignFile:
         "deployment": {"from": start},
         "motion": {"frames": 3},
         "workshop": {"areal_density": 12},
-        "structure": {"modulus": 9e9, "supports": [{"at": "feet", "kind": "pinned"}]},
+        "structure": structure | ({"thickness": loaded} if loaded else {}),
     }
-    if loaded:
-        tables["structure"] |= {"thickness": loaded}  # type: ignore[operator]
     if panel:
         tables["panel"] = panel
     return check_design(tables, Path("arch.toml"))
