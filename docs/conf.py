@@ -41,14 +41,14 @@ suppress_warnings = ["config.cache"]  # the gallery's configuration holds functi
 # The gallery runs examples/gallery/plot_*.py and writes docs/gallery.
 GALLERY = HERE.parent / "examples" / "gallery"
 if any(GALLERY.glob("plot_*.py")):
-    from live_shells import keep_shells
+    from live_shells import BRIEFLY, LONG, keep_shells
     from plots import set_looks
 
     extensions.append("sphinx_gallery.gen_gallery")
     sphinx_gallery_conf = {
         "examples_dirs": str(GALLERY),
         "gallery_dirs": "gallery",
-        "filename_pattern": r"/plot_",
+        "filename_pattern": rf"/plot_(?!({'|'.join(LONG)})\.py)" if BRIEFLY else "/plot_",
         "ignore_pattern": r"^(?!.*plot_)",
         "run_stale_examples": True,
         "abort_on_example_error": False,

@@ -10,6 +10,7 @@ docs/posters, which ``tests/posters.py`` takes of the viewer.
 from __future__ import annotations
 
 import base64
+import os
 import re
 import shutil
 from dataclasses import fields
@@ -37,6 +38,7 @@ from orishell.search import (
 from orishell.search.variants import variants_data
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.pictures import lay_surface
+from orishell.shell.steps import MEASURES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,6 +56,12 @@ NOT_BUILT = "the site folds its shells in the viewer, which has not been built: 
 
 POSTERS = HERE.parent / "posters"
 """Their pictures, for light pages and for dark ones."""
+
+BRIEFLY = os.environ.get("ORISHELL_BRIEFLY") == "1"
+"""Whether the gallery leaves out what takes long, and shells that it did not make have no proof:
+for those who look at the site's other pages."""
+LONG = ("arch_pattern", "dome", "free_roof", "saddle", "shelter_sizes", "shelter_structure")
+"""Examples that take more than 10 s: three quarters of the gallery's time."""
 
 _made: dict[str, Shell] = {}
 """Whole shells that the gallery's scripts made, by the names of their design files."""
@@ -171,10 +179,17 @@ def shared_program(viewer: str) -> str:
 
 def page(path: Path) -> str:
     """A page with a shell's view, which draws it with the program beside it."""
-    shell = _made.get(path.stem) or make_shell(read_design_file(path))
+    shell = _made.get(path.stem) or _made_of(path)
     document = lay_surface(shell.document, shell.design)
     view = base64.b64encode(dump_view(document)).decode("ascii")
     return _written(document.title, "view", "application/octet-stream", view)
+
+
+def _made_of(path: Path) -> Shell:
+    file = read_design_file(path)
+    if BRIEFLY:
+        return make_shell(file, clash="unexamined", skip=(*MEASURES, "structure"))
+    return make_shell(file)
 
 
 def asks_for_variants(path: Path) -> bool:
