@@ -156,7 +156,7 @@ def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.Mon
         pool = Pool(answer, 1, seconds=60.0)
         with contextlib.suppress(RefusalError):
             await pool.run("parse", {"text": ""})
-        (files,) = tmp_path.iterdir()
+        (files,) = tmp_path.glob("orishell-*")
         # The process works in this directory, whatever it leaves there.
         pdf = {**payload(), "format": "pdf"}  # takes a while to write
         export = asyncio.create_task(pool.run("export", pdf))
@@ -166,7 +166,7 @@ def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.Mon
         export.cancel()
         with contextlib.suppress(asyncio.CancelledError):
             await export
-        assert not list(tmp_path.iterdir())
+        assert not list(tmp_path.glob("orishell-*"))
         pool.close()
 
     run_apart(scene())
