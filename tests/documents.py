@@ -6,6 +6,7 @@ import tomllib
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -32,13 +33,28 @@ FAMILIES = {
     "orthodiagonal": "figure2",
     "longitudinal-linear-repeating": "figure3",
 }
+SMALL = (5, 5)
+"""Rows and columns of a sheet of a fifth of the panels."""
+
+
+def design_of(family: str, size: tuple[int, int] | None = None) -> Design:
+    """That of a figure of the paper, or the same with other numbers of rows and columns."""
+    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
+    pattern = file.pattern
+    if size is not None:
+        changed: dict[str, Any] = {"rows": size[0], "columns": size[1]}
+        if family == "longitudinal-linear-repeating":
+            changed["column_lengths"] = [1.0] * (size[0] + 1)
+        pattern = pattern.model_copy(update=changed)
+    return pattern.design(file.f, file.g)
 
 
 @cache
-def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Document:
+def demo_document(
+    family: str = "parallel-repeating", frames: int = 7, size: tuple[int, int] | None = None
+) -> Document:
     """The shell of a figure of the paper in metres, with its flat sheet, states and curves."""
-    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
-    design = file.pattern.design(file.f, file.g)
+    design = design_of(family, size)
     return document_of_motion(
         FoldingMotion(design.mechanism, frames), "m", title=family, curves=design.targets
     )
@@ -94,13 +110,14 @@ def thick_document(
     construction: Construction = "sandwich",
     frames: int = 5,
     build: PanelSpec | None = None,
+    *,
+    size: tuple[int, int] | None = None,
 ) -> Document:
     """The same of panels half as thick as they may be, or as given.
 
     Its flaps, which stop where their boards meet, are clipped on.
     """
-    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
-    design = file.pattern.design(file.f, file.g)
+    design = design_of(family, size)
     if build is None:
         sheet = design.with_clipped_flaps().mechanism
         folds = largest_folds(sheet, sheet.target_drive)

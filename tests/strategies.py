@@ -116,33 +116,40 @@ class Request:
 
     def mended(self) -> Request:
         """The request, or what its refusals leave open, as often as needed (at most 4 times)."""
-        request = self
+        return self._mended()[0]
+
+    def _mended(self) -> tuple[Request, Design | None]:
+        """The same, and its design if it was made on the way."""
+        request, found = self, None
         for _ in range(4):
             try:
-                request.design()
+                return request, request.design() if found is None else found
             except DesignError as error:
-                request = request.improved(error)
-            else:
-                break
-        return request
+                request, found = request._improved(error)
+        return request, found
 
     def improved(self, error: DesignError) -> Request:
         """The first candidate with a design, or the first of all, which has another fault."""
-        changed = self.candidates(error)
-        for request in changed:
+        return self._improved(error)[0]
+
+    def _improved(self, error: DesignError) -> tuple[Request, Design | None]:
+        """The same, and its design if it has one; no more candidates are computed than needed."""
+        first = None
+        for remedy in filter(_plain, error.candidates):
+            request = self.changed(remedy)
             try:
-                request.design()
+                return request, request.design()
             except DesignError:
-                continue
-            return request
-        if not changed:
+                first = first or request
+        if first is None:
             raise error
-        return changed[0]
+        return first, None
 
     def feasible(self) -> Design:
         """The design of the request as mended; one that stays refused is no example."""
         try:
-            return self.mended().design()
+            request, found = self._mended()
+            return request.design() if found is None else found
         except DesignError:
             reject()
 

@@ -79,7 +79,8 @@ def test_bodies_are_apart_where_their_hulls_have_no_common_point(construction: s
     bodies, state = state_of(design, mechanism.target_drive)
     inner = np.zeros((mechanism.grid.rows - 2, mechanism.grid.columns - 2), np.bool_)
     panels, _ = opposite_panels(Layout.of(mechanism), inner)
-    pairs, _ = bodies.pairs_of(panels)
+    first, second = bodies.pairs_of(panels)[0]
+    pairs = first[::3], second[::3]
     gaps = Apartness.of((state, state), pairs).gaps[0]
     hulls = [
         meet(state.corners[:, :, a].T, state.corners[:, :, b].T)

@@ -15,8 +15,16 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
 
 
+def smaller(text: str) -> str:
+    """The same shell of a fifth of the panels."""
+    for many, few in (("rows = 9 ", "rows = 5 "), ("columns = 11 ", "columns = 5 ")):
+        assert many in text
+        text = text.replace(many, few)
+    return text
+
+
 def test_new_then_design(tmp_path: Path) -> None:
-    made = orishell_process("new", "parallel-repeating", cwd=tmp_path)
+    made = orishell("new", "parallel-repeating", cwd=tmp_path)
     assert made.returncode == 0
     assert (tmp_path / "parallel-repeating.toml").exists()
     done = orishell_process("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
@@ -32,13 +40,14 @@ def test_new_then_design(tmp_path: Path) -> None:
 
 
 def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
-    first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
-    orishell("design", EXAMPLE, "--out", "two", "--write", "svg,csv", cwd=tmp_path)
+    (tmp_path / "shell.toml").write_text(smaller(EXAMPLE.read_text()))
+    first = orishell("design", "shell.toml", "--out", "one", "--json", cwd=tmp_path)
+    orishell("design", "shell.toml", "--out", "two", "--write", "svg,csv", cwd=tmp_path)
     (tmp_path / "two" / "panels.csv").write_text("mine")
-    refused = orishell_process("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    refused = orishell("design", "shell.toml", "--out", "two", cwd=tmp_path)
     assert refused.returncode == 2
     assert "panels.csv" in refused.stderr
-    again = orishell("design", EXAMPLE, "--out", "two", "--force", cwd=tmp_path)
+    again = orishell("design", "shell.toml", "--out", "two", "--force", cwd=tmp_path)
     # What the run before wrote more is gone, but what was changed since is not.
     removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
     assert removed == [
@@ -79,7 +88,7 @@ def test_the_version(tmp_path: Path) -> None:
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text("mine")
-    done = orishell_process("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
+    done = orishell("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
     assert done.returncode == 2
     assert "exists already" in done.stderr
     assert (tmp_path / "mine.toml").read_text() == "mine"
@@ -110,7 +119,10 @@ def test_faults_are_one_message_and_nothing_is_written(
 ) -> None:
     text = EXAMPLE.read_text()
     assert old in text
-    (tmp_path / "shell.toml").write_text(text.replace(old, new))
+    text = text.replace(old, new)
+    if old.startswith("plane_deg"):  # its remedy is looked for by designing it again and again
+        text = smaller(text)
+    (tmp_path / "shell.toml").write_text(text)
     done = orishell("design", "shell.toml", "--out", "out", cwd=tmp_path)
     assert done.returncode == status, done.stderr
     assert says in done.stderr
@@ -146,7 +158,7 @@ def test_names_that_no_directory_can_have(tmp_path: Path, name: str) -> None:
 
 
 def test_what_files_and_their_names_say_is_printable(tmp_path: Path) -> None:
-    (tmp_path / "a\x1b[2J\udcff.toml").write_text(EXAMPLE.read_text())
+    (tmp_path / "a\x1b[2J\udcff.toml").write_text(smaller(EXAMPLE.read_text()))
     options = ["--no-clash-test", "--write", "svg,pdf,dxf,glb,vtu"]
     done = orishell(
         "design", "a\x1b[2J\udcff.toml", "--out", "b\x1b[2J\udcff", *options, cwd=tmp_path
@@ -167,14 +179,14 @@ def test_what_files_and_their_names_say_is_printable(tmp_path: Path) -> None:
 def test_warnings_go_to_standard_error(tmp_path: Path) -> None:
     text = EXAMPLE.read_text().replace("5*sin(pi*x/10)", "sin(x)").replace("[0, 20]", "[0, 62.8]")
     (tmp_path / "shell.toml").write_text(text)
-    done = orishell("design", "shell.toml", "--out", "out", cwd=tmp_path)
+    done = orishell("design", "shell.toml", "--out", "out", "--no-clash-test", cwd=tmp_path)
     assert done.returncode == 0
     assert "warning: the polyline of g" in done.stderr
     assert json.loads((tmp_path / "out" / "report.json").read_text())["warnings"]
 
 
 @pytest.mark.parametrize("example", led_by(["figure1", "figure2"]))
-@pytest.mark.parametrize("columns", [2, 12])
+@pytest.mark.parametrize("columns", [2, 6])
 def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
     text = EXAMPLE.with_name(f"{example}.toml").read_text()
     text = re.sub(r"\nflap = \S+ ", "\nflap = 0 ", text)

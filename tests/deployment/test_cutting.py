@@ -24,7 +24,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
 from orishell.workshop.settings import Cutting
-from samples import examples, led_by
+from samples import THOROUGH, examples, led_by
 from toy_family import Miura
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -58,14 +58,14 @@ def drawn(sheet: CutSheet, kind: Cutting, count: int, error: float = ERROR) -> A
 @pytest.mark.slow
 @pytest.mark.parametrize("name", led_by(["dome", "figure1", "shelter"]))
 def test_gaps_are_those_of_true_rigid_motions(name: str) -> None:
-    """Within 2 % rms on 20 sheets, by SciPy's least squares; 0.5 % was seen, 3 % of all gaps."""
+    """Within 2 % rms on some sheets, by SciPy's least squares; 0.5 % was seen, 3 % of all gaps."""
     bare = mechanism(name).without_flaps()
     sheet = CutSheet.of(bare, bare.target_drive)
     fit, by_hand = Fit.of(sheet), RigidPanels(bare)
     # The dome is 1 m wide: with the error of one of 6 m.
     error = ERROR / 6 if name == "dome" else ERROR
     for kind in KINDS:
-        errors = drawn(sheet, kind, 10, error)
+        errors = drawn(sheet, kind, 10 if THOROUGH else 3, error)
         gaps = fit.moved(sheet.opened @ errors)[1]
         for left, cut in zip(gaps.T, errors.T, strict=True):
             true = by_hand.gaps(by_hand.least(cut.reshape(-1, 4, 2))).ravel()

@@ -254,7 +254,7 @@ def test_a_shell_that_cannot_stand_has_no_plan() -> None:
 
 
 def test_pieces_are_no_one_motion() -> None:
-    shell = made("shelter_hinged", {})
+    shell = made("shelter_hinged", {"pattern.columns": 5})
     plan = shell.report.deployment.ground
     assert plan is not None
     assert plan.swept is None

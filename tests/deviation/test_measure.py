@@ -275,17 +275,17 @@ def covering(points: np.ndarray) -> float:
 
 def agrees_with_dense_samples(design: Design) -> None:
     shell, surface = locked_shell(design), design.surface
-    deviation, finer = (measure_deviation(design, samples=samples) for samples in (2_000, 30_000))
+    deviation, finer = (measure_deviation(design, samples=samples) for samples in (2_000, 15_000))
     for one, other in zip(ways(deviation), ways(finer), strict=True):
         assert abs(one.max - other.max) <= one.sample_spacing + other.sample_spacing
     assert isinstance(surface, Surface)
     first, last = surface.profile.t[[0, -1]]
-    u, v = np.linspace(0, surface.rail.stop, 200), np.linspace(first, last, 200)
+    u, v = np.linspace(0, surface.rail.stop, 80), np.linspace(first, last, 80)
     u = np.union1d(u, np.arange(surface.rail.stop))
     v = np.union1d(v, surface.profile.t[surface.profile.corners])
     of_surface = surface.points(u[:, None], v[None, :])
     rows, columns = shell.shape[:2]
-    of_shell = divided(shell, (max(150 // rows, 4), max(150 // columns, 4)))
+    of_shell = divided(shell, (max(80 // rows, 4), max(80 // columns, 4)))
     spacings = covering(of_shell), covering(of_surface)
     flat = of_shell.reshape(-1, 3), of_surface.reshape(-1, 3)
     for way, start in zip(ways(deviation), (0, 1), strict=True):
@@ -330,22 +330,22 @@ def test_a_mesh_of_a_flat_surface_ends_short_of_a_curved_border() -> None:
         assert 1e-6 < away <= short * (1 + 1e-6)
 
 
-@pytest.mark.parametrize("share", [0.5, 0.9, 0.98, 1.0, 1.01, 1.1, 2.0])
-def test_whether_a_limit_is_exceeded(share: float) -> None:
+def test_whether_a_limit_is_exceeded() -> None:
     """Below it by more than the sagitta of the quick mesh, 1.2 % of the distance; never above."""
     design = figure_1()
     deviation = measure_deviation(design)
-    limit = share * deviation.max
-    found = find_excess(design, limit, samples=1_000)
-    assert (found > limit) == (share < 1)
-    assert found <= deviation.max + deviation.sample_spacing
+    for share in (0.5, 0.9, 0.98, 1.0, 1.01, 1.1, 2.0):
+        limit = share * deviation.max
+        found = find_excess(design, limit, samples=1_000)
+        assert (found > limit) == (share < 1), share
+        assert found <= deviation.max + deviation.sample_spacing
 
 
 def test_figure_1_is_known_to_a_thousandth_of_its_diagonal() -> None:
     design = figure_1()
     shell = locked_shell(design)
     diagonal = float(np.linalg.norm(np.ptp(shell.reshape(-1, 3), axis=0)))
-    deviation, finer = measure_deviation(design), measure_deviation(design, samples=200_000)
+    deviation, finer = measure_deviation(design), measure_deviation(design, samples=60_000)
     assert deviation.sample_spacing < 1e-4 * diagonal
     for name in ("max", "rms", "mean", "p95"):
         assert abs(getattr(deviation, name) - getattr(finer, name)) < 1e-4 * diagonal

@@ -8,6 +8,8 @@ from types import ModuleType
 
 import pytest
 
+from samples import thorough
+
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = sorted([*(DOCS / "theory").glob("*.md"), *(DOCS / "guide").glob("*.md")])
@@ -54,7 +56,15 @@ def named(page: Path) -> str:
     return f"{page.parent.name}/{page.stem}"
 
 
-@pytest.mark.parametrize("page", CODED, ids=named)
+DEAR = {"guide/any-family"}
+"""It fits a flat-foldable sheet, which is seconds; so does ``guide/surfaces``, to less."""
+
+
+@pytest.mark.parametrize(
+    "page",
+    [pytest.param(page, marks=[thorough] * (named(page) in DEAR)) for page in CODED],
+    ids=named,
+)
 def test_the_code_on_a_page_runs(page: Path) -> None:
     test = doctest.DocTestParser().get_doctest(code(page), {}, named(page), str(page), 0)
     said: list[str] = []

@@ -16,7 +16,7 @@ SURFACES = ["(x**2 - y**2)/4", "(x**2 - y**2)*0.15", "x**2/5 - y**2/10", "x**2/5
 over the first, by 49 degrees."""
 
 
-@pytest.mark.parametrize("formula", led_by(SURFACES, 2))
+@pytest.mark.parametrize("formula", led_by(SURFACES))
 def test_the_f_nearest_to_a_surface_is_convex(formula: str) -> None:
     tables = {
         "shell": {"family": "longitudinal-linear-repeating", "unit": "m"},

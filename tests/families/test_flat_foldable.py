@@ -29,7 +29,7 @@ from orishell.families.pattern import Pattern
 from orishell.families.tolerance import Tolerance
 from orishell.motion import diagonal
 from orishell.polylines import measure_closeness, place_chords
-from samples import examples
+from samples import THOROUGH
 from strategies import (
     Request,
     graph,
@@ -39,6 +39,7 @@ from strategies import (
     requests,
 )
 
+EXAMPLES = 200 if THOROUGH else 12
 PARABOLA, WAVE = graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20)
 RIPPLE = graph("0.25*sin(pi*x/2)", 0, 4)
 
@@ -59,7 +60,7 @@ def bisected() -> st.SearchStrategy[Request]:
     return requests().map(lambda each: without(each, "plane", planes="bisector"))
 
 
-@settings(max_examples=examples(200))
+@settings(max_examples=EXAMPLES)
 @given(bisected())
 def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
     request = request.mended()
@@ -91,7 +92,7 @@ def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
 
 def test_a_zigzag_row_makes_any_g_flat_foldable() -> None:
     rng, refused = np.random.default_rng(3), list[str]()
-    for _ in range(examples(200)):
+    for _ in range(EXAMPLES):
         a, b, c, d = rng.uniform(-0.3, 0.3, 4).round(4)
         half = rng.uniform(0.5, 2)
         g = graph(f"{a}*x + {b}*x**2/2 + {c}*x**3/6 + {d}*sin(2*x)", -half, half)

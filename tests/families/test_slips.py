@@ -39,7 +39,7 @@ def test_where_the_shell_is_refused_the_degrees_are_tried() -> None:
 
 def test_four_angles() -> None:
     angles = [round(float(angle), 4) for angle in np.deg2rad([85, 80, 95, 100])]
-    size = {"rows": 7, "columns": 9}
+    size = {"rows": 3, "columns": 5}
     arc = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)
     design = tables(
         "longitudinal-linear-repeating", arc, formula("0*x", 0, 2.93), **size, sector_deg=angles

@@ -27,6 +27,9 @@ from samples import led_by
 Height = Callable[[Array, Array], Array]
 
 
+CELLS = 32
+
+
 def sphere(x: Array, y: Array) -> Array:
     return np.sqrt(1 - x * x - y * y) - 1
 
@@ -35,7 +38,7 @@ def barrel(x: Array, y: Array) -> Array:
     return np.sqrt(1.25**2 - y * y) - 1.25 + 0 * x
 
 
-def piece_of(height: Height, ax: float = 1.0, ay: float = 1.0, count: int = 65) -> Piece:
+def piece_of(height: Height, ax: float = 1.0, ay: float = 1.0, count: int = CELLS + 1) -> Piece:
     """A piece of z(x, y) over a rectangle, its normals by differences."""
     x, y = np.meshgrid(np.linspace(-ax, ax, count), np.linspace(ay, -ay, count))
     step = 1e-6
@@ -57,22 +60,22 @@ def turned(piece: Piece, angle: float) -> Piece:
     led_by(
         [
             (sphere, 0.5, 0.5, 0.76),
+            (lambda x, y: 0.5 * (x * x - y * y) / 2, 1, 1, 3.2),
             (
                 lambda x, y: 0.8 * (np.sqrt(1 - x * x / 1.5**2 - y * y) - 1),
                 0.825,
                 0.55,
                 0.73,
             ),
-            (lambda x, y: 0.5 * (x * x - y * y) / 2, 1, 1, 3.2),
             (lambda x, y: 0.5 * x * y, 1, 1, 3.1),
             (lambda x, y: (x * x - y * y) / 2, 1, 1, 7.8),
             (lambda x, y: 0.2 * (x**3 - 3 * x * y * y), 1, 1, 7.5),
             (lambda x, y: 0.25 * np.sin(np.pi * x) * np.cos(np.pi * y / 2), 1, 1, 6.0),
             (barrel, 1, 1, 0.02),
         ],
-        4,
+        2,
     ),
-    ids=["cap", "ellipsoid", "saddle .5", "hypar", "saddle 1", "monkey", "free-form", "barrel"],
+    ids=["cap", "saddle .5", "ellipsoid", "hypar", "saddle 1", "monkey", "free-form", "barrel"],
 )
 def test_floors_of_moulding_surfaces(height: Height, ax: float, ay: float, floor: float) -> None:
     piece = piece_of(height, ax, ay)
@@ -80,12 +83,13 @@ def test_floors_of_moulding_surfaces(height: Height, ax: float, ay: float, floor
     assert 100 * found.max / piece.diagonal < 1.1 * floor
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.4, 1.5, 2.7])
+@pytest.mark.parametrize("angle", led_by([0.4, 2.7, 0.0, 1.5], 2))
 def test_a_cylinder_is_found_whichever_way_it_lies(angle: float) -> None:
     piece = turned(piece_of(barrel), angle)
     for kind in ("moulding", "cylinder"):
         found = fit_upright(piece.vertices, piece.normals, SweepLimits(kind), angle)
-        assert found.beyond < 0.023  # half the diagonal of a cell of the lattice
+        # Half the diagonal of a cell of the lattice.
+        assert found.beyond < 1.04 * np.sqrt(2) / CELLS
         assert found.max < 1e-4 * piece.diagonal
 
 

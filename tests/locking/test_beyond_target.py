@@ -17,10 +17,11 @@ from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import Mechanism, diagonal
-from samples import examples, led_by
+from samples import THOROUGH, led_by
 from strategies import graph, pair
 
-SEEDS = examples(100)
+SEEDS = 100 if THOROUGH else 6
+STATES = 60 if THOROUGH else 20
 ROUNDING = 1e-12
 """A tolerance of brute force that only rounding fills, relative to the diagonal."""
 
@@ -86,7 +87,7 @@ def require_neither_early_nor_late(design: Design) -> Lock:
         assert lock.drive == mechanism.end_drive
         # Where creases are folded flat at the end, the last thousandth is proved for a narrower
         # tolerance; brute force sees what crosses.
-        for drive in np.linspace(0, mechanism.end_drive * (1 - 1e-5), 60):
+        for drive in np.linspace(0, mechanism.end_drive * (1 - 1e-5), STATES):
             assert contacts(mechanism, drive, ROUNDING) == 0
         return lock
     assert lock.cause == "clash"
@@ -95,7 +96,7 @@ def require_neither_early_nor_late(design: Design) -> Lock:
     assert lock.first_contact.clear_until <= lock.drive
     step = mechanism.end_drive / TICKS
     assert lock.drive - lock.first_contact.clear_until <= step * (1 + 1e-3)
-    for drive in np.linspace(0, lock.drive * (1 - 1e-6), 40):
+    for drive in np.linspace(0, lock.drive * (1 - 1e-6), STATES):
         assert contacts(mechanism, drive, CONTACT_TOLERANCE) == 0
     # They touch there, or as good as: fast ones cross the tolerance within a few smallest steps.
     near = (lock.drive, lock.drive * (1 + 1e-8))

@@ -18,12 +18,15 @@ from orishell.families.flat_foldable.design import completed
 from orishell.locking import Lock, find_lock
 from orishell.solids import largest_folds, largest_height
 from overlaps import NOTHING, overlap
-from samples import examples, thorough
+from samples import THOROUGH, examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-STATES = 40
-FEW = {"rows": (1, 3, 5), "columns": (3, 4, 5, 6)}
+STATES = 40 if THOROUGH else 16
+FEW = {
+    "rows": (1, 3, 5) if THOROUGH else (1, 3),
+    "columns": (3, 4, 5, 6) if THOROUGH else (3, 4),
+}
 
 
 def with_panels(design: Design, draw: st.DataObject) -> Design:

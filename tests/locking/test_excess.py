@@ -86,7 +86,7 @@ LADDERS: dict[str, Ladder] = {
     "unfolded": (FREE, "pattern.stage_deg", [1e-7, 1e-8, 1e-9], 1e-5, "creases unfolded"),
 }
 CLASHES: dict[str, Ladder] = {
-    "flaps": (RING, "pattern.flap", [0.9, 1.2, 1.6, 2.5, 4], None, "opposite flaps"),
+    "flaps": (RING, "pattern.flap", [0.9, 1.6, 4], None, "opposite flaps"),
     "depth": (WAVE, "pattern.depth", [0.48, 0.485, 0.49], None, "reaches its target"),
     "stage": (FREE, "pattern.stage_deg", [6.3, 10, 50], 6, "reaches its stage"),
 }

@@ -15,6 +15,9 @@ UNIT_ARC = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)
 PARABOLA = formula("-x**2", -1, 1)
 
 FOUND_IN_USE = {
+    "a flap below the smallest number": tables(
+        "parallel-repeating", PARABOLA, formula("0*x", 0, 4), rows=3, columns=3, flap=1e-320
+    ),
     "a depth whose panels met": tables(
         "orthodiagonal",
         PARABOLA,
@@ -33,9 +36,6 @@ FOUND_IN_USE = {
         columns=40,
         xi_deg=60,
         flap=0.02,
-    ),
-    "a flap below the smallest number": tables(
-        "parallel-repeating", PARABOLA, formula("0*x", 0, 4), rows=3, columns=3, flap=1e-320
     ),
     "a length far from the nearest": tables(
         "longitudinal-linear-repeating",

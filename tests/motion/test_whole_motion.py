@@ -24,12 +24,13 @@ from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.locking import lock_without_clash
 from orishell.motion import FoldingMotion, diagonal, measure_fold_angles
 from orishell.motion.grid import crease_signs
-from samples import examples
+from samples import THOROUGH
 from strategies import Request, graph, orthodiagonal_requests, requests
 
 Sheet = ParallelRepeating | Orthodiagonal
 Array = np.ndarray
 NEAR = 1e-9
+EXAMPLES = 250 if THOROUGH else 15
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -119,7 +120,7 @@ def require_growing_fold_angles(sheet: Sheet, drives: Array) -> Array:
     return np.asarray(largest[1:])
 
 
-@settings(max_examples=examples(250))
+@settings(max_examples=EXAMPLES)
 @given(requests(), seeds)
 def test_any_parallel_repeating_sheet_without_flaps(request: Request, seed: int) -> None:
     design, sheet = without_flaps(request)
@@ -132,7 +133,7 @@ def test_any_parallel_repeating_sheet_without_flaps(request: Request, seed: int)
     assert lock_without_clash(design).cause == "crease"
 
 
-@settings(max_examples=examples(250))
+@settings(max_examples=EXAMPLES)
 @given(orthodiagonal_requests(), seeds)
 def test_any_orthodiagonal_sheet_without_flaps(request: Request, seed: int) -> None:
     design, sheet = without_flaps(request)

@@ -80,7 +80,7 @@ def test_whole_boards_are_drawn_where_they_are(tmp_path: Path) -> None:
     assert plain.shape != thick.shape or not np.array_equal(plain, thick)
 
 
-@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (3, 3), (201, 2)])
+@pytest.mark.parametrize(("rows", "columns"), led_by([(1, 2), (3, 3), (201, 2)]))
 def test_sheets_without_flaps(tmp_path: Path, rows: int, columns: int) -> None:
     pixels = picture(tmp_path / "overview.png", rows, columns, "x**2/60", flap=0)
     for colour in ((10, 143, 60), (181, 23, 158), (0, 0, 0)):

@@ -28,7 +28,8 @@ def posed(structure: dict[str, float], thick: Sequence[float] = THICK, **search:
         **search,
     )
     kept = {key: each for key, each in raw["structure"].items() if key != "strength"}
-    return parse_problem({**raw, "structure": {**kept, **structure}}, PATH)
+    snow = [each for each in raw["load_case"] if each["name"] == "snow"]  # with own weight
+    return parse_problem({**raw, "structure": {**kept, **structure}, "load_case": snow}, PATH)
 
 
 def found(problem: Problem) -> SearchResult:

@@ -49,6 +49,8 @@ def test_what_a_search_leaves_out_changes_no_figure(report: Report) -> None:
 def test_each_figure_needs_what_it_says() -> None:
     for name in ("panels", "mass", "deviation", "packed_volume", "deflection.snow", *KEYS):
         raw = loaded_tables(variables={"pattern.depth": [0.12]}, minimise=[name])
+        raw["pattern"]["columns"] = 3
+        raw["target"]["g"]["range"] = [0, 1]
         if figure(name).part != "structure":  # that would be analysed for its limits
             del raw["structure"], raw["load_case"]
         (outcome,) = evaluate(job_of(parse_problem(raw, PATH)), [{}])

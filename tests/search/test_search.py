@@ -179,7 +179,14 @@ def test_a_figure_that_the_design_does_not_have_is_refused_before_the_search() -
 
 
 def test_a_search_that_is_stopped_has_what_there_is_and_goes_on_from_there() -> None:
-    problem = small_problem("orthodiagonal", method="nsga2", population=4, evaluations=10)
+    problem = small_problem(
+        "orthodiagonal",
+        variables={"pattern.rows": [3, 5], "pattern.depth": {"low": 0.06, "high": 0.15}},
+        minimise=["panels", "sheet_area"],
+        method="nsga2",
+        population=4,
+        evaluations=10,
+    )
     journal = journal_in_memory()
     stop = threading.Event()
     seen: list[Outcome] = []

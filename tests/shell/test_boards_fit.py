@@ -21,8 +21,9 @@ from samples import THOROUGH, led_by
 SKIPPED: tuple[Step, ...] = (
     "verification", "pack", "weight", "deviation", "structure", "remedies",
 )  # fmt: skip
+NUMBERS = range(1, 1000) if THOROUGH else (9, 11, 14, 20)
 DRAWN = 30 if THOROUGH else 4
-"""Random designs that are made or refused for their stock."""
+"""Random designs that are made or refused for their stock; four have a kind of panels each."""
 SANDWICH = {"thickness": 0.006, "membrane": 0.001, "density": 500, "membrane_density": 900}
 PANELS: list[Tables | None] = [
     SANDWICH,
@@ -117,7 +118,7 @@ def examine(numbers: Iterable[int], count: int, *, tolerance: bool) -> dict[str,
 
 def test_all_parts_nest_or_the_size_that_is_offered_works() -> None:
     """The offer stands in the message and is typed in; margins are in it."""
-    seen = examine(range(1, 1000), DRAWN, tolerance=False)
+    seen = examine(NUMBERS, DRAWN, tolerance=False)
     assert sum(seen.values()) == DRAWN
     assert min(seen.values()) >= 1
 
@@ -158,10 +159,10 @@ def test_bad_inputs_are_refused_in_one_message(
         range = [0.3, 2.8]
         [target.g]
         formula = "0.1*cos(2*pi*x)"
-        range = [0, 3]
+        range = [0, 1]
         [pattern]
         rows = 3
-        columns = 7
+        columns = 3
         flap = 0
         depth = 0.2
         heading_deg = 90
@@ -179,7 +180,7 @@ def test_bad_inputs_are_refused_in_one_message(
         {keys}
         """
     )
-    ran = orishell("design", path, "--out", tmp_path / "out")
+    ran = orishell("design", path, "--out", tmp_path / "out", "--no-clash-test")
     assert ran.returncode == 2
     said = ran.stderr.strip()
     assert where in said

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from command_line import Ran, orishell
+from deployed_shelters import shelter
 from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-SHELTER = re.sub(
-    r"\[deployment\]\n(?:[^\n]+\n)+", "", (EXAMPLES / "shelter.toml").read_text(encoding="utf-8")
-)
-"""The example without its own table [deployment]."""
+SHELTER = shelter(columns=5)
+"""A third of the example: 2 m of its 6, without its own table [deployment]."""
 PACK = 'from = "pack"\n'
 WHERE = "[deployment] "
+
+
+pytestmark = pytest.mark.usefixtures("unpictured")
 
 
 def design(directory: Path, text: str, *options: str) -> Ran:
@@ -52,7 +53,7 @@ def report(directory: Path) -> Any:
         (PACK + "ties = [[[0, 1], [13, 1]]]", "ties", "[0, 1], [13, 1]", "two rows of 0 to 12"),
         (PACK + "ties = [[[0, 1], [0, 1]]]", "ties", "[0, 1], [0, 1]", "two rows of 0 to 12"),
         # With flaps as parts of the sheet, their columns are no inner ones.
-        ("ties = [[[0, 0], [12, 0]]]", "ties", "[0, 0], [12, 0]", "one column of 1 to 13"),
+        ("ties = [[[0, 0], [12, 0]]]", "ties", "[0, 0], [12, 0]", "one column of 1 to 5"),
     ],
 )
 def test_what_does_not_fit_is_named(
@@ -80,13 +81,13 @@ def test_keys_that_are_not_there(tmp_path: Path) -> None:
 @thorough
 def test_a_motion_from_a_pack_has_three_states_at_least(tmp_path: Path) -> None:
     """The pack, the target and the flat sheet."""
-    done = design(tmp_path, deployed(PACK, SHELTER.replace("frames = 25", "frames = 2")))
+    done = design(tmp_path, deployed(PACK, SHELTER.replace("frames = 3", "frames = 2")))
     assert done.returncode == 2
     (message,) = done.stderr.splitlines()
     assert message.startswith("orishell: s.toml: [motion] frames: ")
     assert "got 2, expected 3 to 1000. Remedy: frames = 3, or more" in message
     assert not (tmp_path / "out").exists()
-    done = design(tmp_path, deployed(PACK, SHELTER.replace("frames = 25", "frames = 3")))
+    done = design(tmp_path, deployed(PACK, SHELTER))
     assert done.returncode == 0
     frames = json.loads((tmp_path / "out" / "shell.fold").read_text())["file_frames"]
     assert [frame["frame_title"] for frame in frames] == ["pack", "target", "flat"]
@@ -107,7 +108,7 @@ def test_a_shell_without_feet_has_none_to_tie(tmp_path: Path) -> None:
 def test_the_sheet_is_the_same_wherever_it_starts(tmp_path: Path, given: str) -> None:
     """Clipped flaps are no part of it: the motion is that of a sheet without flaps.
 
-    The grid has 13 columns instead of 15, and the drive goes on to 180 degrees.
+    The grid has 5 columns instead of 7, and the drive goes on to 180 degrees.
     """
     if given == "from the flat sheet":
         done = design(tmp_path, deployed('flap_attachment = "clipped"'))
@@ -118,7 +119,7 @@ def test_the_sheet_is_the_same_wherever_it_starts(tmp_path: Path, given: str) ->
     assert done.returncode == 0
     assert held in done.stdout
     fold = json.loads((tmp_path / "out" / "shell.fold").read_text())
-    assert fold["orishell:grid_shape"] == [13, 13]
+    assert fold["orishell:grid_shape"] == [13, 5]
     assert fold["file_frames"][0]["orishell:drive_deg"] == first
     said = report(tmp_path)
     assert said["deployment"]["end_drive_deg"] == 180
@@ -144,7 +145,7 @@ def test_contact_not_looked_for_or_allowed(tmp_path: Path) -> None:
 @thorough
 def test_rows_and_columns_are_chosen_for_a_pack_too(tmp_path: Path) -> None:
     """The same table without a pack chooses as many: the surface is that of the target."""
-    text = SHELTER.replace("rows = 11\n", "").replace("columns = 13 ", "# ")
+    text = shelter().replace("rows = 11\n", "").replace("columns = 13 ", "# ")
     text = text.replace("stock = [2.44, 1.22]\n", "")
     text += "\n[tolerance]\nsurface = 0.6\n"
     chosen = []

@@ -108,6 +108,7 @@ def test_a_written_shell_has_the_sizes_asked_for_or_the_nearest_is_told(
         assert found[key] == pytest.approx(fit[key], abs=EXACT)
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_the_report_and_the_verdict_say_sizes_and_factors(tmp_path: Path) -> None:
     """Outside they are the report's ``deployed``, of a shell without boards beside it."""
     path = write(tmp_path, asking("auto", width=3.3, depth=3.7, height=2.8))

@@ -9,6 +9,7 @@ import pytest
 
 from orishell.design_file import read_design_file
 from orishell.shell import Shell, make_shell
+from orishell.shell.steps import MEASURES
 
 ARCH = """
 [shell]
@@ -33,7 +34,7 @@ crease_stiffness = "rigid"
 crease_strength = 1e9
 line_strength = 1e9
 thickness = {thickness}
-cells = 2
+cells = {cells}
 supports = [{{ at = "feet", kind = "{kind}" }}]
 [[load_case]]
 name = "snow"
@@ -43,8 +44,9 @@ snow = {{ ground = 20000 }}
 
 def made(directory: Path, thickness: float, kind: str = "pinned") -> Shell:
     path = directory / "arch.toml"
-    path.write_text(ARCH.format(thickness=thickness, kind=kind))
-    return make_shell(read_design_file(path), clash="unexamined")
+    path.write_text(ARCH.format(thickness=thickness, kind=kind, cells=1))
+    skip = ("verification", *MEASURES)
+    return make_shell(read_design_file(path), clash="unexamined", skip=skip)
 
 
 def offer(shell: Shell) -> str:
@@ -85,7 +87,7 @@ def test_it_is_not_tried_where_every_case_would_be_followed_again(tmp_path: Path
     """
     path = tmp_path / "arch.toml"
     text = ARCH.replace("[[load_case]]", "nonlinear = true\n[[load_case]]")
-    path.write_text(text.format(thickness=0.003, kind="pinned"))
+    path.write_text(text.format(thickness=0.003, kind="pinned", cells=2))
     shell = make_shell(read_design_file(path), clash="unexamined")
     assert shell.analysis is not None
     assert shell.analysis.carries is False

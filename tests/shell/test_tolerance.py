@@ -96,10 +96,12 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
 @pytest.mark.parametrize(
     ("family", "surface", "pattern"),
     [
-        ("parallel-repeating", 0.4, ""),
+        ("parallel-repeating", 0.8, ""),
+        pytest.param("parallel-repeating", 0.4, "", marks=thorough),
         pytest.param("parallel-repeating", 0.4, "plane_deg = 80", marks=thorough),
         pytest.param("orthodiagonal", 0.15, "", marks=thorough),
-        ("longitudinal-linear-repeating", 0.1, 'sector_deg = "auto"'),
+        ("longitudinal-linear-repeating", 0.2, 'sector_deg = "auto"'),
+        pytest.param("longitudinal-linear-repeating", 0.1, 'sector_deg = "auto"', marks=thorough),
     ],
 )
 def test_every_family_comes_as_near_as_asked(

@@ -1,13 +1,12 @@
 """A design file without a target, of the family that needs none: report, files and refusals."""
 
 import math
-import subprocess
-import sys
 from dataclasses import astuple
 from pathlib import Path
 
 import pytest
 
+from command_line import orishell
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.design_file import read_design_file, starter_file
@@ -62,6 +61,7 @@ def test_files_of_all_formats(shell: Shell, tmp_path: Path) -> None:
     assert inspect_fold(read_fold(tmp_path / "shell.fold")).passed
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_the_sine_version(tmp_path: Path) -> None:
     text = TEXT.replace("solution = 0", "solution = 1").replace("rows = 5", "rows = 1")
     lines = [line for line in text.splitlines() if "_lengths" not in line]
@@ -71,14 +71,9 @@ def test_the_sine_version(tmp_path: Path) -> None:
     write_shell(made, tmp_path / "out")
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_summary(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "orishell", "design", str(EXAMPLE), "--out", str(tmp_path / "out")],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
+    done = orishell("design", EXAMPLE, "--out", tmp_path / "out")
     assert done.returncode == 0
     (warning,) = done.stderr.splitlines()
     assert "is larger than any board" in warning

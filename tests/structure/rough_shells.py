@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -111,7 +112,7 @@ def rough_shell(seed: int) -> Rough:
     )
 
 
-def loaded_shells(seeds: range) -> list[tuple[int, Model, Factorised, Array]]:
+def loaded_shells(seeds: Iterable[int]) -> list[tuple[int, Model, Factorised, Array]]:
     """Those of the random shells that can be made, with their seeds, and loads on them."""
     found = []
     for seed in seeds:

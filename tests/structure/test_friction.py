@@ -6,6 +6,7 @@ flaps and ties, friction from 0.05 to 1.5, own weight, snow or wind.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ import pytest
 from orishell.design_file import read_design_file
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
+from orishell.shell.steps import MEASURES
 from orishell.structure.feet import find_feet
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.solve import active_set, bearing
@@ -63,7 +65,7 @@ def require_coulomb(held: Factorised, loads: Array, found: Response) -> None:
     assert (along > slides[far] * used[far] - slides[far] * force - used[far] * length).all()
 
 
-def survey(seeds: range) -> dict[str, int]:
+def survey(seeds: Iterable[int]) -> dict[str, int]:
     """How random shells end, each tried for Coulomb's law and against a linear program.
 
     Shells move if the program misses more than 1e-6 of the loads with its polygon inside the
@@ -94,7 +96,8 @@ def survey(seeds: range) -> dict[str, int]:
 
 
 def test_random_shells_keep_to_coulombs_law() -> None:
-    ends = survey(range(20))
+    """Of the first twenty all but one, which alone takes longer than the others together."""
+    ends = survey(seed for seed in range(20) if seed != 11)
     assert sum(ends.values()) >= 14
     assert ends["holds"] >= 8
 
@@ -111,9 +114,8 @@ CASES = sorted(path.stem for path in (Path(__file__).parent / "rough").glob("*.t
 @pytest.mark.parametrize("name", led_by(CASES, 3))
 def test_shells_that_had_no_answer_have_one(name: str) -> None:
     """Designs for which the sets of who acts went round in circles."""
-    shell = make_shell(
-        read_design_file(Path(__file__).parent / "rough" / f"{name}.toml"), clash="unexamined"
-    )
+    file = read_design_file(Path(__file__).parent / "rough" / f"{name}.toml")
+    shell = make_shell(file, clash="unexamined", skip=("remedies", "verification", *MEASURES))
     assert shell.analysis is not None
     (case,) = shell.analysis.cases
     if name == "all_22":  # forces of 0.0999 could bear it, and nothing makes its feet press so

@@ -1,6 +1,6 @@
 """Random feasible designs: what the proof says, exact arithmetic says too.
 
-A quarter of 200 in `make test`, all in `make thorough`.
+Some of 200 in `make test`, all in `make thorough`.
 
 libigl decides on all pairs of panels in exact arithmetic. Where the path is said to be clear it
 must see nothing in any of the states tried; where panels are said to touch it must see them cross
@@ -76,14 +76,15 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
 @pytest.mark.slow
 def test_parallel_repeating_designs() -> None:
     seen: Counter[str | None] = Counter()
+    wanted = 150 if THOROUGH else 10
 
-    @settings(once, max_examples=examples(150))
+    @settings(once, max_examples=wanted)
     @given(requests())
     def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()
-    assert seen["flaps"] > 0.4 * examples(150)
+    assert seen["flaps"] > 0.4 * wanted
     assert seen["clash"] > 0 or not THOROUGH  # one in some dozens
 
 
@@ -121,7 +122,7 @@ def longitudinal_requests(draw: st.DrawFn) -> dict[str, Any]:
 @pytest.mark.slow
 def test_longitudinal_designs() -> None:
     seen: Counter[str | None] = Counter()
-    wanted = examples(100)
+    wanted = 100 if THOROUGH else 6
 
     @settings(once, max_examples=8 * wanted)
     @given(longitudinal_requests())

@@ -15,9 +15,9 @@ from orishell.solids import largest_folds
 from orishell.solids.setbacks import allowed_heights
 from orishell.solids.sides import SideFolds
 from overlaps import NOTHING, overlap
-from samples import led_by, thorough
+from samples import THOROUGH, led_by
 
-STATES = 40
+STATES = 40 if THOROUGH else 16
 THICKNESS = 0.02
 """Of the median edge."""
 BEYOND = 1e-3
@@ -42,7 +42,7 @@ def thickest(design: Design, end: float) -> float:
     return 2 * float(allowed_heights(flat, layout, sides, design.panel).min())
 
 
-@pytest.mark.parametrize("count", [8, pytest.param(16, marks=thorough)])
+@pytest.mark.parametrize("count", led_by([5, 8, 16]))
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 @pytest.mark.parametrize("surface", led_by(["cap", "saddle .5"]))
 def test_boards_are_apart_to_the_pack(surface: str, construction: str, count: int) -> None:

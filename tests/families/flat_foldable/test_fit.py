@@ -17,7 +17,9 @@ from orishell.families.flat_foldable.fit.unknowns import Unknowns
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.locking import find_lock
 from orishell.numerics.arrays import Array
-from samples import led_by
+
+PARTS = [0, 1, 2, 3, 4, 5, 6, 7, 9, 10]
+"""Of the residuals: all but those of edge limits."""
 
 
 def cap(cells: int = 64) -> Piece:
@@ -45,8 +47,7 @@ def test_derivatives_are_those_of_differences() -> None:
     assert np.abs(of.slopes(unknowns, placed) - differences).max() < 1e-7
 
 
-@pytest.mark.parametrize("part", led_by([0, 3, 7, 10, 1, 2, 4, 5, 6, 9], 4))
-def test_derivatives_of_residuals_are_those_of_differences(part: int) -> None:
+def test_derivatives_of_residuals_are_those_of_differences() -> None:
     """All but those of edge limits (below), some corners and folds beyond where they begin."""
     of = Unknowns.covering(cap(), 7, 6, 1.1, 1.6)
     rng = np.random.default_rng(0)
@@ -55,24 +56,26 @@ def test_derivatives_of_residuals_are_those_of_differences(part: int) -> None:
     problem = Problem(cap(), of, Weights(), limits)
     step = 1e-6
 
-    def residuals(by: Array) -> Array:
+    def residuals(by: Array) -> list[Array]:
         found = problem.at(unknowns + by)
         assert found is not None
-        return found.residuals[part]
+        return [found.residuals[part] for part in PARTS]
 
-    differences = np.stack(
-        [(residuals(step * e) - residuals(-step * e)) / (2 * step) for e in np.eye(len(unknowns))],
-        axis=-1,
-    )
+    ways = [(residuals(step * e), residuals(-step * e)) for e in np.eye(len(unknowns))]
     here = problem.at(unknowns)
     assert here is not None
-    assert len(differences) > 0
-    assert np.abs(problem.derivatives(here)[part] - differences).max() < 1e-7
+    exact = problem.derivatives(here)
+    for number, part in enumerate(PARTS):
+        differences = np.stack(
+            [(more[number] - less[number]) / (2 * step) for more, less in ways], axis=-1
+        )
+        assert len(differences) > 0
+        assert np.abs(exact[part] - differences).max() < 1e-7, part
 
 
 def test_gradient_of_edges_is_that_of_differences() -> None:
     """Those that are too long or too short, about the middle that makes them least."""
-    of = Unknowns.covering(cap(), 7, 6, 1.1, 1.6)
+    of = Unknowns.covering(cap(), 5, 4, 1.1, 1.6)
     rng = np.random.default_rng(0)
     unknowns = of.first + 0.03 * rng.standard_normal(len(of.first))
     flat = of.placed(unknowns).flat
@@ -123,11 +126,11 @@ def test_straight_borders_are_fitted_with_exact_derivatives() -> None:
 
 @pytest.mark.slow
 def test_dome_with_a_straight_border_locks_by_flaps() -> None:
-    """0.6 % of the diagonal was reached with 10 x 10 panels, and 0.4 % with a free border."""
-    options: dict[str, Any] = {"rows": 9, "columns": 9, "direction_deg": 0, "fold_deg": 92}
+    """0.7 % of the diagonal was reached with 6 x 6 panels, 0.6 % with 10 x 10."""
+    options: dict[str, Any] = {"rows": 5, "columns": 5, "direction_deg": 0, "fold_deg": 92}
     pattern = FlatFoldablePattern(**options, border="straight", flap="auto")
     design = pattern.design_on(MeshSurface(cap()))
-    assert design.mechanism.flap_columns == (10,)
+    assert design.mechanism.flap_columns == (6,)
     assert max(each.max for each in design.closeness.values()) < 0.01 * cap().diagonal
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("flaps", False)
@@ -135,9 +138,9 @@ def test_dome_with_a_straight_border_locks_by_flaps() -> None:
 
 def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
     """To rounding: 5e-16 and 4e-15 were seen on a shell of size 1."""
-    pattern = FlatFoldablePattern(rows=7, columns=8, direction_deg=0, fold_deg=90)
+    pattern = FlatFoldablePattern(rows=5, columns=4, direction_deg=0, fold_deg=90)
     design = pattern.design_on(MeshSurface(cap()))
-    fit = fit_sheet(Task(cap(), 7, 8, Conditions(10.0)), direction=0, folded=float(np.deg2rad(90)))
+    fit = fit_sheet(Task(cap(), 5, 4, Conditions(10.0)), direction=0, folded=float(np.deg2rad(90)))
     assert fit is not None
     mechanism = design.mechanism
     shell = mechanism.positions(mechanism.target_drive)
@@ -150,7 +153,7 @@ def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
         for key, value in design.parameters.items()
         if key in FlatFoldablePattern.model_fields and key not in ("edge_ratio", "direction_deg")
     }
-    table = {"rows": 7, "columns": 8, **given}
+    table = {"rows": 5, "columns": 4, **given}
     again = FlatFoldablePattern.model_validate(table).design_without_target().mechanism
     copy = again.positions(again.target_drive)
     assert np.abs(distances(copy) - distances(shell)).max() < 1e-12
@@ -164,7 +167,7 @@ def distances(shell: Array) -> Array:
 
 def test_surface_that_no_sheet_follows_is_refused_with_what_was_reached() -> None:
     """Edges nearly alike leave no freedom to bend both ways."""
-    pattern = FlatFoldablePattern(rows=7, columns=7, edge_ratio=1.6, direction_deg=0, fold_deg=90)
+    pattern = FlatFoldablePattern(rows=5, columns=5, edge_ratio=1.6, direction_deg=0, fold_deg=90)
     with pytest.raises(DesignError) as refused:
         pattern.design_on(MeshSurface(hemisphere()))
     assert "diagonal" in refused.value.size

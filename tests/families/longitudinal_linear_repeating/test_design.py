@@ -269,6 +269,7 @@ def test_a_corner_of_f() -> None:
     assert "bends too sharply" in error.condition
 
 
+@thorough
 def test_sizes_that_do_not_exist() -> None:
     largest = Remedy({"pattern.rows": 35, "pattern.columns": 35})
     assert largest in list(refusal(rows=40, columns=40).candidates)

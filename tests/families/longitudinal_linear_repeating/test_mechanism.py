@@ -10,11 +10,13 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.motion import FoldedState, find_assignment
 from orishell.verification.residuals import measure_residuals
+from samples import led_by
 
 
 @pytest.mark.slow
-def test_999_x_999_near_90_degrees() -> None:
-    mechanism = longitudinal((89.9995, 89.999, 90.0005, 90.001), 999, 999, equal=True)
+@pytest.mark.parametrize("size", led_by([299, 999]))
+def test_large_sheets_near_90_degrees(size: int) -> None:
+    mechanism = longitudinal((89.9995, 89.999, 90.0005, 90.001), size, size, equal=True)
     flat = FoldedState.of(mechanism, 0.0)
     residuals, _ = measure_residuals([FoldedState.of(mechanism, 1.0)], flat)
     assert residuals.panel_length <= 1e-11

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from orishell.conventions.errors import CurveError, DesignError
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
-from samples import examples
+from samples import THOROUGH, led_by
 from strategies import Request, graph, orthodiagonal, orthodiagonal_requests, pair
 
 PARABOLA = graph("-x**2", -1, 1)
@@ -21,7 +21,7 @@ def request(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Request:
     return orthodiagonal(f, g, **{"rows": 9, "columns": 13, "depth": 0.12, **options})
 
 
-@settings(max_examples=examples(100))
+@settings(max_examples=100 if THOROUGH else 8)
 @given(orthodiagonal_requests())
 def test_candidates_mend_what_they_are_named_for(asked: Request) -> None:
     try:
@@ -34,7 +34,7 @@ def test_candidates_mend_what_they_are_named_for(asked: Request) -> None:
                 assert other.condition[:20] != error.condition[:20]  # noqa: PT017
 
 
-@pytest.mark.parametrize("degrees", [60, 75, 110, 130])
+@pytest.mark.parametrize("degrees", led_by([60, 130, 75, 110], 2))
 def test_heading_outside_its_interval(degrees: float) -> None:
     what = request(heading=np.deg2rad(degrees))
     error = what.refusal()

@@ -26,7 +26,7 @@ from orishell.numerics.arrays import Array
 from patterns import huffman, not_folding
 from samples import THOROUGH
 
-COUNT = 200 if THOROUGH else 8
+COUNT = 200 if THOROUGH else 4
 JITTER = 1e-9, 1e-6, 1e-3
 """Of every coordinate, by the shortest edge."""
 

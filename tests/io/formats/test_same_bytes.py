@@ -6,21 +6,31 @@ import subprocess
 import sys
 from pathlib import Path
 
-from documents import FAMILIES, demo_document, loaded_document, thick_document
+from documents import FAMILIES, SMALL, demo_document, loaded_document, thick_document
 from orishell.io import Settings
+from orishell.io.format import Format
 from orishell.io.formats import ALL, find_formats
 from orishell.workshop import Workshop
+from samples import THOROUGH
 
 TESTS = Path(__file__).parents[2]
 DRAWINGS = ["dxf", "svg", "origami-simulator"]
 
 
+def formats() -> list[Format]:
+    """All, but STEP in ``make thorough`` only: its library is seconds in the loading.
+
+    Of STEP, ``test_step.py`` compares the bytes of two files that one process writes.
+    """
+    return [each for each in find_formats([ALL]) if THOROUGH or each.name != "step"]
+
+
 def write_all(out: Path) -> None:
     """Every format of one shell, the drawings with much in them of every family."""
-    for each in find_formats([ALL]):
+    for each in formats():
         document = loaded_document() if each.analysed else demo_document()
         if each.solid:
-            document = thick_document("orthodiagonal")
+            document = thick_document("orthodiagonal", size=SMALL)
         each.write(out / each.file, document, Settings())
     settings = Settings(
         workshop=Workshop(palette="lightburn", creases="dashes", relief_hole=0.005, labels="both")
@@ -49,7 +59,7 @@ def test_same_bytes_in_two_processes_and_directories(tmp_path: Path) -> None:
     )
     files = [*here.iterdir(), *there.iterdir()]
     assert not [file.name for file in files if str(tmp_path).encode() in file.read_bytes()]
-    names = {each.file for each in find_formats([ALL])}
+    names = {each.file for each in formats()}
     names |= {f"{family}-{each.file}" for family in FAMILIES for each in find_formats(DRAWINGS)}
     assert names <= digests(here).keys()
     assert digests(here) == digests(there)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cad_tools import ask_freecad, require_build123d
-from documents import demo_document, thick_document
+from documents import SMALL, demo_document, thick_document
 from orishell.conventions.errors import InputError
 from orishell.design import Construction
 from orishell.document import Document
@@ -73,7 +73,7 @@ def test_build123d_reads_every_board(construction: Construction, tmp_path: Path)
 
 def test_freecad_opens_it(tmp_path: Path) -> None:
     require_build123d()
-    document = thick_document("orthodiagonal", "bevel")
+    document = thick_document("orthodiagonal", "bevel", size=SMALL)
     write_step(tmp_path / "shell-target.step", document, Settings())
     expected = all_boards(document)
     for name in ("target", "flat"):
@@ -85,7 +85,7 @@ def test_freecad_opens_it(tmp_path: Path) -> None:
 def test_names_of_files_and_what_they_say(tmp_path: Path) -> None:
     """A pack where the document names one; the same bytes again; no clock; far from the origin."""
     require_build123d()
-    document = thick_document("longitudinal-linear-repeating", frames=3)
+    document = thick_document("orthodiagonal", frames=3, size=SMALL)
     document = replace(
         document, named={"pack": 0, "target": 2, "flat": 1}, origin=np.array([1e9, 0, 0]), title="ü"
     )

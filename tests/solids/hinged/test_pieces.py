@@ -158,10 +158,10 @@ def test_rows_are_parted_evenly() -> None:
             joint_rows(rows, asked or "whole")
 
 
-@pytest.mark.parametrize("seed", led_by(range(4)))
+@pytest.mark.parametrize("seed", led_by([12, *range(4, 8)]))
 def test_pieces_are_clear_on_their_way_and_where_they_are_joined(seed: int) -> None:
     """manifold3d in five states of the proved path, and all boards at the target."""
-    sheet, build, hinges, size = in_pieces(seed + 4)
+    sheet, build, hinges, size = in_pieces(seed)
     build = build.having(gap=1e-4 * size)
     lock = find_lock(boarded(sheet, build, hinges))
     assert lock.built is not None

@@ -14,6 +14,7 @@ from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.numerics.arrays import Array
 from orishell.solids.hinged import find_hinges
 from orishell.solids.hinged.play import Play, find_play
+from samples import led_by
 
 TRIES = 2500
 NEAR = 0.05
@@ -61,7 +62,7 @@ def measured(steps: Array, grid: Grid) -> Play:
     return Play(float(mean[0].max()), *rms)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", led_by([0, 3, 1, 2], 2))
 def test_play_is_that_of_random_errors(seed: int) -> None:
     """Errors in heights, and errors any way across a hinge, leave as much open."""
     sheet, rng = random_sheet(seed), np.random.default_rng(seed)

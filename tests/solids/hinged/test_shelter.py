@@ -10,6 +10,7 @@ import pytest
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
 from orishell.shell.steps import Step
+from samples import thorough
 
 SHELTER = Path(__file__).parents[3] / "examples" / "shelter_hinged.toml"
 SKIP: tuple[Step, ...] = (
@@ -22,6 +23,7 @@ SKIP: tuple[Step, ...] = (
 )
 
 
+@thorough
 def test_the_shelter_of_whole_boards() -> None:
     """Figures of the prototypes: arms of 11 thicknesses, 3.6 m3.
 
