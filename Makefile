@@ -19,8 +19,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 NODE := build/node
 PAGES := src/orishell/studio/static/index.html
-# One more than there are cores: tests of pages wait as often as they work.
-PARALLEL := --numprocesses $(shell echo $$(($$(nproc) + 1))) --dist worksteal
+# Two more than there are cores: tests of pages wait as often as they work.
+PARALLEL := --numprocesses $(shell echo $$(($$(nproc) + 2))) --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 # uv takes a tenth of the time that pip does, which does it where uv cannot: an index of pip's own.
 LISTED := --constraint constraints.txt
