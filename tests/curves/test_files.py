@@ -28,6 +28,53 @@ def test_reads_the_usual_spellings(tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "sep=;\r\nx;y\r\n0;0\r\n0,5;0,75\r\n1;1\r\n",  # as Excel begins a file for any country
+        '"sep=|"\nx|y\n0|0\n0.5|0.75\n1|1\n',
+        "x;y;\n0;0;\n;;\n0,5;0,75;\n1;1;\n;;\n",  # rows that were emptied
+        "Nr;x;y\n1;0;0\n2;0,5;0,75\n3;1;1\n",
+        "Punkt;Rechts;Hoch\n1;0;0\n2;0,5;0,75\n3;1;1\n",
+        "A1 0 0 edge\nA2 0.5 0.75 crown\nA3 1 1 edge\n",
+        "X,Y,Z\n0,0.0,0\n0.5,0.0,0.75\n1,0.0,1\n",  # a section, drawn upright
+        "y,z,x\n0,0,7\n0.5,0.75,7\n1,1,7\n",
+        "7,0,0\n7,0.5,0.75\n7,1,1\n",
+        "id,z,weight,x\n1,0,8,0\n2,0.75,9,0.5\n3,1,7,1\n",
+    ],
+)
+def test_the_columns_that_are_meant_are_taken(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "points.csv"
+    for encoding in ("utf-8", "utf-8-sig", "utf-16", "cp1252"):
+        path.write_text(text, encoding=encoding, newline="")
+        np.testing.assert_array_equal(read_points(path), [[0, 0], [0.5, 0.75], [1, 1]])
+
+
+def test_a_straight_line_has_two_columns(tmp_path: Path) -> None:
+    path = tmp_path / "points.csv"
+    for varying, expected in enumerate(([1, 0], [0, 1], [0, 1])):
+        path.write_text(f"x,y,z\n0,0,0\n{','.join('1' if k == varying else '0' for k in range(3))}")
+        assert read_points(path).tolist() == [[0, 0], expected]
+
+
+def test_a_header_of_windows_states_its_unit(tmp_path: Path) -> None:
+    path = tmp_path / "points.csv"
+    path.write_bytes("Länge (m);Höhe (m)\r\n0;0\r\n0,5;0,75\r\n".encode("cp1252"))
+    np.testing.assert_allclose(read_points(path, into="mm"), [[0, 0], [500, 750]])
+
+
+@pytest.mark.parametrize("text", ["1,0,0\n2,0.5,0.75\n3,1,1\n", "x,y,z\n0,0,0\n1,2,3\n2,3,1\n"])
+def test_columns_that_nobody_knows_are_asked_for(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(text)
+    with pytest.raises(InputError, match="call two columns x and y in a first line") as refused:
+        read_points(path)
+    assert "which columns are x and y" in str(refused.value)
+    body = text.removeprefix("x,y,z\n")
+    path.write_text(f"a,x,y\n{body}")
+    assert read_points(path).shape == (3, 2)
+
+
+@pytest.mark.parametrize(
     ("text", "says"),
     [
         ("", "too few points"),
@@ -117,6 +164,9 @@ def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read"):
         read_points(tmp_path / "a\0b.csv")
     binary = tmp_path / "binary.csv"
-    binary.write_bytes(b"\xff\xfe\x00\x81")
-    with pytest.raises(InputError, match=r"cannot be read.*Remedy: save the table as CSV"):
-        read_points(binary)
+    for content in (b"PK\x03\x04\x14\x00", b"\xff\xfe\x00", b"x;y\n0;\x81\n"):
+        binary.write_bytes(content)
+        with pytest.raises(
+            InputError, match=r"cannot be read.*Remedy: save the table as CSV UTF-8"
+        ):
+            read_points(binary)

@@ -85,6 +85,8 @@ def test_answers_about_a_design(client: httpx.Client, family: str, more: str) ->
     text = f"{starter_file(family)}\n{more}"
     design = tomllib.loads(text)
     assert fits(client.post("/api/parse", json={"text": text}).json(), api.Parsed)
+    if more:
+        design["pattern"] |= {"rows": 5, "columns": 5}
     assert fits(client.post("/api/format", json={"design": design}).json(), api.Written)
     assert fits(client.post("/api/ranges", json={"design": design}).json(), api.Ranges)
     *advances, result = client.post("/api/verify", json={"design": design}).text.splitlines()

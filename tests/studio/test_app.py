@@ -139,7 +139,7 @@ def test_a_clash_is_named_and_shown(client: httpx.Client) -> None:
         "f": {"formula": "-0.3*x**2", "range": [-1, 1]},
         "g": {"formula": ["4*cos(t)", "4*sin(t)"], "range": [0, 2 * np.pi]},
     }
-    design["pattern"] |= {"columns": 30, "xi_deg": 90}
+    design["pattern"] |= {"rows": 3, "columns": 30, "xi_deg": 90}
     lines = client.post("/api/verify", json={"design": design}).text.splitlines()
     result = json.loads(lines[-1])["result"]
     assert "meet before" in result["refusal"]["what"]

@@ -17,7 +17,7 @@ VAULT: dict[str, Any] = {
         "f": {"formula": "-0.5*x**2", "range": [-1, 1]},
         "g": {"formula": "0*x", "range": [0, 3]},
     },
-    "pattern": {"rows": 5, "columns": 5},
+    "pattern": {"rows": 3, "columns": 3},
 }
 
 

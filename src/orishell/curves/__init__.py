@@ -2,7 +2,6 @@
 
 from orishell.curves.curve import Curve, curve_from_formulas
 from orishell.curves.dxf import read_dxf
-from orishell.curves.files import read_points
 from orishell.curves.formula import (
     Formula,
     FormulaOfTwo,
@@ -13,6 +12,7 @@ from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.joining import Chain, run_along_axis
 from orishell.curves.memo import remembered
+from orishell.curves.points import read_points
 from orishell.curves.svg import curve_data, parse_curve, read_svg
 from orishell.curves.trace import Trace
 from orishell.curves.trace import trace_curve as _trace_curve
