@@ -19,7 +19,7 @@ from orishell.io import read_fold
 from orishell.io.patterns.read import read_pattern
 
 READERS: dict[str, tuple[Callable[[Any], Any], tuple[str, ...]]] = {
-    "pattern": (read_pattern, (".fold", ".svg", ".dxf")),
+    "pattern": (read_pattern, (".fold", ".svg", ".dxf", ".cp")),
     "mesh": (read_mesh, ENDINGS),
     "shell": (read_fold, (".fold",)),
     "tables": (read_toml, (".toml",)),

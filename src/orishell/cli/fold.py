@@ -19,7 +19,7 @@ LOOSEST = 0.5
 
 
 def fold(
-    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG or DXF).")],
+    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG, DXF or CP).")],
     out: Annotated[
         Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
     ],

@@ -14,7 +14,7 @@ import { ofFile } from "../state/stale.ts";
 import type { Store } from "../state/store.ts";
 import type { Design, DrawingTable } from "../state/types.ts";
 
-export const PATTERNS = ".fold,.svg,.dxf";
+export const PATTERNS = ".fold,.svg,.dxf,.cp";
 
 export class DrawingForm {
   readonly element: HTMLElement;
@@ -37,7 +37,7 @@ export class DrawingForm {
       "section",
       { class: "drawing-form", "aria-label": "Drawing", "data-testid": "drawing-form" },
       button({
-        label: "Read a crease pattern: FOLD, SVG or DXF",
+        label: "Read a crease pattern: FOLD, SVG, DXF or CP",
         icon: "drop",
         text: "Pattern file",
         testid: "file-drawing",

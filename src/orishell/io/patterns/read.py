@@ -14,13 +14,21 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.source_file import require_source_file
 from orishell.io.fold_frames import MAX_BYTES
 from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.cp import read_cp_lines
 from orishell.io.patterns.dxf import read_dxf_lines
 from orishell.io.patterns.fold import read_fold_pattern
 from orishell.io.patterns.found import ReadPattern
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.svg import read_svg_lines
 
-ENDINGS = (".fold", ".svg", ".dxf")
+ENDINGS = (".fold", ".svg", ".dxf", ".cp")
+OTHERS = {
+    ".opx": "export it from ORIPA as FOLD or CP",
+    ".orh": "save it in Orihime or Oriedita as CP",
+    ".ori": "export it from Oriedita as FOLD or CP",
+    ".tmd5": "export it from TreeMaker as SVG or DXF",
+}
+"""Files of programs that write one that is read."""
 BEGINNINGS = {
     b"{": "FOLD",
     b"<": "SVG",
@@ -44,11 +52,11 @@ def read_pattern(
     scale: float = 1.0,
     weld: float | None = None,
 ) -> ReadPattern:
-    """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG or DXF.
+    """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG, DXF or CP.
 
     Drawings may have their lines in any order; they are split where they cross. A line is a
     mountain, valley, border, cut or flat by its layer's name, or else by its colour: red mountain,
-    blue valley, black border, green cut, yellow flat, magenta not assigned.
+    blue valley, black border, green cut, yellow flat, magenta not assigned; by its kind in CP.
 
     Parameters
     ----------
@@ -88,6 +96,8 @@ def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
         return read_fold_pattern(path, weld)
     if ending == ".svg":
         lines, stated, notes = read_svg_lines(path, whole=unit is not None)
+    elif ending == ".cp":
+        stated, (lines, notes) = "unit", read_cp_lines(path)
     else:
         lines, known, notes = read_dxf_lines(path)
         stated, size = known or ("unit", 1.0)
@@ -140,6 +150,6 @@ def _require_kind(path: Path) -> str:
             else "patterns are not read from such files",
             got=f"{ending or 'no ending'}, and what looks like {kind or 'nothing that is known'}",
             expected=", ".join(ENDINGS),
-            remedy=f"give it the ending .{kind.lower()}" if known else "",
+            remedy=OTHERS.get(ending) or (f"give it the ending .{kind.lower()}" if known else ""),
         )
     return ending
