@@ -16,9 +16,10 @@ from orishell.conventions.source_file import read_source_file
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.looks import IGNORED
 from orishell.io.patterns.strokes import Stroke, lines_of
+from orishell.numerics.arrays import Array
 
 MOST_BYTES = 200_000_000
-KINDS: Final = {0: IGNORED, 1: "B", 2: "M", 3: "V", 4: IGNORED}
+KINDS: Final[dict[float, str]] = {0: IGNORED, 1: "B", 2: "M", 3: "V", 4: IGNORED}
 """Auxiliary lines are 0 in ORIPA and 4 in Oriedita."""
 
 
@@ -56,7 +57,7 @@ def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
     return lines, notes
 
 
-def _numbers(words: list[str], name: str, line: str) -> tuple[float, np.ndarray]:
+def _numbers(words: list[str], name: str, line: str) -> tuple[float, Array]:
     """The kind of a line, and its ends (1, 2, 2)."""
     try:
         kind, *ends = map(float, words)
