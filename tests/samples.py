@@ -1,8 +1,8 @@
 """What only ``make thorough`` runs: what takes long and rarely fails, and most random examples.
 
-``make test`` keeps a quick member of each kind, and an eighth of the examples. Hypothesis draws
-fewer of them, not the first ones of all: an eighth that passes says nothing of the rest, so
-``make thorough`` before a release, and after a change of the core.
+``make test`` keeps a quick member of each kind, and an eighth of the examples, or fewer where they
+are dear. Hypothesis draws fewer of them, not the first ones of all: an eighth that passes says
+nothing of the rest, so ``make thorough`` before a release, and after a change of the core.
 """
 
 from __future__ import annotations
