@@ -16,10 +16,10 @@ _WORDS: Final = {
     "C": ("cut", "cuts"),
     "F": ("flat", "facet", "facets", "engrave", "unfolded"),
     "U": ("unassigned", "hinge", "hinges", "undriven"),
-    IGNORED: ("label", "labels", "text", "title"),
+    IGNORED: ("label", "labels", "text", "title", "aux", "auxiliary"),
 }
 _LETTERS: Final = {word: letter for letter, words in _WORDS.items() for word in words}
-_WORD = re.compile("[a-z]+")
+_WORD = re.compile("[A-Z]?[a-z]+|[A-Z]+")
 
 HUES: Final = {0: "M", 60: "F", 120: "C", 240: "V", 300: "U", 360: "M"}
 """Red, yellow, green, blue and magenta (degrees), as in Origami Simulator's "File Import Tips"."""
@@ -43,7 +43,7 @@ Colour = tuple[float, float, float]
 
 def letter_of_layer(name: str) -> str | None:
     """The letter that a layer's name stands for; None if it stands for none."""
-    words = _WORD.findall(name.lower()[:200])
+    words = [word.lower() for word in _WORD.findall(name[:200])]  # those of MountainLine, too
     return next((_LETTERS[word] for word in words if word in _LETTERS), None)
 
 
