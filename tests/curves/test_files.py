@@ -170,3 +170,9 @@ def test_missing_and_unreadable_files(tmp_path: Path) -> None:
             InputError, match=r"cannot be read.*Remedy: save the table as CSV UTF-8"
         ):
             read_points(binary)
+
+
+def test_the_largest_numbers_do_not_overflow(tmp_path: Path) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text("1e308,5,1e308\n-1e308,5,-1e308\n")
+    assert read_points(path).tolist() == [[1e308, 1e308], [-1e308, -1e308]]

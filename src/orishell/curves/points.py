@@ -190,7 +190,7 @@ def _plane(table: Array, first: _Row) -> list[int]:
     """The two columns of a table that a curve in a plane of coordinates varies in."""
     if table.shape[1] == 2:
         return [0, 1]
-    spread = np.ptp(table, axis=0)
+    spread = np.ptp(table / 2, axis=0)  # halves, which do not overflow
     varying = np.flatnonzero(spread > CONSTANT * spread.max()).tolist()
     if len(varying) > 2:
         raise first.fault(
@@ -222,7 +222,7 @@ def _number(field: str, *, decimal_comma: bool) -> float | None:
 
 
 def _header_unit(fields: list[str], where: str) -> str | None:
-    """The unit that the names of the first two columns state; None if they state none."""
+    """The unit that the names of the two columns state; None if they state none."""
     units = {}
     for field in fields:
         name = field.strip().lower()[-80:]

@@ -13,7 +13,7 @@ from orishell.io.patterns.looks import IGNORED, letter_of_layer
         *((name, "M") for name in ("mountain", "MOUNTAINS", "01_Mountain folds", "mountain-2")),
         # joined, as ORIPA and Oriedita name their layers
         *(("MountainLine", "M"), ("ValleyLine", "V"), ("CutLine", "C"), ("valleyFolds", "V")),
-        *((name, IGNORED) for name in ("AuxLine", "auxiliary lines", "Labels")),
+        *((name, IGNORED) for name in ("labels", "TextLayer", "Labels")),
         *((name, None) for name in ("", "Layer 1", "haircuts", "noname", "mountaineer")),
     ],
 )

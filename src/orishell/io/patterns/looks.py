@@ -16,7 +16,7 @@ _WORDS: Final = {
     "C": ("cut", "cuts"),
     "F": ("flat", "facet", "facets", "engrave", "unfolded"),
     "U": ("unassigned", "hinge", "hinges", "undriven"),
-    IGNORED: ("label", "labels", "text", "title", "aux", "auxiliary"),
+    IGNORED: ("label", "labels", "text", "title"),
 }
 _LETTERS: Final = {word: letter for letter, words in _WORDS.items() for word in words}
 _WORD = re.compile("[A-Z]?[a-z]+|[A-Z]+")

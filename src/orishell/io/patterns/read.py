@@ -26,9 +26,8 @@ OTHERS = {
     ".opx": "export it from ORIPA as FOLD or CP",
     ".orh": "save it in Orihime or Oriedita as CP",
     ".ori": "export it from Oriedita as FOLD or CP",
-    ".tmd5": "export it from TreeMaker as SVG or DXF",
 }
-"""Files of programs that write one that is read."""
+"""What programs keep for themselves, which write one that is read, too."""
 BEGINNINGS = {
     b"{": "FOLD",
     b"<": "SVG",
