@@ -13,7 +13,8 @@ from orishell.curves.files import name_parts
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Affine, Piece
 from orishell.curves.svg.shapes import draw_shape
-from orishell.curves.svg.tree import Element, read_tree
+from orishell.curves.svg.styles import is_painted, read_styled
+from orishell.curves.svg.tree import Element
 from orishell.curves.svg.walk import DRAWN, Context, Walk, name_of
 from orishell.numerics.arrays import Array
 
@@ -34,7 +35,7 @@ def read_svg(path: Path, *, into: str, id: str | None = None, unit: str | None =
         Unit of length of the result.
     id
         The shape that is read, or the group, whose shapes make one curve together. Otherwise
-        everything that is drawn and visible.
+        everything that is visible: what has a stroke, or else what is filled.
     unit
         The unit that one user unit of the file's viewBox is, whatever its width says.
 
@@ -47,7 +48,7 @@ def read_svg(path: Path, *, into: str, id: str | None = None, unit: str | None =
     where = str(path) if id is None else f"{path} #{id}"
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused when joined
-            reader = _Reader(read_tree(path), id)
+            reader = _Reader(read_styled(path), id)
             pieces = reader.read(whole=unit is not None)
             try:
                 chain = join_pieces(pieces, lambda point: _place(point, unit or "mm"))
@@ -71,12 +72,27 @@ class _Reader:
         """The pieces in millimetres, or in user units of the viewBox; y upwards."""
         if self.walk.chosen is not None and self.walk.chosen not in self.walk.by_id:
             raise self._unknown(self.walk.chosen)
-        for element, context in self.walk.shapes(whole=whole):
+        for element, context in self._seen(whole):
             try:
                 self._draw(element, context)
             except InputError as error:
                 raise error.located(name_of(element)) from None
         return [piece.transformed(UPWARDS) for piece in self.pieces]
+
+    def _seen(self, whole: bool) -> list[tuple[Element, Context]]:
+        """What is chosen; or else all with a stroke; if none has one, what is filled."""
+        shapes = list(self.walk.shapes(whole=whole))
+        if self.walk.chosen is not None:
+            return shapes
+        painted = (
+            [
+                (element, context)
+                for element, context in shapes
+                if is_painted(kind, (*context.parents, element))
+            ]
+            for kind in ("stroke", "fill")
+        )
+        return next(filter(None, painted), [])
 
     def naming(self, error: CurveError) -> CurveError:
         """The error about all pieces, with the elements they are of and the ids to choose from."""

@@ -7,7 +7,7 @@ are bounded.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
@@ -17,6 +17,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.curves.files import read_source
 from orishell.curves.pieces import Affine
+from orishell.curves.svg.declared import Declarations, inline
 
 NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 PER_INCH: Final = {
@@ -182,15 +183,25 @@ class Element:
     attributes: dict[str, str]
     children: list[Element] = field(default_factory=list)
     text: str = ""  # of a style sheet
+    sheet: Declarations = field(default_factory=dict)  # what style sheets say of it
 
     def style(self, name: str) -> str:
-        """A property, from ``style`` or from the attribute; empty if it is not set."""
-        if "style" in self.attributes:
-            for declaration in self.attributes["style"].split(";"):
-                key, _, value = declaration.partition(":")
-                if key.strip() == name:
-                    return value.strip()
+        """A property: of ``style``, of style sheets or of the attribute; empty if it is unset."""
+        own = self.attributes.get("style")
+        if own is not None or self.sheet:
+            both = self.sheet.get(name), inline(own or "").get(name)
+            found = [(each.important, k, each.value) for k, each in enumerate(both) if each]
+            if found:
+                return max(found)[2]
         return self.attributes.get(name, "").strip()
+
+    def all(self) -> Iterator[Element]:
+        """Itself and all that it has, in the order of the file."""
+        stack = [self]
+        while stack:
+            element = stack.pop()
+            yield element
+            stack += element.children[::-1]
 
 
 def read_tree(path: Path, most: int = MAX_ELEMENTS) -> Element:

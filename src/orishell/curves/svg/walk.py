@@ -35,7 +35,8 @@ class Context:
     affine: Affine  # From its user units to those of the result, y still downwards
     view: View  # What percentages refer to
     wanted: bool  # Whether it is drawn: it is chosen, or in what is chosen, and visible
-    hidden: bool = False  # Whether it is not visible
+    hidden: bool = False  # Whether it is not displayed
+    unseen: bool = False  # Whether it is not visible; what is in it may be
     uses: int = 0  # How many elements ``use`` it is inside of
     parents: tuple[Element, ...] = ()  # What it is in, outermost first
 
@@ -60,11 +61,8 @@ class Walk:
         self.most = MAX_ELEMENTS if most is None else most
         self.visited = 0
         self.by_id: dict[str, Element] = {}
-        stack = [root]
-        while stack:
-            element = stack.pop()
+        for element in root.all():
             self.by_id.setdefault(element.attributes.get("id", ""), element)
-            stack += element.children[::-1]
         self.by_id.pop("", None)
 
     def shapes(self, *, whole: bool) -> Iterator[tuple[Element, Context]]:
@@ -84,10 +82,13 @@ class Walk:
     def _inside(self, element: Element, context: Context) -> Context:
         """The context, given the element's own visibility and whether it is chosen."""
         if element.attributes.get("id") == self.chosen is not None and not context.uses:
-            return replace(context, wanted=True, hidden=False)
-        hidden = element.style("display") == "none"
-        hidden |= element.style("visibility") in {"hidden", "collapse"}
-        return replace(context, hidden=True) if hidden else context
+            return replace(context, wanted=True, hidden=False, unseen=False)
+        if element.style("display") == "none":
+            context = replace(context, hidden=True)
+        visibility = element.style("visibility")
+        if visibility not in {"", "inherit"}:
+            context = replace(context, unseen=visibility != "visible")
+        return context
 
     def _element(self, element: Element, context: Context) -> Iterator[tuple[Element, Context]]:
         self.visited += 1
@@ -105,7 +106,7 @@ class Walk:
             raise error.located(name_of(element)) from None
         drawn = inside.wanted and not inside.hidden
         if element.tag in SHAPES:
-            if drawn:
+            if drawn and not inside.unseen:
                 yield element, inside
         elif element.tag == "use":
             if drawn:

@@ -27,16 +27,6 @@ NEAR_HUE = 25.0
 DARK, GREY = 0.35, 0.25
 """Below this value a colour is black, below this saturation it is no hue."""
 
-_NAMED: Final = {
-    "black": "#000000", "red": "#ff0000", "blue": "#0000ff", "lime": "#00ff00",
-    "green": "#008000", "yellow": "#ffff00", "magenta": "#ff00ff", "fuchsia": "#ff00ff",
-    "cyan": "#00ffff", "aqua": "#00ffff", "gray": "#808080", "grey": "#808080",
-    "navy": "#000080", "maroon": "#800000", "white": "#ffffff",
-}  # fmt: skip
-_HEX = re.compile("#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})")
-_RGB = re.compile(r"rgba?\(\s*(\d{1,3}(?:\.\d{1,9})?%?)[\s,]+(\d{1,3}(?:\.\d{1,9})?%?)[\s,]+"
-                  r"(\d{1,3}(?:\.\d{1,9})?%?)[^()]*\)")  # fmt: skip
-
 Colour = tuple[float, float, float]
 """Red, green and blue from 0 to 1."""
 
@@ -59,18 +49,11 @@ def letter_of_colour(colour: Colour) -> str | None:
 
 
 def parse_colour(text: str) -> Colour | None:
-    """A colour as SVG writes it; None if it is none that is known."""
-    text = text.strip().lower()[:60]
-    found = _HEX.fullmatch(_NAMED.get(text, text))
-    if found:
-        digits = found[1] if len(found[1]) > 4 else "".join(2 * digit for digit in found[1])
-        red, green, blue = (int(digits[k : k + 2], 16) / 255 for k in (0, 2, 4))
-        return red, green, blue
-    parts = _RGB.fullmatch(text)
-    if parts is None:
+    """A colour as SVG writes it; None if it is none that is known, or nothing is seen of it."""
+    from tinycss2.color3 import parse_color
+
+    found = parse_color(text[:200])
+    if found is None or isinstance(found, str) or not found.alpha:
         return None
-    red, green, blue = (
-        min(float(part.rstrip("%")) / (100 if part.endswith("%") else 255), 1.0)
-        for part in parts.groups()
-    )
+    red, green, blue = (min(max(float(each), 0.0), 1.0) for each in found[:3])
     return red, green, blue

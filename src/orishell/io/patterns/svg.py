@@ -9,7 +9,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.curves.svg.shapes import draw_shape, line_ends
-from orishell.curves.svg.tree import NUMBER, Element, read_tree
+from orishell.curves.svg.styles import UNPAINTED, inherited, read_styled
+from orishell.curves.svg.tree import NUMBER, Element
 from orishell.curves.svg.walk import Context, Walk, name_of
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer, parse_colour
@@ -19,9 +20,6 @@ from orishell.numerics.arrays import Array
 
 MOST_ELEMENTS = 1_000_000
 _PHYSICAL = re.compile(rf"{NUMBER}\s*(mm|cm|in|pt|pc|q)", re.IGNORECASE)
-_RULE = re.compile(r"([^{}]{1,500})\{([^{}]{0,5000})\}")
-_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-_SELECTOR = re.compile(r"[.#]?[A-Za-z_][\w-]*")
 _SHARE = re.compile(rf"({NUMBER})(%?)")
 LOOKS = ("stroke", "style", "class", "id", "label", "opacity", "stroke-opacity", "color")
 """Attributes that the look of an element depends on."""
@@ -47,11 +45,11 @@ def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
     InputError
         If the file cannot be read, or draws a curve.
     """
-    root = read_tree(path, MOST_ELEMENTS)
+    root = read_styled(path, MOST_ELEMENTS)
     physical = not whole and any(
         _PHYSICAL.fullmatch(root.attributes.get(side, "").strip()) for side in ("width", "height")
     )
-    looks = _Looks(root)
+    looks = _Looks()
     strokes, circles, unseen = [], 0, 0
     for number, (element, context) in enumerate(
         Walk(root, None, MOST_ELEMENTS).shapes(whole=not physical), start=1
@@ -89,68 +87,42 @@ def _straight(element: Element, context: Context) -> Array:
 
 
 class _Looks:
-    """How elements look: by their attributes, the style sheet, and what they are in."""
+    """How elements look: by their attributes, style sheets, and what they are in."""
 
-    def __init__(self, root: Element) -> None:
-        self.rules: dict[str, dict[str, str]] = {}
-        stack = [root]
-        while stack:
-            element = stack.pop()
-            stack += element.children
-            if element.tag == "style":
-                for selectors, declarations in _RULE.findall(_COMMENT.sub("", element.text)):
-                    pairs = (each.partition(":") for each in declarations.split(";"))
-                    found = {key.strip(): value.strip() for key, _, value in pairs}
-                    for selector in selectors.split(","):
-                        if _SELECTOR.fullmatch(selector.strip()):
-                            self.rules.setdefault(selector.strip(), {}).update(found)
+    def __init__(self) -> None:
         self.known: dict[tuple[object, ...], Look | None] = {}
-        self.kept: list[tuple[Element, ...]] = []  # so that no id is used twice
+        self.kept: list[object] = []  # so that no id is used twice
 
     def of(self, element: Element, context: Context) -> Look | None:
         """Letter and fold angle of an element; None if it draws no line."""
-        key = (id(context.parents), element.tag, *map(element.attributes.get, LOOKS))
+        key = (id(context.parents), id(element.sheet), *map(element.attributes.get, LOOKS))
         if key not in self.known:
-            self.kept.append(context.parents)
+            self.kept += [context.parents, element.sheet]
             self.known[key] = self._look((*context.parents, element))
         return self.known[key]
 
     def _look(self, line: tuple[Element, ...]) -> Look | None:
-        stroke = self._property("stroke", line)
-        if stroke == "currentColor":
-            stroke = self._property("color", line) or "black"
-        if stroke in {"", "none", "transparent"}:
+        stroke = inherited("stroke", line)
+        if stroke.lower() == "currentcolor":
+            stroke = inherited("color", line) or "black"
+        if stroke in UNPAINTED:
             return None
         letter = next(filter(None, map(_layer, reversed(line))), None)
         if letter is None:
             colour = parse_colour(stroke)
             letter = None if colour is None else letter_of_colour(colour)
-        return letter, self._angle(letter, line)
+        return letter, _angle(letter, line)
 
-    def _property(self, name: str, line: tuple[Element, ...]) -> str:
-        """A property of the last element, inherited if it has none of its own; empty if unset."""
-        values = (self._own(name, element) for element in reversed(line))
-        return next((each for each in values if each not in {"", "inherit"}), "")
 
-    def _own(self, name: str, element: Element) -> str:
-        attributes = element.attributes
-        styled = element.style(name)
-        if not self.rules or styled != attributes.get(name, "").strip():
-            return styled
-        selectors = [element.tag, *(f".{each}" for each in attributes.get("class", "").split())]
-        selectors.append(f"#{attributes.get('id', '')}")
-        found = [self.rules[each][name] for each in selectors if name in self.rules.get(each, {})]
-        return found[-1] if found else styled
-
-    def _angle(self, letter: str | None, line: tuple[Element, ...]) -> float:
-        """The fold angle that the opacity stands for (radians); NaN if none is given."""
-        sign = SENSE.get(letter or "", 0.0)
-        given = (self._property(each, line) for each in ("opacity", "stroke-opacity"))
-        share = _SHARE.fullmatch(next(filter(None, given), ""))
-        if not sign or share is None:
-            return np.nan
-        value = float(share[1]) / (100 if share[2] else 1)
-        return float(sign * np.pi * min(max(value, 0.0), 1.0))
+def _angle(letter: str | None, line: tuple[Element, ...]) -> float:
+    """The fold angle that the opacity stands for (radians); NaN if none is given."""
+    sign = SENSE.get(letter or "", 0.0)
+    given = (inherited(each, line) for each in ("opacity", "stroke-opacity"))
+    share = _SHARE.fullmatch(next(filter(None, given), ""))
+    if not sign or share is None:
+        return np.nan
+    value = float(share[1]) / (100 if share[2] else 1)
+    return float(sign * np.pi * min(max(value, 0.0), 1.0))
 
 
 def _layer(element: Element) -> str | None:
