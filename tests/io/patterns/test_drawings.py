@@ -121,6 +121,26 @@ def test_black_lines_alone_are_creases_without_a_letter(tmp_path: Path) -> None:
     assert "no crease is assigned" in " ".join(found.notes)
 
 
+def test_creases_over_outlines_of_panels_keep_their_letters(tmp_path: Path) -> None:
+    outlines = "".join(
+        f'<rect x="{x}" y="{y}" width="2" height="2" stroke="black"/>'
+        for x in (0, 2) for y in (0, 2)
+    )  # fmt: skip
+    beyond = '<path d="M 0 1 V 3" stroke="red"/>'  # a crease along the border remains a border
+    for content in (outlines + CROSS + beyond, CROSS + beyond + outlines):
+        found = read_svg(tmp_path, content)
+        assert letters(found) == WINDOW
+        assert not any("cut" in note for note in found.notes)
+
+
+def test_auxiliary_lines_are_left_out_and_counted(tmp_path: Path) -> None:
+    found = read_svg(
+        tmp_path, SQUARE + CROSS + '<g id="AuxLines" stroke="lime"><path d="M0 0L4 4"/></g>'
+    )
+    assert letters(found) == WINDOW
+    assert "auxiliary lines are no creases: 1 left out" in found.notes
+
+
 def test_a_border_between_panels_is_a_cut_and_around_a_panel_a_hole(tmp_path: Path) -> None:
     found = read_svg(tmp_path, SQUARE + CROSS + '<path d="M2 1H4" stroke="black"/>')
     assert letters(found)["C"] == 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from orishell.io.patterns.looks import IGNORED, letter_of_layer
+from orishell.io.patterns.looks import AUXILIARY, IGNORED, letter_of_layer
 
 
 @pytest.mark.parametrize(
@@ -14,7 +14,8 @@ from orishell.io.patterns.looks import IGNORED, letter_of_layer
         # joined, as ORIPA and Oriedita name their layers
         *(("MountainLine", "M"), ("ValleyLine", "V"), ("CutLine", "C"), ("valleyFolds", "V")),
         *((name, IGNORED) for name in ("labels", "TextLayer", "Labels")),
-        *((name, None) for name in ("", "Layer 1", "haircuts", "noname", "mountaineer")),
+        *((name, AUXILIARY) for name in ("noname", "AuxLine", "Construction lines", "Guides")),
+        *((name, None) for name in ("", "Layer 1", "haircuts", "name", "mountaineer")),
     ],
 )
 def test_words_of_a_layer(name: str, letter: str | None) -> None:

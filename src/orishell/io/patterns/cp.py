@@ -14,17 +14,17 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.source_file import read_source_file
 from orishell.io.patterns.lines import Lines
-from orishell.io.patterns.looks import IGNORED
+from orishell.io.patterns.looks import AUXILIARY
 from orishell.io.patterns.strokes import Stroke, lines_of
 from orishell.numerics.arrays import Array
 
 MOST_BYTES = 200_000_000
-KINDS: Final[dict[float, str]] = {0: IGNORED, 1: "B", 2: "M", 3: "V", 4: IGNORED}
+KINDS: Final[dict[float, str]] = {0: AUXILIARY, 1: "B", 2: "M", 3: "V", 4: AUXILIARY}
 """Auxiliary lines are 0 in ORIPA and 4 in Oriedita."""
 
 
 def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
-    """What a file draws, without a unit, and what was left out of it.
+    """What a file draws, without a unit, and what was assumed of it.
 
     Raises InputError: If a line is not five numbers, of which the first is a kind; with its number.
     """
@@ -32,7 +32,7 @@ def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
         text = read_source_file(path, "file", MOST_BYTES).decode("utf-8-sig")
     except ValueError:
         raise InputError("the file is not text", expected="five numbers a line") from None
-    strokes, auxiliary = [], 0
+    strokes = []
     for number, line in enumerate(text.splitlines(), start=1):
         words = line.split()
         if not words:
@@ -47,14 +47,8 @@ def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
                 got=words[0][:20],
                 expected="0 and 4 auxiliary, 1 border, 2 mountain, 3 valley",
             )
-        if letter == IGNORED:
-            auxiliary += 1
-        else:
-            strokes.append(Stroke(name, ends * [1.0, -1.0], letter))
-    lines, notes = lines_of(strokes, downwards=True)
-    if auxiliary:
-        notes.append(f"auxiliary lines are no creases: {auxiliary} left out")
-    return lines, notes
+        strokes.append(Stroke(name, ends * [1.0, -1.0], letter))
+    return lines_of(strokes, downwards=True)
 
 
 def _numbers(words: list[str], name: str, line: str) -> tuple[float, Array]:

@@ -9,13 +9,16 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.io.patterns.crossings import Split
 from orishell.io.patterns.lines import Lines
+from orishell.io.patterns.rings import find_rings
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
 from orishell.numerics.equals import first_smallest
 
-RANK = {"U": 0, "J": 1, "F": 1, "V": 2, "M": 2, "B": 3, "C": 4}
-"""Of lines on each other the one with the highest rank counts."""
+RANK = {"B": 0, "U": 1, "J": 2, "F": 2, "V": 3, "M": 3, "C": 4}
+OUTER = 3.5
+"""Of lines on each other the one with the highest rank counts; a border has another rank around the
+sheet than within it, where panels may be outlined beneath their creases."""
 
 
 class GapError(InputError):
@@ -78,15 +81,23 @@ def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
                 got=" and ".join(dict.fromkeys(lines.name(n) for n in split.lines[which])),
                 remedy="remove one of them",
             )
-    rank = np.array([RANK[letter] for letter in letters.tolist()])
+    rank = np.array([RANK[letter] for letter in letters.tolist()], dtype=np.float64)
+    edges = np.stack(np.divmod(keys, len(split.points)), axis=-1)
+    if len(edge) > len(keys):
+        rank[(letters == "B") & _around(split.points, edges)[edge]] = OUTER
     order = np.lexsort((np.arange(len(edge)), -rank, edge))
     best = order[np.unique(edge[order], return_index=True)[1]]
     twice = len(edge) - len(keys)
     if twice:
         notes.append(f"{counted(twice, 'line')} drawn twice or on another one: read once")
     chosen = split.lines[best]
-    edges = np.stack(np.divmod(keys, len(split.points)), axis=-1)
     return Graph(split.points, edges, letters[best], lines.angles[chosen], chosen)
+
+
+def _around(points: Array, edges: Integers) -> Booleans:
+    """Which edges (E,) have nothing on one side."""
+    rings = find_rings(points, edges)
+    return np.asarray((rings.areas[rings.numbers] < 0).reshape(2, -1).any(axis=0))
 
 
 def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:

@@ -8,6 +8,8 @@ from typing import Final
 
 IGNORED: Final = "-"
 """Stands for a line that is no part of the pattern."""
+AUXILIARY: Final = "+"
+"""Stands for a line that helped to draw it: left out, and counted."""
 
 _WORDS: Final = {
     "M": ("mountain", "mountains"),
@@ -17,8 +19,10 @@ _WORDS: Final = {
     "F": ("flat", "facet", "facets", "engrave", "unfolded"),
     "U": ("unassigned", "hinge", "hinges", "undriven"),
     IGNORED: ("label", "labels", "text", "title"),
+    AUXILIARY: ("aux", "auxiliary", "construction", "guide", "guides", "noname"),
 }
 _LETTERS: Final = {word: letter for letter, words in _WORDS.items() for word in words}
+"""ORIPA calls the layer of auxiliary lines "noname"."""
 _WORD = re.compile("[A-Z]?[a-z]+|[A-Z]+")
 
 HUES: Final = {0: "M", 60: "F", 120: "C", 240: "V", 300: "U", 360: "M"}

@@ -10,6 +10,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.curves.pieces import Arc, Piece
 from orishell.io.patterns.lines import Lines
+from orishell.io.patterns.looks import AUXILIARY
 from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array
 
@@ -66,6 +67,8 @@ def lines_of(strokes: list[Stroke], *, downwards: bool = False) -> tuple[Lines, 
     downwards
         Whether y goes downwards in the file.
     """
+    auxiliary = sum(stroke.letter == AUXILIARY for stroke in strokes)
+    strokes = [stroke for stroke in strokes if stroke.letter != AUXILIARY]
     count = np.array([len(stroke.ends) for stroke in strokes], dtype=np.int64)
     owners = np.repeat(np.arange(len(strokes)), count)
     letters = np.array([stroke.letter or "U" for stroke in strokes], dtype=np.str_)
@@ -81,5 +84,7 @@ def lines_of(strokes: list[Stroke], *, downwards: bool = False) -> tuple[Lines, 
             f"the look of {len(unknown)} of {len(strokes)} shapes has no known meaning, as of "
             f"{unknown[0]}: not assigned"
         )
+    if auxiliary:
+        notes.append(f"auxiliary lines are no creases: {auxiliary} left out")
     names = tuple(stroke.name for stroke in strokes)
     return Lines(ends, letters[owners], angles[owners], owners, names, downwards), notes
