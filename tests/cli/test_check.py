@@ -172,7 +172,7 @@ def test_a_gap_is_welded_as_the_message_says(
     drawn = patterns.svg_of(patterns.scaled(patterns.miura(2, 2), 10.0), width_mm=20.0)
     x2 = re.search(r'x2="([^"]+)" y2="[^"]+" stroke="#ff0000"', drawn)
     assert x2 is not None
-    end = f"{float(x2[1]) + 0.02:.4f}"
+    end = f"{float(x2[1]) + 0.3:.4f}"
     path = tmp_path / "gap.svg"
     path.write_text(drawn[: x2.start(1)] + end + drawn[x2.end(1) :])
     ran = check(monkeypatch, capsys, path)

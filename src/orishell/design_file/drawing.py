@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Final, Self
 
@@ -84,10 +85,10 @@ class DrawingTable(Table):
         return Drawing(flat, CreaseValues(rows, columns.T))
 
     def _read(self, path: Path, unit: str) -> Drawing:
-        drawn, own, _ = read_drawing(path, self.unit, self.weld)
+        drawn, own = read_drawing(path, self.unit, self.weld)
         # Without a unit of its own the file is in the design's.
         factor = conversion(own or unit, unit)
-        return Drawing(self.scale * factor * drawn.flat, drawn.signs)
+        return replace(drawn, flat=self.scale * factor * drawn.flat)
 
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
         """The table with the sheet itself, in ``unit``, in place of its file's name."""
@@ -98,10 +99,8 @@ class DrawingTable(Table):
         return {**table, **table_of(made)}
 
 
-def read_drawing(
-    path: Path, unit: str | None, weld: float | None
-) -> tuple[Drawing, str | None, tuple[str, ...]]:
-    """A drawn sheet in a file, the unit of its coordinates, if that is known, and notes.
+def read_drawing(path: Path, unit: str | None, weld: float | None) -> tuple[Drawing, str | None]:
+    """A drawn sheet in a file, and the unit of its coordinates, if that is known.
 
     unit, weld: As :func:`~orishell.io.read_pattern` takes them. Raises InputError if there is no
     grid of panels.
@@ -115,7 +114,8 @@ def read_drawing(
         drawn = drawing_of(found.flat)
     except InputError as error:
         raise error.located(f"{path}:") from None
-    return drawn, None if found.unit == "unit" else found.unit, found.notes
+    drawn = replace(drawn, notes=found.notes)
+    return drawn, None if found.unit == "unit" else found.unit
 
 
 def table_of(drawing: Drawing) -> dict[str, Any]:

@@ -18,6 +18,7 @@ class Drawing:
     flat: Array  # vertices (rows, columns, 2) in the order of a Grid
     # signs of creases: 1 valley, -1 mountain, 0 never folded, NaN where nothing is said
     signs: CreaseValues
+    notes: tuple[str, ...] = ()  # what is to be said of how it was read
 
     @property
     def inner(self) -> tuple[int, int]:

@@ -28,9 +28,9 @@ def read_dropped_pattern(name: str, content: str, unit: str, weld: object) -> Dr
     if weld is not None and (isinstance(weld, bool) or not isinstance(weld, int | float)):
         raise InputError("weld is no number above 0", got=repr(weld)[:40])
     with dropped_file(name, content, ENDINGS, "a crease pattern") as path:
-        drawing, own, notes = read_drawing(path, None, weld)
+        drawing, own = read_drawing(path, None, weld)
     table = table_of(drawing) | ({} if own is None else {"unit": own})
-    said = (f"read from {name}, in {own or unit}", *notes)
+    said = (f"read from {name}, in {own or unit}", *drawing.notes)
     return {"table": table, "note": "; ".join(said)}
 
 

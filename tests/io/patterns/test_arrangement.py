@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
+from orishell.conventions.errors import InputError
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.lines import Lines
 from orishell.motion.crease_pattern import CreasePattern, signed_areas
@@ -73,6 +74,59 @@ def test_ends_may_miss_each_other_by_less_than_the_weld(sample: Sample, share: f
     ends = np.where(rng.integers(2, size=(len(ends), 1, 1)) == 1, ends, ends[:, ::-1])[order]
     found = arrange(lines_of(ends, pattern.letters[order].tolist()), weld).pattern
     assert counts(found) == counts(pattern)
+
+
+@pytest.mark.parametrize("share", [2e-5, 2e-4, 2e-3])
+@pytest.mark.parametrize("name", ["Miura", "Yoshimura", "Resch"])
+def test_the_tolerance_that_joins_loose_ends_is_found(name: str, share: float) -> None:
+    """Ends that miss by some shares of the shortest edge: the same sheet, and it is said.
+
+    What is said is the largest distance that was bridged: no more than two ends can be apart.
+    """
+    pattern = SAMPLES[name].make()
+    rng = np.random.default_rng(2)
+    ends = pattern.vertices[pattern.edges]
+    shortest = np.hypot(*(ends[:, 1] - ends[:, 0]).T).min()
+    reach = share * float(np.hypot(*np.ptp(pattern.vertices, axis=0)))
+    assert reach < shortest / 30
+    moved = ends + reach * rng.uniform(-0.35, 0.35, ends.shape)  # 0.99 times that, at most, apart
+    found = arrange(lines_of(moved, pattern.letters.tolist()))
+    assert counts(found.pattern) == counts(pattern)
+    (note,) = (each for each in found.notes if "joined" in each)
+    said = float(note.split()[3])
+    assert 0.3 * reach < said <= reach
+    again = arrange(lines_of(moved, pattern.letters.tolist()), float(note.split()[-1][:-1]))
+    np.testing.assert_array_equal(again.pattern.vertices, found.pattern.vertices)
+
+
+@pytest.mark.parametrize("apart", [2.0, 8.0])
+def test_what_may_be_meant_to_be_apart_is_not_joined_unasked(apart: float) -> None:
+    """Two creases beside each other, and one that stops short: is it the gap or is it a pleat?"""
+    gap = 0.003
+    ends = [[[0.5, 0], [0.5, 1 - gap]], [[0.5 + apart * gap, 0], [0.5 + apart * gap, 1]]]
+    lines = lines_of(np.concatenate([border(), np.array(ends)]), ["B"] * 4 + ["M", "V"])
+    if apart < 4:
+        with pytest.raises(InputError, match="ends") as caught:
+            arrange(lines)
+        weld = float(caught.value.remedy.split()[2])
+        assert caught.value.changes == {"weld": weld}
+        assert len(arrange(lines, weld).pattern.faces) == 3
+    else:
+        assert len(arrange(lines).pattern.faces) == 3
+
+
+@pytest.mark.parametrize("length", [1e-3, 0.1])
+def test_a_mountain_and_a_valley_that_overlap(length: float) -> None:
+    """By a little their ends are one; by more it is said how long they lie on each other."""
+    ends = [[[0, 0.5], [0.5 + length, 0.5]], [[0.5, 0.5], [1, 0.5]]]
+    lines = lines_of(np.concatenate([border(), np.array(ends)]), ["B"] * 4 + ["M", "V"])
+    if length < 0.01:
+        found = arrange(lines)
+        assert sorted(found.pattern.letters[found.pattern.crease].tolist()) == ["M", "V"]
+        assert "joined" in found.notes[-1]
+    else:
+        with pytest.raises(InputError, match=r"lie on each other.*over a length of 0\.1"):
+            arrange(lines)
 
 
 def counts(pattern: CreasePattern) -> tuple[object, ...]:

@@ -183,11 +183,19 @@ def test_drawings_that_are_no_pattern_are_refused_by_place(
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("gap", [1e-3, 3e-2])
-def test_a_gap_is_refused_with_the_weld_that_closes_it(gap: float, tmp_path: Path) -> None:
+@pytest.mark.parametrize("gap", [1e-3, 2e-2, 6e-2])
+def test_a_gap_is_closed_or_refused_with_the_weld_that_closes_it(
+    gap: float, tmp_path: Path
+) -> None:
+    """Up to a half percent of the diagonal it is closed, and said."""
     content = (
         SQUARE + f'<path d="M2 {gap}V4" stroke="red"/><path d="M0 2H{4 - gap}" stroke="#00f"/>'
     )
+    if gap < 0.005 * np.hypot(4, 4):
+        found = read_svg(tmp_path, content)
+        assert f"ends up to {gap:g} apart were joined" in found.notes[-1]
+        assert letters(found) == WINDOW
+        return
     with pytest.raises(InputError, match="2 ends of lines") as caught:
         read_svg(tmp_path, content)
     remedy = caught.value.remedy

@@ -52,7 +52,7 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
             size=_without_letters(drawing),
         )
     sheet, signs = decided.sheet, decided.ways[0]
-    warnings = _of_letters(drawing, len(decided.ways))
+    warnings = (*drawing.notes, *_of_letters(drawing, len(decided.ways)))
     moved = 0.0
     if not decided.exact:
         flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)

@@ -11,7 +11,15 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.io.patterns.apart import require_one_piece
 from orishell.io.patterns.crossings import split_lines
-from orishell.io.patterns.graph import GapError, Graph, counted, prune, straighten, unite
+from orishell.io.patterns.graph import (
+    GapError,
+    Graph,
+    counted,
+    length_on_others,
+    prune,
+    straighten,
+    unite,
+)
 from orishell.io.patterns.lines import WELD, Lines, require_lines
 from orishell.io.patterns.rings import Rings, find_rings, loops_of
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
@@ -22,7 +30,11 @@ from orishell.numerics.equals import first_smallest
 SHORT = 0.02
 """An edge is short below this share of the median one."""
 WIDEST = 0.02
-"""A tolerance is offered up to this share of the drawing's diagonal."""
+UNASKED = 0.005
+"""A tolerance is offered up to the first share of the drawing's diagonal, and taken up to the
+second one: pixels of a hand are one thing, a crease that stops short another."""
+FAR_APART = 4.0
+"""What is meant to be apart is so many tolerances apart."""
 
 
 @record
@@ -32,6 +44,13 @@ class Arranged:
     pattern: CreasePattern
     angles: Array  # fold angles (E,) that the drawing asks for (radians); NaN where for none
     notes: tuple[str, ...]  # what was mended or assumed, in sentences
+    bridged: float  # how far ends were apart, at most, that were joined
+
+    @property
+    def shortest(self) -> float:
+        """Length of the shortest edge."""
+        ends = self.pattern.vertices[self.pattern.edges]
+        return float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).min())
 
 
 def arrange(lines: Lines, weld: float | None = None) -> Arranged:
@@ -41,7 +60,8 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
     ----------
     weld
         Points nearer to each other than this, and points to lines, are one; None for
-        :data:`~orishell.io.patterns.lines.WELD` of the diagonal.
+        :data:`~orishell.io.patterns.lines.WELD` of the diagonal, or if ends are then loose, for
+        the first wider one that joins them and nothing else.
 
     Raises
     ------
@@ -50,21 +70,58 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
         piece; with the tolerance that helps, which has been tried.
     """
     require_lines(lines)
-    tolerance = WELD * lines.diagonal if weld is None else weld
+    if weld is not None:
+        return _arranged(lines, weld)
+    least = WELD * lines.diagonal
     try:
-        found = _arranged(lines, tolerance)
+        found = _arranged(lines, least)
     except GapError as error:
-        wider = _tried(lines, tolerance, error.gap)
-        if wider is not None:
-            error.remedy = f"weld = {wider:g} joins them"
-            error.changes = {"weld": wider}
-        raise
-    return found if weld is not None else _with_short_edge(found, lines, tolerance)
+        return _joined(lines, least, error)
+    return _with_short_edge(found, lines, least)
+
+
+def _joined(lines: Lines, weld: float, error: GapError) -> Arranged:
+    """The pattern with the first tolerance beyond one that makes any, if it joins only ends.
+
+    Raises GapError: The one given, with that tolerance as its remedy if it might join more.
+    """
+    wider, gap = weld, error.gap
+    while True:
+        wider = float(f"{max(2 * wider, 1.05 * gap if np.isfinite(gap) else 0.0):.2g}")
+        if wider > WIDEST * lines.diagonal:
+            raise error
+        try:
+            found = _arranged(lines, wider)
+            break
+        except GapError as another:
+            gap = another.gap
+        except InputError:
+            raise error from None
+    if wider <= UNASKED * lines.diagonal and _joins_ends_only(found, lines, weld, wider):
+        note = f"ends up to {found.bridged:.2g} apart were joined (weld = {wider:g})"
+        return replace(found, notes=(*found.notes, note))
+    error.remedy = f"weld = {wider:g} joins them"
+    error.changes = {"weld": wider}
+    raise error
+
+
+def _joins_ends_only(found: Arranged, lines: Lines, weld: float, wider: float) -> bool:
+    """Whether all edges are long beside a wider tolerance, and no lines came onto each other."""
+    lengths = np.hypot(*(lines.ends[:, 1] - lines.ends[:, 0]).T)
+    if ((lengths > weld) & (lengths <= wider)).any():
+        return False
+    if found.shortest < FAR_APART * wider:
+        return False
+    lines = lines.chosen(lengths > weld)
+    before, after = (
+        length_on_others(split_lines(lines, each), len(lines.ends)) for each in (weld, wider)
+    )
+    return bool((after - before).max() < FAR_APART * wider)
 
 
 def _tried(lines: Lines, weld: float, gap: float) -> float | None:
     """A tolerance that closes a gap and makes a pattern; None if none does."""
-    wider = float(f"{1.05 * gap:.2g}") if np.isfinite(gap) else np.inf
+    wider = float(f"{1.05 * gap:.2g}")
     if not weld < wider <= WIDEST * lines.diagonal:
         return None
     try:
@@ -101,24 +158,25 @@ def _arranged(lines: Lines, weld: float) -> Arranged:
     if not long.all():
         notes.append(f"{counted(int((~long).sum()), 'line')} of no length: left out")
     lines = lines.chosen(long)
-    graph = prune(unite(split_lines(lines, weld), lines, notes), lines, notes)
-    graph = straighten(graph, weld, notes)
-    return _panels(graph, lines, notes)
+    split = split_lines(lines, weld)
+    graph = prune(unite(split, lines, notes), lines, notes)
+    pattern, angles = _panels(straighten(graph, weld, notes), lines, notes)
+    return Arranged(pattern, angles, tuple(notes), split.bridged)
 
 
-def _panels(graph: Graph, lines: Lines, notes: list[str]) -> Arranged:
+def _panels(graph: Graph, lines: Lines, notes: list[str]) -> tuple[CreasePattern, Array]:
     _require_one_piece(graph, lines)
     rings = find_rings(graph.points, graph.edges)
     used = np.unique(graph.edges)
     if len(used) - len(graph.edges) + len(rings.areas) != 2:
-        raise InputError(
+        raise GapError(
             "lines cross that should not", remedy="a smaller weld, or draw the lines anew"
         )
     left, right = np.reshape(rings.numbers, (2, -1))
     if (left == right).any():
         edge = int(np.argmax(left == right))
         ends = graph.points[graph.edges[edge]]
-        raise InputError(
+        raise GapError(
             "a line has the same panel on both sides",
             where=f"{lines.name(graph.lines[edge])} at {lines.at(ends.mean(axis=0))}",
             remedy="let it end at other lines, or remove it",
@@ -138,7 +196,7 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> Arranged:
         letters[beside],
     )
     require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
-    return Arranged(pattern, graph.angles[beside], tuple(notes))
+    return pattern, graph.angles[beside]
 
 
 def _told_apart(graph: Graph, rings: Rings, notes: list[str]) -> tuple[Booleans, NDArray[np.str_]]:

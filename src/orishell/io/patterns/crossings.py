@@ -20,6 +20,7 @@ class Split:
     points: Array  # (P, 2)
     pairs: Integers  # ends (N, 2) of all parts of lines; some lie on each other
     lines: Integers  # which line (N,) each is a part of
+    bridged: float  # how far an end was moved, or is from the line that it ends on, at most
 
 
 def split_lines(lines: Lines, weld: float) -> Split:
@@ -34,6 +35,7 @@ def split_lines(lines: Lines, weld: float) -> Split:
     whole = np.arange(len(ends))
     # A point on a line: the line, the point, and the share of the way along the line.
     found = [(whole, ends[:, 0], np.zeros(len(ends))), (whole, ends[:, 1], np.ones(len(ends)))]
+    bridged = float(np.hypot(*(points[ends] - lines.ends).reshape(-1, 2).T).max())
     crossings: list[tuple[Integers, Integers, Array]] = []
     for one, two in near_pairs(points[ends], weld):
         touch = np.zeros(len(one), dtype=np.bool_)
@@ -45,6 +47,7 @@ def split_lines(lines: Lines, weld: float) -> Split:
                 own = (ends[line] == point[:, None]).any(axis=1)
                 on = (off <= weld * length[line]) & (share > 0) & (share < 1) & ~own
                 found.append((line[on], point[on], share[on]))
+                bridged = max(bridged, float((off[on] / length[line[on]]).max(initial=0.0)))
                 touch |= on | own
         turn = cross(way[one], way[two])
         between = start[two] - start[one]
@@ -70,7 +73,7 @@ def split_lines(lines: Lines, weld: float) -> Split:
     part = (line[1:] == line[:-1]) & (point[1:] != point[:-1])
     pairs = np.stack([point[:-1], point[1:]], axis=-1)[part]
     used, numbers = np.unique(pairs, return_inverse=True)
-    return Split(together[used], numbers.reshape(-1, 2), line[1:][part])
+    return Split(together[used], numbers.reshape(-1, 2), line[1:][part], bridged)
 
 
 def near_pairs(ends: Array, weld: float) -> list[tuple[Integers, Integers]]:

@@ -190,15 +190,15 @@ def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]
         return _sheet(file, faces, weld, notes)
     except PiecesError as error:
         wider = float(f"{WELD * np.linalg.norm(np.ptp(file.first, axis=0)):.2g}")
-        if weld is None:
-            try:
-                _sheet(file, faces, wider, [])
-            except InputError:
-                pass
-            else:
-                error.remedy = f"weld = {wider:g} joins them"
-                error.changes = {"weld": wider}
-        raise
+        if weld is not None:
+            raise
+        again: list[str] = []
+        try:
+            found = _sheet(file, faces, wider, again)
+        except InputError:
+            raise error from None
+        notes += [f"vertices up to {wider:g} apart were joined (weld = {wider:g})", *again]
+        return found
 
 
 def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -> _Sheet:

@@ -13,7 +13,7 @@ from orishell.io.patterns.rings import find_rings
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
-from orishell.numerics.equals import first_smallest
+from orishell.numerics.equals import first_largest, first_smallest
 
 RANK = {"B": 0, "U": 1, "J": 2, "F": 2, "V": 3, "M": 3, "C": 4}
 OUTER = 3.5
@@ -64,23 +64,16 @@ class Graph:
 def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
     """One edge of all parts of lines that lie on each other.
 
-    Raises InputError: If one of them is a mountain and another a valley.
+    Raises GapError: If one of them is a mountain and another a valley.
     """
     letters = lines.letters[split.lines]
     keys, edge = np.unique(pair_keys(split.pairs, len(split.points)), return_inverse=True)
     for letter in "MV":
         has = np.zeros((2, len(keys)), dtype=np.bool_)
         has[0, edge[letters == "M"]] = has[1, edge[letters == "V"]] = True
-        both = has.all(axis=0)
+        both = np.logical_and(*has)
         if letter == "M" and both.any():
-            which = np.flatnonzero(edge == np.argmax(both))
-            ends = split.points[split.pairs[which[0]]]
-            raise InputError(
-                "a mountain and a valley lie on each other",
-                where=f"at {lines.at(ends.mean(axis=0))}",
-                got=" and ".join(dict.fromkeys(lines.name(n) for n in split.lines[which])),
-                remedy="remove one of them",
-            )
+            raise _contradiction(split, lines, edge, both)
     rank = np.array([RANK[letter] for letter in letters.tolist()], dtype=np.float64)
     edges = np.stack(np.divmod(keys, len(split.points)), axis=-1)
     if len(edge) > len(keys):
@@ -92,6 +85,39 @@ def unite(split: Split, lines: Lines, notes: list[str]) -> Graph:
         notes.append(f"{counted(twice, 'line')} drawn twice or on another one: read once")
     chosen = split.lines[best]
     return Graph(split.points, edges, letters[best], lines.angles[chosen], chosen)
+
+
+def _contradiction(split: Split, lines: Lines, edge: Integers, both: Booleans) -> GapError:
+    """Of edges (E,) that are a mountain and a valley as well, the longest."""
+    which = np.flatnonzero(both[edge])
+    lengths = _lengths(split)[which]
+    longest = first_largest(lengths)
+    twice = np.flatnonzero(edge == edge[which[longest]])
+    ends = split.points[split.pairs[twice[0]]]
+    error = GapError(
+        "a mountain and a valley lie on each other",
+        where=f"at {lines.at(ends.mean(axis=0))}",
+        got=" and ".join(dict.fromkeys(lines.name(n) for n in split.lines[twice]))
+        + f", over a length of {lengths[longest]:.3g}",
+        remedy="remove one of them",
+    )
+    error.gap = float(lengths[longest])
+    return error
+
+
+def _lengths(split: Split) -> Array:
+    """Lengths (N,) of all parts of lines."""
+    ends = split.points[split.pairs]
+    return np.asarray(np.hypot(*(ends[:, 1] - ends[:, 0]).T), dtype=np.float64)
+
+
+def length_on_others(split: Split, count: int) -> Array:
+    """How long each of so many lines (S,) lies on others."""
+    keys, edge = np.unique(pair_keys(split.pairs, len(split.points)), return_inverse=True)
+    shared = np.bincount(edge, minlength=len(keys))[edge] > 1
+    return np.asarray(
+        np.bincount(split.lines, np.where(shared, _lengths(split), 0.0), count), dtype=np.float64
+    )
 
 
 def _around(points: Array, edges: Integers) -> Booleans:
