@@ -129,18 +129,17 @@ def test_what_does_not_fold(tmp_path: Path) -> None:
 
 
 def test_a_hole(tmp_path: Path) -> None:
-    """A Miura sheet folds round a hole as it does without; a sheet of triangles, each vertex by
-    itself, does not."""
+    """Miura sheets fold round a hole as without, and so do triangles, of many freedoms."""
     said, _ = folded(tmp_path, SAMPLES["Miura with a hole"].make(), "--frames", "3")
     assert "v folds     rigidly" in said
+    assert "panels round a hole or cut to" in said
     whole = SAMPLES["Yoshimura"].make()
     inside = np.isin(whole.faces, whole.inner).all(axis=1).argmax()
     holed = pattern_of_panels(whole.vertices, np.delete(whole.faces, inside, axis=0), whole.edges)
     source = write(tmp_path / "holed.fold", holed)
     ran = orishell("fold", source, "--out", tmp_path / "none", "--frames", "3")
-    assert ran.returncode == 1
-    assert "tears the sheet at a hole" in ran.stderr
-    assert not (tmp_path / "none").exists()
+    assert ran.returncode == 0
+    assert "panels round a hole or cut to" in ran.stdout
 
 
 def test_an_angle_out_of_reach(tmp_path: Path) -> None:

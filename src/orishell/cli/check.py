@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, cast
 
@@ -94,7 +95,7 @@ def _examined(
 ) -> tuple[Inspection | None, PatternVerdict | None]:
     """What is found of the states of a file, if it has such panels, and of how its sheet folds.
 
-    The second is None where there are folded states to be examined instead.
+    The second is None where there are folded states beside the flat one, to be examined instead.
     """
     from orishell.io import read_fold, read_pattern
     from orishell.verification import inspect_fold, require_tolerance
@@ -109,10 +110,10 @@ def _examined(
     except InputError:
         return None, judge_pattern(read_pattern(file), tolerance=tolerance, progress=progress)
     inspection = inspect_fold(states, tolerance, progress)
-    if inspection.folded:
+    if inspection.folded and inspection.sheet.flat:
         return inspection, None
     try:
-        pattern = read_pattern(file)
+        pattern = replace(read_pattern(file), states=())  # these are inspected
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
     return inspection, judge_pattern(pattern, tolerance=tolerance, progress=progress)

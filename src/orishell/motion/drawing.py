@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.grid import CreaseValues
+from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.gridding import find_grid, grid_creases
 from orishell.numerics.arrays import Array
 
@@ -31,6 +31,15 @@ class Drawing:
         """Length of the shortest edge."""
         edges = np.diff(self.flat, axis=0), np.diff(self.flat, axis=1)
         return float(min(np.linalg.norm(each, axis=-1).min() for each in edges))
+
+    @property
+    def pattern(self) -> CreasePattern:
+        """The same as panels and edges, each with its letter."""
+        grid = Grid(*self.flat.shape[:2])
+        signs = self.signs.on_edges(np.nan)
+        letters = np.where(signs > 0, "V", np.where(signs < 0, "M", np.where(signs == 0, "F", "U")))
+        faces, edges = grid.faces_vertices(), grid.edges_vertices()
+        return pattern_of_panels(self.flat.reshape(-1, 2), faces, edges, letters)
 
 
 def drawing_of(pattern: CreasePattern) -> Drawing:

@@ -16,8 +16,9 @@ from orishell.verification.sheet import Sheet, State
 class FoldAngleTest:
     """Tests that the fold angles that a frame gives are those of its coordinates.
 
-    The fold angles given by the flat sheet are those of a folded state. They are compared with
-    the frame with which most creases agree, if half of them do with any.
+    The fold angles given by the flat sheet are those of a folded state, perhaps of none in the
+    file. They are compared with the folded frame with which most creases agree, if half of those
+    that are to fold do with any.
     """
 
     def __init__(self, sheet: Sheet, names: Names, letters: NDArray[np.str_] | None) -> None:
@@ -31,12 +32,13 @@ class FoldAngleTest:
     def see(self, state: State) -> None:
         """Compare one frame."""
         sheet, frame = self._sheet, state.frame
-        if self._pattern is not None:
+        own = sheet.flat and frame is sheet.frame
+        if self._pattern is not None and not own:
             turn = turn_between(state.folds, self._pattern)
-            agreeing = int((turn <= sheet.edge_limits)[sheet.mesh.crease].sum())
+            agreeing = int((turn <= sheet.edge_limits)[self._asked].sum())
             if agreeing >= self._agreeing:
                 self._agreeing, self._best = agreeing, (frame.number, turn)
-        if sheet.flat and frame is sheet.frame:
+        if own:
             return
         given = self._given(frame.fold_angles)
         if given is None:
@@ -47,14 +49,18 @@ class FoldAngleTest:
     @property
     def pattern_untested(self) -> bool:
         """Whether the flat sheet's fold angles are those of no frame."""
+        return 2 * self._agreeing < int(self._asked.sum())
+
+    @property
+    def _asked(self) -> Booleans:
+        """Which creases (E,) the flat sheet gives fold angles of, other than 0."""
         if self._pattern is None:
-            return False
-        creases = int((self._sheet.mesh.crease & ~np.isnan(self._pattern)).sum())
-        return 2 * self._agreeing < creases
+            return np.zeros(len(self._sheet.mesh.edges), np.bool_)
+        return np.asarray(self._sheet.mesh.crease & (np.nan_to_num(self._pattern) != 0))
 
     def checks(self) -> list[Check]:
         """The outcome of the test, if fold angles are given."""
-        if self._best is not None and not self.pattern_untested:
+        if self._best is not None and self._asked.any() and not self.pattern_untested:
             self._compare(self._best[1], self._sheet.frame.number)
         return self._worst.checks("fold_angle", "edges_foldAngle is off by {} rad", "edges")
 
@@ -157,12 +163,16 @@ class AssignmentTest:
 
         known, signs = ~np.isnan(sense), np.nan_to_num(sense)
         complete = (ending(known) == 4) & (ending(~known) == 0)
-        met = meets_maekawa(edges, signs, count)[sheet.inner] | (ending(signs != 0) == 0)
+        folding = ending(signs != 0)
+        met = meets_maekawa(edges, signs, count)[sheet.inner] | (folding == 0)
         wrong = sheet.inner[complete & ~met]
         untested = int((~complete).sum())
         if not complete.any():
             return [], untested
-        text = f"three creases of one kind and one of the other at {complete.sum()} vertices"
+        three, two = (int((complete & (folding == number)).sum()) for number in (4, 2))
+        said = [f"three creases of one kind and one of the other at {three} vertices"] * (three > 0)
+        said += [f"two of one kind, and two that stay flat, at {two} vertices"] * (two > 0)
+        text = "; ".join(said) or "no crease is to fold at any vertex"
         facts: dict[str, object] = {"beyond": len(wrong)}
         if len(wrong):
             text = (

@@ -141,7 +141,7 @@ def inspect_fold(
     without = [] if sheet.flat and not folded else angles.frames_without
     untested = [
         (not folded, "folded states (the file has none): rigid panels, fold angles, contact"),
-        (folded and not freedom, "degrees of freedom (no flat sheet in one plane)"),
+        (folded and not freedom, "degrees of freedom of its states (no flat sheet in one plane)"),
         (not sheet.flat, f"the flat sheet (the file has none): lengths are those of frame "
         f"{sheet.frame.number}, overlaps of the pattern are not seen"),
         (digit > DIGITS, f"lengths to better than {digit:.1e} of the diagonal (coordinates of "

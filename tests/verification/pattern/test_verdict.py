@@ -194,10 +194,12 @@ def test_what_meets_on_the_way_is_named(tmp_path: Path) -> None:
     assert said(clear)["reaches"][0] == "holds"
 
 
-@pytest.mark.parametrize("name", ["miura", "holed"])
-def test_what_nearly_folds_is_told_by_how_far_hinges_give_way(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "size"), [("miura", 1e-3), ("holed", 5e-4)])
+def test_what_nearly_folds_is_told_by_how_far_hinges_give_way(
+    name: str, size: float, tmp_path: Path
+) -> None:
     """In one way, as the sheet that it nearly is; on a grid, and followed where it has a hole."""
-    verdict = judged(jittered({"miura": miura, "holed": holed}[name](), 1e-3), tmp_path)
+    verdict = judged(jittered({"miura": miura, "holed": holed}[name](), size), tmp_path)
     assert verdict.findings is not None
     motion = verdict.findings.motion
     assert isinstance(motion, FoldingMotion)

@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.families.drawn.mechanism import DrawnSheet
-from orishell.families.drawn.nearest import FOLDS, disagreement
+from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import find_signs
 from orishell.motion.grid import CreaseValues
@@ -55,6 +55,10 @@ def decide(flat: Array, signs: CreaseValues, choice: int = 1) -> Decided | None:
     if not ways:
         return None
     sheet = drawn_sheet(flat, ways[min(choice, len(ways)) - 1], np.pi)
-    exact = disagreement(sheet.drive) < FOLDS
-    closes = not exact or disagreement(sheet.drive, np.array([np.pi])) < FOLDS
-    return Decided(sheet, tuple(ways), exact, np.pi if closes else SHORT_OF_FLAT)
+    exact = disagreement(sheet.drive, np.append(DRIVES, SHORT_OF_FLAT)) < FOLDS
+    return Decided(sheet, tuple(ways), exact, end_of(sheet) if exact else np.pi)
+
+
+def end_of(sheet: DrawnSheet) -> float:
+    """The drive at which the motion of a sheet ends that folds exactly (radians)."""
+    return np.pi if disagreement(sheet.drive, np.array([np.pi])) < FOLDS else SHORT_OF_FLAT

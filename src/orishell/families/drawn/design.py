@@ -10,7 +10,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.drawn.decided import decide
+from orishell.families.drawn.decided import decide, end_of
 from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES, find_nearby
 from orishell.families.drawn.nearest import MOST as MOST_MOVED
@@ -19,6 +19,7 @@ from orishell.families.drawn.signs import MOST
 from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
+from orishell.motion.following.rigid import why_still
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
 
@@ -45,24 +46,28 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     DesignError
         If it does not fold: by how much, where, and how far vertices have to be moved.
     """
+    still = why_still(drawing.pattern)
+    if still:
+        raise DesignError("the sheet does not fold as its letters ask", size=f"proved: {still}")
     decided = decide(drawing.flat, drawing.signs)
     if decided is None:
         raise DesignError(
             "no mountains and valleys were found with which the sheet folds",
             size=_without_letters(drawing),
         )
-    sheet, signs = decided.sheet, decided.ways[0]
+    sheet, signs, end = decided.sheet, decided.ways[0], decided.end
     warnings = (*drawing.notes, *_of_letters(drawing, len(decided.ways)))
     moved = 0.0
     if not decided.exact:
         flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
         sheet = drawn_sheet(flat, signs, np.pi)
+        end = end_of(sheet)
         warnings += (
             f"as drawn the sheet folds only nearly: vertices are moved by up to {plain(moved, 2)} "
             "so that it folds exactly",
         )
     asked = np.pi if fold is None else drive_at_fold(sheet, fold)
-    sheet = replace(sheet, fold=min(asked, decided.end))
+    sheet = replace(sheet, fold=min(asked, end))
     return _design(sheet, moved, warnings, open_ended=fold is None)
 
 

@@ -32,8 +32,11 @@ ROUNDING = 1e-9
 DRIVES = np.array([0.4, 0.9])
 FOLDS = 0.02
 """A choice is one that folds, or nearly, if vertices disagree by less at these drives (radians)."""
-EXACT, NEAR = 1e-9, 10.0
-"""Ways are left out that miss by more than the best of them: by so much, or so many times."""
+EXACT = 1e-9
+"""Ways that miss by no more come first (radians)."""
+ROUNDED, NEAR = 1e-6, 10.0
+"""Ways are left out that miss by more than coordinates rounded to so much of the diagonal do, and
+than so many times what the best of them misses by."""
 MOST = 16
 """Ways to fold that are found, at most."""
 TRIALS = 200
@@ -52,6 +55,16 @@ def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
     given
         Signs, NaN where they are to be found.
     """
+    found = _ways(flat, given)
+    if found:
+        return found
+    # A row in the middle may stay unfolded where columns fold: they change parts.
+    turned = _ways(flat.swapaxes(0, 1)[..., ::-1], CreaseValues(given.column.T, given.row.T))
+    return [CreaseValues(each.column.T, each.row.T) for each in turned]
+
+
+def _ways(flat: Array, given: CreaseValues) -> list[CreaseValues]:
+    """The same of a sheet whose row in the middle folds."""
     places = np.moveaxis(flat, -1, 0)[..., None]
     found: dict[bytes, tuple[float, CreaseValues]] = {}
     with np.errstate(all="ignore"):
@@ -64,8 +77,12 @@ def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
                 found[signs.on_edges().tobytes()] = apart, signs
             if len(found) == MOST:
                 break
-    ways = sorted(found.values(), key=lambda each: max(each[0], EXACT))
-    return [signs for apart, signs in ways if apart <= max(EXACT, NEAR * ways[0][0])]
+    ways = sorted(found.values(), key=lambda each: each[0] > EXACT)
+    edges = np.concatenate([np.diff(flat, axis=k).reshape(-1, 2) for k in (0, 1)])
+    size = float(np.linalg.norm(np.ptp(flat, axis=(0, 1))))
+    rounding = ROUNDED * size / float(np.linalg.norm(edges, axis=-1).min())
+    least = min((apart for apart, _ in ways), default=0.0)
+    return [signs for apart, signs in ways if apart <= max(rounding, NEAR * least)]
 
 
 def _choices(flat: Array) -> Iterator[tuple[Array, tuple[Booleans, Booleans]]]:
@@ -166,8 +183,9 @@ def _signs_of(
     column = np.cumprod(np.concatenate([ones[:1], -mode], axis=0), axis=0)
     # From the first row to all columns that fold, and from the first of these to the rows.
     i, j = int(folded[0].argmax()), int(folded[1].argmax())
-    column *= turns[i] * row[i, :-1] * column[i]
-    row *= (turns[:, j] * column[:-1, j] * row[:, j])[:, None]
+    if folded[0].any() and folded[1].any():  # else a line folds without any that crosses it
+        column *= turns[i] * row[i, :-1] * column[i]
+        row *= (turns[:, j] * column[:-1, j] * row[:, j])[:, None]
     row *= folded[0][:, None]
     column *= folded[1]
     for side in (1.0, -1.0):

@@ -19,6 +19,7 @@ from orishell.io.patterns.graph import (
     prune,
     straighten,
     unite,
+    without_windows,
 )
 from orishell.io.patterns.lines import WELD, Lines, require_lines
 from orishell.io.patterns.rings import Rings, find_rings, loops_of
@@ -159,7 +160,7 @@ def _arranged(lines: Lines, weld: float) -> Arranged:
         notes.append(f"{counted(int((~long).sum()), 'line')} of no length: left out")
     lines = lines.chosen(long)
     split = split_lines(lines, weld)
-    graph = prune(unite(split, lines, notes), lines, notes)
+    graph = without_windows(prune(unite(split, lines, notes), lines, notes), notes)
     pattern, angles = _panels(straighten(graph, weld, notes), lines, notes)
     return Arranged(pattern, angles, tuple(notes), split.bridged)
 

@@ -28,7 +28,7 @@ from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.fold_panels import read_polygons, require_different, sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.graph import counted
-from orishell.io.patterns.layout import lay_out
+from orishell.io.patterns.layout import lay_out, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.panel_sides import join_loops, sides_of
@@ -72,8 +72,9 @@ class _Sheet:
 def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
     """The pattern of a FOLD file, and its folded states.
 
-    The flat sheet is the first frame that calls itself a crease pattern, or else the first that
-    lies in z = 0. If there is none it is laid out from the first state, if the panels allow that.
+    The flat sheet is the first frame in a plane that calls itself a crease pattern, or else the
+    first that lies in one: z = 0, or another as programs save it for which y is up. If there is
+    none it is laid out from the first state, if the panels allow that.
 
     Parameters
     ----------
@@ -94,9 +95,13 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
     letters = _letters(read_assignment(frames, edges), degrees, notes)
     faces = frames.common(FACES, lambda value, where: read_polygons(value, where, count))
     crease_patterns = [n for n in positions if "creasePattern" in read_classes(frames, n)]
-    level = [number for number, each in positions.items() if not each[:, 2].any()]
+    seen = {number: seen_from_above(each) for number, each in positions.items()}
+    level = [number for number, each in seen.items() if each is not None]
     named = [number for number in level if number in crease_patterns]
     flat = next(iter(named or level), None)
+    of_flat = None if flat is None else seen[flat]
+    if flat is not None and of_flat is not None:
+        positions[flat] = of_flat
     file = _File(
         positions,
         flat,

@@ -127,28 +127,53 @@ def _around(points: Array, edges: Integers) -> Booleans:
 
 
 def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:
-    """Leave out marks that end inside a panel: lines that stay flat.
+    """Leave out what ends inside a panel: lines that stay flat, and cuts.
 
     Raises GapError: If another line does; with the tolerance that may close the gap.
     """
-    before = len(graph.edges)
+    before = graph
     while True:
         loose = (graph.degrees[graph.edges] == 1).any(axis=1)
-        mark = graph.letters == "F"
+        mark = np.isin(graph.letters, ["F", "C"])
         if not (loose & mark).any():
             break
         # A mark that goes on in others, and in nothing else, goes with them.
         _, sides = graph.between_two()
         chain = find_components(sides[mark[sides].all(axis=1)], len(graph.edges))
         graph = graph.chosen(~np.isin(chain, chain[loose & mark]))
-    if before > len(graph.edges):
-        dropped = before - len(graph.edges)
-        notes.append(f"{counted(dropped, 'mark')} inside panels, which no crease ends at: left out")
+    for letter, what in (("F", "mark"), ("C", "cut")):
+        dropped = int((before.letters == letter).sum() - (graph.letters == letter).sum())
+        if dropped:
+            notes.append(
+                f"{counted(dropped, what)} inside panels, which no crease ends at: left out"
+            )
     if loose.any():
         raise _gap(graph, lines)
     if not len(graph.edges):
         raise InputError("the lines enclose no panel")
     return graph
+
+
+def without_windows(graph: Graph, notes: list[str]) -> Graph:
+    """Leave out what only borders and cuts enclose within a panel: it folds as without."""
+    import shapely
+
+    pieces = find_components(graph.edges, len(graph.points))[graph.edges[:, 0]]
+    numbers = np.unique(pieces)
+    if len(numbers) == 1:
+        return graph
+    ends = np.asarray(shapely.linestrings(graph.points[graph.edges]))
+    drawn = np.array([shapely.multilinestrings(ends[pieces == each]) for each in numbers])
+    sheet = first_largest(shapely.area(shapely.envelope(drawn)))
+    panels = shapely.get_parts(shapely.polygonize(ends[pieces == numbers[sheet]]))
+    within = np.isin(np.arange(len(numbers)), shapely.STRtree(panels).query(drawn, "within")[0])
+    coloured = np.isin(numbers, pieces[~np.isin(graph.letters, ["B", "C"])])
+    windows = numbers[within & ~coloured]
+    if len(windows):
+        notes.append(
+            f"{counted(len(windows), 'window')} inside panels, which no crease ends at: left out"
+        )
+    return graph.chosen(~np.isin(pieces, windows))
 
 
 def _gap(graph: Graph, lines: Lines) -> GapError:

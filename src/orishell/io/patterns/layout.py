@@ -8,10 +8,12 @@ from orishell.conventions.record import record
 from orishell.io.patterns.graph import counted
 from orishell.motion.panel_sides import JoinedLoops
 from orishell.numerics.arrays import Array, Booleans, Complex, Integers
-from orishell.numerics.equals import first_largest
+from orishell.numerics.equals import first_largest, first_smallest
 
 FLATNESS = 1e-6
 """How far corners may leave the plane of their panel, and the flat sheet, by the diagonal."""
+IN_PLANE = 1e-9
+"""How far a flat sheet that is saved in space may leave its plane, by the diagonal."""
 DEVELOPABLE_DEG = 1e-3
 """By how much sectors may miss 360 degrees together."""
 
@@ -22,6 +24,28 @@ class Layout:
 
     vertices: Array | None  # (V, 2)
     reason: str  # in a sentence; empty if there are
+
+
+def seen_from_above(points: Array) -> Array | None:
+    """Points (V, 3) that lie in one plane, as z = 0 with that plane seen from above; else None.
+
+    From above: from where the largest component of the normal is positive, the first axis that lies
+    in the plane, or is nearest to it, to the right.
+    """
+    if not points[:, 2].any():
+        return points
+    centred = points - points.mean(axis=0)
+    normal = np.linalg.eigh(centred.T @ centred)[1][:, 0]
+    diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
+    if not np.abs(centred @ normal).max() <= IN_PLANE * diagonal:
+        return None
+    normal = np.where(np.abs(normal) < IN_PLANE, 0.0, normal)
+    normal *= np.sign(normal[first_largest(np.abs(normal))])
+    right = np.eye(3)[first_smallest(np.abs(normal))]
+    right = right - (right @ normal) * normal
+    right /= np.linalg.norm(right)
+    up = np.cross(normal, right)
+    return np.column_stack([points @ right, points @ up, np.zeros(len(points))])
 
 
 def lay_out(positions: Array, joined: JoinedLoops) -> Layout:

@@ -1,7 +1,7 @@
 """Degrees of freedom of folded states: fold angles less what closure takes from them.
 
-Where every vertex has one motion they are counted from vertex to vertex (:mod:`.couplings`), at a
-cost that grows with the sheet; elsewhere by singular values.
+Where every vertex has one motion, and there is no hole, they are counted from vertex to vertex
+(:mod:`.couplings`), at a cost that grows with the sheet; elsewhere by singular values.
 """
 
 from __future__ import annotations
@@ -82,20 +82,20 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
         three times what it misses by are zero.
     """
     drive, unknowns = float(np.abs(folds).max(initial=0.0)), len(folds)
-    if not closure.fans:
+    holes = len(closure.holes) > 0
+    if not closure.fans and not holes:
         return Freedom(drive, unknowns, 0.0, np.inf, unknowns, np.zeros(0, np.int64))
-    left, along = closure.turns(folds)
+    left, entries = closure.residuals(folds)
     missed = float(np.abs(left).max())
     zero = max(ZERO, (NEAR if nearly else UNCERTAIN) * missed)
     coupled = None
-    if not nearly and missed <= CLOSED:
-        coupled = find_couplings(closure, along)
+    if not nearly and not holes and missed <= CLOSED:
+        coupled = find_couplings(closure, closure.turns(folds)[1])
         if coupled is not None and (coupled.count is not None or unknowns > LARGEST):
             zero_to_other = coupled.largest_zero, coupled.least_other
             return Freedom(drive, coupled.count, *zero_to_other, coupled.nearly, coupled.parts)
     if unknowns > LARGEST:
         return Freedom(drive, None, 0.0, np.inf)
-    entries = np.concatenate([each.ravel() for each in along])[closure.kept]
     block = unknowns if unknowns <= DENSE else BLOCK
     while True:
         values = _least_values(closure, entries, min(block, unknowns))

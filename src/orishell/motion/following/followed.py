@@ -15,7 +15,7 @@ from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.path import FOLLOWING, End, Path, follow_path, states_at
 from orishell.motion.following.placing import Placing
-from orishell.motion.following.rigid import Rigid, find_rigid
+from orishell.motion.following.rigid import Rigid, find_rigid, why_still
 from orishell.motion.following.start import SIZE, Start, find_start
 from orishell.motion.following.system import Closure
 from orishell.numerics.arrays import Array
@@ -112,7 +112,7 @@ def follow(
             expected="edges between two panels that are mountain, valley or unassigned",
         )
     rigid = find_rigid(pattern, tolerance)
-    _require_foldable(pattern, rigid)
+    _require_foldable(pattern, rigid, tolerance)
     closure = Closure.of(replace(pattern, letters=np.where(rigid.flat, "F", pattern.letters)))
     signs = pattern.signs[closure.edges]
     start = find_start(closure, signs, tolerance)
@@ -145,24 +145,13 @@ def follow(
     )
 
 
-def _require_foldable(pattern: CreasePattern, rigid: Rigid) -> None:
+def _require_foldable(pattern: CreasePattern, rigid: Rigid, tolerance: float) -> None:
     """Refuse what is proved not to fold, or not as its letters ask."""
-    asked = rigid.flat & (np.abs(pattern.signs) == 1)
     if not (pattern.crease & (pattern.signs != 0) & ~rigid.flat).any():
         raise DesignError("the sheet does not fold at all", size="proved vertex by vertex")
-    if asked.any():
-        ends = pattern.edges[int(asked.argmax())].tolist()
-        raise DesignError(
-            "a crease that has a letter cannot fold",
-            place=f"edge {ends[0]}-{ends[1]}",
-            size=f"proved from the sectors beside it; there are {int(asked.sum())} such creases",
-        )
-    if len(rigid.one_sided):
-        raise DesignError(
-            "all creases at a vertex are asked to fold to one side",
-            place=f"vertex {rigid.one_sided[0]}",
-            size=f"proved impossible; there are {len(rigid.one_sided)} such vertices",
-        )
+    proved = why_still(pattern, tolerance)
+    if proved:
+        raise DesignError("the sheet does not fold as its letters ask", size=f"proved: {proved}")
 
 
 def _require_found(start: Start, closure: Closure, pattern: CreasePattern) -> None:

@@ -9,12 +9,14 @@ it lies in the folded state (Tachi, *Simulation of rigid origami*, 2009).
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.holes import Holes
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 if TYPE_CHECKING:
@@ -25,7 +27,8 @@ if TYPE_CHECKING:
 class Closure:
     """The equations of a sheet: three for each inner vertex, in one unknown for each crease.
 
-    Creases that are flat (F) or joined (J) do not fold, and are no unknowns.
+    For each hole H there are six more (:mod:`.holes`): J = I + 2 H lots of three in all. Creases
+    that are flat (F) or joined (J) do not fold, and are no unknowns.
     """
 
     edges: Integers  # numbers (N,) of the edges that fold: the unknowns
@@ -37,6 +40,7 @@ class Closure:
     rows: Integers  # where the equations' entries begin, as in scipy's CSR
     columns: Integers  # the unknown of every entry
     kept: Booleans  # which derivatives are entries
+    holes: Holes  # ways round holes
 
     @classmethod
     def of(cls, pattern: CreasePattern) -> Closure:
@@ -51,15 +55,19 @@ class Closure:
             here = np.flatnonzero(degrees == degree)
             order.append(pattern.inner[here])
             fans.append((unknown[creases[here, :degree]], pattern.sectors[here, :degree]))
+        holes = Holes.of(pattern, unknown)
         entries = [
-            np.repeat(each[:, None], 3, axis=1).reshape(-1, each.shape[1]) for each, _ in fans
+            np.repeat(each, rows, axis=0)
+            for each, rows in (*((each, 3) for each, _ in fans), (holes.unknowns, 6))
         ]
         counts = np.concatenate([[0], *((each >= 0).sum(axis=1) for each in entries)])
         columns = np.concatenate([np.zeros(0, np.int64), *(each.ravel() for each in entries)])
         kept = columns >= 0
         vertices = np.concatenate([np.zeros(0, np.int64), *order])
         rows = np.cumsum(counts)
-        return cls(edges, len(pattern.edges), vertices, tuple(fans), rows, columns[kept], kept)
+        return cls(
+            edges, len(pattern.edges), vertices, tuple(fans), rows, columns[kept], kept, holes
+        )
 
     def on_edges(self, folds: Array) -> Array:
         """Fold angles (..., E) of all edges from those of the unknowns (..., N)."""
@@ -68,10 +76,11 @@ class Closure:
         return found
 
     def residuals(self, folds: Array) -> tuple[Array, Array]:
-        """By how much every vertex does not close (I, 3), and the derivatives of that.
+        """By how much every vertex and hole does not close (J, 3), and the derivatives of that.
 
         Vectors along the axis by which what is left turns, as long as its sine (radians); in the
-        flat state x and y are linear in the fold angles, z is quadratic.
+        flat state x and y are linear in the fold angles, z is quadratic. After those of vertices
+        come for each hole such a vector, and one by which its middle is off, in its sizes.
 
         Parameters
         ----------
@@ -79,8 +88,9 @@ class Closure:
             Fold angles (N,) of the unknowns, valley positive (radians).
         """
         left, along = self.turns(folds)
-        entries = np.concatenate([np.zeros(0), *(each.ravel() for each in along)])
-        return left, entries[self.kept]
+        round_holes, derivatives = self.holes.turns(*_sines(folds))
+        entries = np.concatenate([each.ravel() for each in (*along, derivatives)])
+        return np.concatenate([left, round_holes]), entries[self.kept]
 
     def turns(self, folds: Array) -> tuple[Array, list[Array]]:
         """By how much every vertex does not close (I, 3), and for every fan along what (I', 3, D).
@@ -89,7 +99,7 @@ class Closure:
         :meth:`residuals`.
         """
         left, found = [np.zeros((0, 3))], []
-        sines, cosines = np.append(np.sin(folds), 0.0), np.append(np.cos(folds), 1.0)
+        sines, cosines = _sines(folds)
         for unknowns, sectors in self.fans:
             # Axes (I', 3) of the running frame: x along the crease, z the panel's normal.
             x, y, z = (np.broadcast_to(axis, (len(unknowns), 3)) for axis in np.eye(3))
@@ -106,9 +116,25 @@ class Closure:
         return np.concatenate(left), found
 
     def matrix(self, entries: Array) -> csr_array:
-        """The derivatives as a matrix (3 I, N)."""
+        """The derivatives as a matrix (3 J, N)."""
         from scipy.sparse import csr_array
 
         return csr_array(
             (entries, self.columns, self.rows), shape=(len(self.rows) - 1, len(self.edges))
         )
+
+    @cached_property
+    def quadratic(self) -> Booleans:
+        """Which equations (3 J,) are quadratic in small fold angles: turns about z, places in x, y.
+
+        The others are linear.
+        """
+        of_turns, of_places = [False, False, True], [True, True, False]
+        of_holes = np.tile([of_turns, of_places], (len(self.holes), 1))
+        of_vertices = np.tile(of_turns, (len(self.vertices), 1))
+        return np.concatenate([of_vertices, of_holes]).ravel()
+
+
+def _sines(folds: Array) -> tuple[Array, Array]:
+    """Sines and cosines (N+1,) of fold angles (N,), at the end those of what does not fold."""
+    return np.append(np.sin(folds), 0.0), np.append(np.cos(folds), 1.0)

@@ -21,7 +21,7 @@ from orishell.motion.following import TOLERANCE, follow
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
-from orishell.motion.following.rigid import find_rigid
+from orishell.motion.following.rigid import why_still
 from orishell.motion.following.system import Closure
 from orishell.motion.sizes import diagonal, drive_at_fold
 from orishell.numerics.arrays import Array
@@ -38,6 +38,8 @@ CLEAR_UNTIL = np.pi * (1 - SHORT_OF_END)
 """The drive up to which it is (radians)."""
 TOUCHING = 1e-9
 """Panels touch that are nearer than this share of the sheet's diagonal."""
+UNFOLDED = 1e-6
+"""A crease that folds by less in all states stays flat (radians)."""
 LOOSEST = 1e-2
 """By how much vertices of a sheet that nearly folds may miss closing where it is followed."""
 
@@ -63,6 +65,7 @@ class FoldingMotion:
     # fold angles (S, E) of all edges at driving fold angles (S,), up to the last of the drives
     folds_at: Callable[[Array], Array]
     exact: bool  # whether it closes but for rounding, as far as numbers tell
+    holes: int = 0  # round how many holes panels must come back to where they began, as well
     # what is proved of contact on the way up to a drive; None if nothing is
     proof: PathResult | None = None
     proved_to: Angle = 0.0
@@ -84,6 +87,11 @@ class FoldingMotion:
     def miss(self) -> float:
         """That of the worst vertex in the worst state."""
         return float(self.misses.max(initial=0.0))
+
+    @property
+    def folding(self) -> NDArray[np.bool_]:
+        """Which edges (E,) fold in any state."""
+        return np.asarray(np.abs(self.folds).max(axis=0) > UNFOLDED)
 
     @property
     def half_way(self) -> int:
@@ -114,8 +122,10 @@ class FoldingMotion:
         return self.proved_to if contact is None else contact.clear_until
 
     @property
-    def worst_vertex(self) -> int:
-        """The number of the vertex that misses most."""
+    def worst_vertex(self) -> int | None:
+        """The number of the vertex that misses most; None if there are none."""
+        if not len(self.vertices):
+            return None
         return int(self.vertices[first_largest(self.misses.max(axis=0))])
 
 
@@ -166,7 +176,7 @@ def find_motion(
     InputError
         If there is no such choice of mountains and valleys.
     """
-    proved = _proved_still(pattern, exact)
+    proved = why_still(pattern, exact)
     if proved:
         return Still(proved, proved=True)
     missing = bool(np.isnan(pattern.signs[pattern.crease]).any())
@@ -189,6 +199,8 @@ def find_motion(
         return _if_followed(pattern, asked, progress)
     lettered = [grid.with_signs(each) for each in decided.ways]
     found = _in_closed_form(lettered[asked.choice - 1], decided, exact, asked.largest, progress)
+    if isinstance(found, Still):
+        return found
     letters = tuple("".join(each.pattern.letters) for each in lettered)
     return replace(found, choices=letters if missing else ())
 
@@ -197,29 +209,9 @@ def _said(error: OrishellError) -> str:
     return str(error).removesuffix(".")
 
 
-def _proved_still(pattern: CreasePattern, exact: float) -> str:
-    """Why single vertices do not let a sheet fold as its letters ask; empty if they may."""
-    if not (pattern.crease & (pattern.signs != 0)).any():
-        return "no crease is to fold"
-    rigid = find_rigid(pattern, exact)
-    flat = np.flatnonzero(rigid.flat & (np.abs(pattern.signs) == 1))
-    if len(flat):
-        first, second = pattern.edges[flat[0]].tolist()
-        return (
-            f"sectors beside crease {first}-{second} do not let it fold; so with {len(flat)} "
-            "creases that have a letter"
-        )
-    if len(rigid.one_sided):
-        return (
-            f"all creases at vertex {rigid.one_sided[0]} have one letter, and one at least must "
-            f"have another; so at {len(rigid.one_sided)} vertices"
-        )
-    return ""
-
-
 def _in_closed_form(
     grid: OnGrid, decided: Decided, exact: float, largest: float, progress: Progress
-) -> FoldingMotion:
+) -> FoldingMotion | Still:
     pattern, sheet = grid.pattern, decided.sheet
     closure = Closure.of(pattern)
 
@@ -246,7 +238,16 @@ def _in_closed_form(
         plays=_plays(pattern, folds),
         folds_at=folds_at,
         exact=decided.exact,
+        holes=len(closure.holes),
     )
+    idle = pattern.crease & (np.abs(pattern.signs) == 1) & ~found.folding
+    if decided.exact and idle.any():
+        first, second = pattern.edges[int(idle.argmax())].tolist()
+        return Still(
+            f"{int(idle.sum())} creases that have a letter stay flat in its motion, edge "
+            f"{first}-{second} for one",
+            proved=False,
+        )
     if not decided.exact:
         found = _loosely(found, pattern, progress)
         moved = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
@@ -323,6 +324,7 @@ def _followed(pattern: CreasePattern, asked: Asked, progress: Progress) -> Foldi
         plays=plays,
         folds_at=found.at_all,
         exact=misses.max(initial=0.0) <= TOUCHING and plays.max() <= TOUCHING * pattern.diagonal,
+        holes=len(closure.holes),
     )
     rest = stretch(progress, 0.7, 1.0)
     if not motion.exact:
@@ -338,7 +340,7 @@ def _loosely(found: FoldingMotion, pattern: CreasePattern, progress: Progress) -
 
 def _misses(closure: Closure, folds: Array) -> Array:
     """By how much vertices miss closing (S, I)."""
-    left = np.array([closure.residuals(each[closure.edges])[0] for each in folds])
+    left = np.array([closure.turns(each[closure.edges])[0] for each in folds])
     return np.asarray(np.nan_to_num(np.abs(left).max(axis=2), nan=np.inf))
 
 

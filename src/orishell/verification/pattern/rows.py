@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -39,8 +40,12 @@ class Judged:
     def rows(self) -> Iterator[Row]:
         """All rows."""
         count = len(self.pattern.inner)
-        yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
-        yield self._flat_folded()
+        if count:
+            flat = f"developable: sectors add up to 360 degrees at {_all(count)}"
+            yield Row("holds", "sheet", flat)
+            yield self._flat_folded()
+        else:
+            yield Row("holds", "sheet", "developable: no vertex is surrounded by panels")
         if self.known is not None:
             yield of_family(self.known)
         if isinstance(self.motion, Still):
@@ -50,7 +55,8 @@ class Judged:
                 yield Row("warns", "folds", f"not known: {self.motion.reason}")
             return
         motion = self.motion
-        yield self._folds(motion)
+        folds = self._folds(motion)
+        yield replace(folds, finding=folds.finding + self._staying(motion))
         yield from of_letters(self.pattern, len(motion.choices), self.choice)
         if motion.loose is not None or self._closes(motion, self.tolerance):
             yield self._freedom(motion)
@@ -86,8 +92,25 @@ class Judged:
         at = np.searchsorted(self.pattern.inner, motion.vertices)
         return motion.closes(error / shortest_creases(self.pattern)[at], error)
 
+    def _closed(self, motion: FoldingMotion) -> str:
+        """How exactly its states close."""
+        said = []
+        if len(motion.vertices):
+            said.append(f"vertices close to {motion.miss:.1g} rad")
+        if motion.holes:
+            what = "a hole or cut" if motion.holes == 1 else f"{motion.holes} holes or cuts"
+            said.append(f"panels round {what} to {self._length(motion.play)}")
+        states = f"in {len(motion.drives)} states"
+        return f"{', '.join(said)} {states}" if said else f"nothing has to close {states}"
+
+    def _staying(self, motion: FoldingMotion) -> str:
+        """How many creases that might fold stay flat; empty if none does."""
+        might = self.pattern.crease & (self.pattern.signs != 0)
+        flat = int((might & ~motion.folding).sum())
+        return f"; {flat} of {int(might.sum())} creases stay flat" if flat else ""
+
     def _folds(self, motion: FoldingMotion) -> Row:
-        closed = f"vertices close to {motion.miss:.1g} rad in {len(motion.drives)} states"
+        closed = self._closed(motion)
         if self._closes(motion, self.rounding):
             whole = self.known is not None and not any(self.known.beside)
             if motion.way == "followed":
@@ -106,17 +129,19 @@ class Judged:
         if self._closes(motion, self.tolerance):
             said = f"{closed}; hinges need a play of {quantity(motion.play, self.unit)}"
             return Row("holds", "folds", f"rigidly, to the tolerance: {said}")
-        half = motion.half_way
-        worst = motion.vertices[first_largest(motion.misses[half])]
-        said = f"not with these letters: {self._missed(motion)}, most at vertex {worst}"
+        said = f"not with these letters: {self._missed(motion)}"
         if len(self.pattern.faces) > LARGEST:
             said += f"; how far hinges must give way is not looked at beyond {LARGEST} panels"
         return Row("fails", "folds", said, self._nearby(motion))
 
     def _missed(self, motion: FoldingMotion) -> str:
         half = motion.half_way
-        at = in_degrees(motion.drives[half])
-        return f"vertices miss closing by {motion.misses[half].max():.1g} rad at {at} degrees"
+        at = f"at {in_degrees(motion.drives[half])} degrees"
+        misses = motion.misses[half]
+        if misses.max(initial=0.0) * self.pattern.diagonal > motion.plays[half]:
+            worst = motion.vertices[first_largest(misses)]
+            return f"vertices miss closing by {misses.max():.1g} rad {at}, most at vertex {worst}"
+        return f"panels part by {self._length(motion.plays[half])} {at}, round a hole"
 
     def _folds_loosely(self, motion: FoldingMotion, loose: LooseMotion) -> Row:
         gap = (
@@ -289,7 +314,7 @@ def of_freedom(states: Sequence[Freedom], within: str = "") -> Row:
     below = f"{zero:.1g} below" if zero > 0 else "none below,"
     ways += f" in {len(alike)} folded states" + (f", to within {within}" if within else "")
     told = "singular values" if any(each.by_rank for each in alike) else "rates at vertices"
-    said = f"{ways} ({told}: {below} and {other:.1g} above)"
+    said = f"{ways} ({told}: {below} and {other:.1g} above)" if np.isfinite(other) else ways
     if count > 1:
         said += ": this is one of many motions"
     felt = [each.nearly for each in alike if each.nearly is not None]
