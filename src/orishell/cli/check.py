@@ -29,8 +29,10 @@ if TYPE_CHECKING:
     from orishell.verification import Inspection
     from orishell.verification.pattern import PatternVerdict
 
-CHECKED_HELP = "A FOLD, SVG, DXF or CP file, or the directory that `orishell design` wrote FOLD to."
-DRAWINGS = (".svg", ".dxf", ".cp")
+CHECKED_HELP = (
+    "A FOLD, SVG, DXF, CP or OBJ file, or the directory that `orishell design` wrote FOLD to."
+)
+DRAWINGS = (".svg", ".dxf", ".cp", ".obj")
 
 TOLERANCE = 1e-6
 """The same as :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""

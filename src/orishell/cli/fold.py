@@ -19,7 +19,7 @@ LOOSEST = 0.5
 
 
 def fold(
-    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG, DXF or CP).")],
+    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD, SVG, DXF, CP or OBJ).")],
     out: Annotated[
         Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
     ],

@@ -114,7 +114,7 @@ def fold_pattern(
     choice: int = 1,
     progress: Progress = no_progress,
 ) -> Folded:
-    """Fold a crease pattern from a FOLD, SVG, DXF or CP file as its mountains and valleys ask.
+    """Fold a crease pattern from a FOLD, SVG, DXF, CP or OBJ file as its mountains and valleys ask.
 
     Parameters
     ----------

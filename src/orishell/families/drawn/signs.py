@@ -44,9 +44,10 @@ TRIALS = 200
 
 
 def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
-    """Signs of all creases with which a sheet folds, the best first; at most :data:`MOST`.
+    """Signs of all creases with which a sheet folds, at most :data:`MOST`.
 
-    Up to turning the sheet over, where nothing is given that tells.
+    First those with which it folds exactly, and of these those with which most creases fold. Up to
+    turning the sheet over, where nothing is given that tells.
 
     Parameters
     ----------
@@ -77,7 +78,7 @@ def _ways(flat: Array, given: CreaseValues) -> list[CreaseValues]:
                 found[signs.on_edges().tobytes()] = apart, signs
             if len(found) == MOST:
                 break
-    ways = sorted(found.values(), key=lambda each: each[0] > EXACT)
+    ways = sorted(found.values(), key=lambda each: (each[0] > EXACT, _unfolded(each[1])))
     edges = np.concatenate([np.diff(flat, axis=k).reshape(-1, 2) for k in (0, 1)])
     size = float(np.linalg.norm(np.ptp(flat, axis=(0, 1))))
     rounding = ROUNDED * size / float(np.linalg.norm(edges, axis=-1).min())
@@ -194,6 +195,10 @@ def _signs_of(
         if all((np.isnan(asked) | (made == asked)).all() for made, asked in pairs):
             return signs
     return None
+
+
+def _unfolded(signs: CreaseValues) -> int:
+    return int((signs.row == 0).sum() + (signs.column == 0).sum())
 
 
 def _apart(flat: Array, signs: CreaseValues) -> float:

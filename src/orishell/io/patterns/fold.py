@@ -10,11 +10,7 @@ from numpy.typing import NDArray
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.io.fold_frames import (
-    read_frames,
-    read_title,
-    read_unit,
-)
+from orishell.io.fold_frames import Frames, read_title, read_unit
 from orishell.io.fold_keys import (
     read_assignment,
     read_classes,
@@ -28,7 +24,7 @@ from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.fold_panels import read_polygons, require_different, sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.graph import counted
-from orishell.io.patterns.layout import lay_out, seen_from_above
+from orishell.io.patterns.layout import lay_out, letters_of_folds, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.panel_sides import join_loops, sides_of
@@ -69,8 +65,8 @@ class _Sheet:
     angles: Array | None = None  # fold angles (E,) where the edges are others (radians)
 
 
-def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
-    """The pattern of a FOLD file, and its folded states.
+def read_fold_pattern(path: Path, frames: Frames, weld: float | None) -> ReadPattern:
+    """The pattern of a file of frames, and its folded states.
 
     The flat sheet is the first frame in a plane that calls itself a crease pattern, or else the
     first that lies in one: z = 0, or another as programs save it for which y is up. If there is
@@ -87,7 +83,6 @@ def read_fold_pattern(path: Path, weld: float | None) -> ReadPattern:
         If the file cannot be read, or its panels are no sheet of one piece.
     """
     notes: list[str] = []
-    frames = read_frames(path)
     positions = read_coordinates(frames)
     count = len(next(iter(positions.values())))
     edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, count)
@@ -241,6 +236,9 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
     laid = lay_out(positions, joined)
     reason = laid.reason
     if laid.vertices is not None:
+        if letters is None:
+            letters = letters_of_folds(positions, joined)
+            notes.append("the file has no edges_assignment: letters are those of its folded state")
         flat = pattern_of_panels(laid.vertices, joined.loops, joined.edges, letters)
         try:
             require_apart(flat)

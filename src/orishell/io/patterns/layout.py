@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.record import record
 from orishell.io.patterns.graph import counted
+from orishell.motion.mesh import folds_between
 from orishell.motion.panel_sides import JoinedLoops
+from orishell.motion.quads import units
 from orishell.numerics.arrays import Array, Booleans, Complex, Integers
 from orishell.numerics.equals import first_largest, first_smallest
 
@@ -14,6 +17,8 @@ FLATNESS = 1e-6
 """How far corners may leave the plane of their panel, and the flat sheet, by the diagonal."""
 IN_PLANE = 1e-9
 """How far a flat sheet that is saved in space may leave its plane, by the diagonal."""
+UNFOLDED = 1e-6
+"""Creases that fold by less are flat (radians)."""
 DEVELOPABLE_DEG = 1e-3
 """By how much sectors may miss 360 degrees together."""
 
@@ -94,6 +99,19 @@ def lay_out(positions: Array, joined: JoinedLoops) -> Layout:
             f"each other by {gap.max():.3g}",
         )
     return Layout(np.stack([mean.real, mean.imag], axis=-1), "")
+
+
+def letters_of_folds(positions: Array, joined: JoinedLoops) -> NDArray[np.str_]:
+    """Letter (E,) of every edge by how it is folded in a state: M, V, F where it is not; or B."""
+    loops = joined.loops
+    around = positions[np.where(loops < 0, loops[:, :1], loops)]
+    around = around - around[:, :1]
+    normals = units(np.cross(around, np.roll(around, -1, axis=1)).sum(axis=1))
+    folds = folds_between(normals, joined.edges, joined.edge_faces, joined.crease, positions)
+    letters = np.array(["M", "F", "V"])[
+        (np.sign(folds) * (np.abs(folds) > UNFOLDED)).astype(int) + 1
+    ]
+    return np.where(joined.crease, letters, "B")
 
 
 def _in_own_planes(positions: Array, loops: Integers) -> tuple[Complex, Array]:

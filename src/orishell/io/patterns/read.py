@@ -12,16 +12,17 @@ from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.source_file import require_source_file
-from orishell.io.fold_frames import MAX_BYTES
+from orishell.io.fold_frames import MAX_BYTES, read_frames
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.cp import read_cp_lines
 from orishell.io.patterns.dxf import read_dxf_lines
 from orishell.io.patterns.fold import read_fold_pattern
 from orishell.io.patterns.found import ReadPattern
 from orishell.io.patterns.lines import Lines
+from orishell.io.patterns.obj import read_obj_frames
 from orishell.io.patterns.svg import read_svg_lines
 
-ENDINGS = (".fold", ".svg", ".dxf", ".cp")
+ENDINGS = (".fold", ".svg", ".dxf", ".cp", ".obj")
 OTHERS = {
     ".opx": "export it from ORIPA as FOLD or CP",
     ".orh": "save it in Orihime or Oriedita as CP",
@@ -51,11 +52,12 @@ def read_pattern(
     scale: float = 1.0,
     weld: float | None = None,
 ) -> ReadPattern:
-    """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG, DXF or CP.
+    """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG, DXF, CP or OBJ.
 
     Drawings may have their lines in any order; they are split where they cross. A line is a
     mountain, valley, border, cut or flat by its layer's name, or else by its colour: red mountain,
-    blue valley, black border, green cut, yellow flat, magenta not assigned; by its kind in CP.
+    blue valley, black border, green cut, yellow flat, magenta not assigned; by its kind in CP. The
+    panels of an OBJ file, folded or flat, have no letters.
 
     Parameters
     ----------
@@ -92,7 +94,9 @@ def read_pattern(
 def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
     ending = _require_kind(path)
     if ending == ".fold":
-        return read_fold_pattern(path, weld)
+        return read_fold_pattern(path, read_frames(path), weld)
+    if ending == ".obj":
+        return read_fold_pattern(path, read_obj_frames(path), weld)
     if ending == ".svg":
         lines, stated, notes = read_svg_lines(path, whole=unit is not None)
     elif ending == ".cp":
