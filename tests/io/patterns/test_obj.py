@@ -46,7 +46,7 @@ def test_a_folded_state_is_laid_out_with_its_mountains_and_valleys(
         np.linalg.norm(np.diff(each.vertices[pattern.edges], axis=1)[:, 0], axis=-1)
         for each in (found.flat, pattern)
     ]
-    np.testing.assert_allclose(*lengths, rtol=1e-9)
+    np.testing.assert_allclose(lengths[0], lengths[1], rtol=1e-9)
     assert len(found.states) == 1
 
 
