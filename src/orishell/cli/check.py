@@ -26,6 +26,8 @@ from orishell.conventions.quantities import MILLIMETRES, Unit, plain
 
 if TYPE_CHECKING:
     from orishell.conventions.progress import Progress
+    from orishell.conventions.row import Row
+    from orishell.io import ReadPattern
     from orishell.verification import Inspection
     from orishell.verification.pattern import PatternVerdict
 
@@ -34,6 +36,8 @@ CHECKED_HELP = (
 )
 DRAWINGS = (".svg", ".dxf", ".cp", ".obj")
 
+LARGE = 5000
+"""Of sheets with more edges what is known is said before their motion is found."""
 TOLERANCE = 1e-6
 """The same as :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
 
@@ -101,16 +105,15 @@ def _examined(
     """
     from orishell.io import read_fold, read_pattern
     from orishell.verification import inspect_fold, require_tolerance
-    from orishell.verification.pattern import judge_pattern
 
     require_tolerance(tolerance)
     if file.suffix.lower() in DRAWINGS or weld is not None:
         pattern = read_pattern(file, weld=weld)
-        return None, judge_pattern(pattern, tolerance=tolerance, progress=progress)
+        return None, _judged(pattern, tolerance, progress)
     try:
         states = read_fold(file)
     except InputError:
-        return None, judge_pattern(read_pattern(file), tolerance=tolerance, progress=progress)
+        return None, _judged(read_pattern(file), tolerance, progress)
     inspection = inspect_fold(states, tolerance, progress)
     if inspection.folded and inspection.sheet.flat:
         return inspection, None
@@ -118,7 +121,20 @@ def _examined(
         pattern = replace(read_pattern(file), states=())  # these are inspected
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
-    return inspection, judge_pattern(pattern, tolerance=tolerance, progress=progress)
+    return inspection, _judged(pattern, tolerance, progress)
+
+
+def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternVerdict:
+    """What is found of how a sheet folds; of a large one what is known is said at once."""
+    from orishell.verification.pattern import judge_pattern
+
+    def so_far(rows: tuple[Row, ...]) -> None:
+        if len(read.edges) > LARGE:
+            say(f"so far: {len(read.faces)} panels, {len(read.edges)} edges", err=True)
+            for row in rows:
+                say("\n".join(lines_of(row)), err=True)
+
+    return judge_pattern(read, tolerance=tolerance, progress=progress, so_far=so_far)
 
 
 def _write_nearby(verdict: PatternVerdict | None, target: Path, *, force: bool) -> None:

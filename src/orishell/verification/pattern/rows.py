@@ -39,13 +39,7 @@ class Judged:
 
     def rows(self) -> Iterator[Row]:
         """All rows."""
-        count = len(self.pattern.inner)
-        if count:
-            flat = f"developable: sectors add up to 360 degrees at {_all(count)}"
-            yield Row("holds", "sheet", flat)
-            yield self._flat_folded()
-        else:
-            yield Row("holds", "sheet", "developable: no vertex is surrounded by panels")
+        yield from of_vertices(self.pattern, self.conditions)
         if self.known is not None:
             yield of_family(self.known)
         if isinstance(self.motion, Still):
@@ -61,31 +55,6 @@ class Judged:
         if motion.loose is not None or self._closes(motion, self.tolerance):
             yield self._freedom(motion)
             yield self._reaches(motion)
-
-    def _flat_folded(self) -> Row:
-        """Kawasaki's and Maekawa's conditions."""
-        conditions = self.conditions
-        count, faults = len(conditions.vertices), []
-        worst = conditions.not_kawasaki
-        if len(worst):
-            miss = float(conditions.kawasaki[conditions.vertices == worst[0]][0])
-            by = f"by {in_degrees(miss)} degrees" if np.isfinite(miss) else "an odd vertex"
-            faults.append(
-                f"Kawasaki's condition fails at {_of(len(worst), count)}, most at vertex "
-                f"{worst[0]} ({by})"
-            )
-        worst = conditions.not_maekawa
-        if len(worst):
-            faults.append(
-                f"Maekawa's condition fails at {_of(len(worst), count)}, for one at vertex "
-                f"{worst[0]}"
-            )
-        unknown = int(np.isnan(conditions.maekawa).sum())
-        if unknown:
-            faults.append(f"Maekawa's condition is not known at {_of(unknown, count)}")
-        if faults:
-            return Row("says", "vertices", "; ".join(faults))
-        return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
 
     def _closes(self, motion: FoldingMotion, error: float) -> bool:
         """Whether all states close to an error of lengths."""
@@ -227,6 +196,40 @@ class Judged:
             f"{quantity(float(moved.max()), self.unit)}, most at vertex {first_largest(moved)} "
             f"(tried){nearest}"
         )
+
+
+def of_vertices(pattern: CreasePattern, conditions: VertexConditions) -> Iterator[Row]:
+    """What is known before any motion is looked for."""
+    count = len(pattern.inner)
+    if not count:
+        yield Row("holds", "sheet", "developable: no vertex is surrounded by panels")
+        return
+    yield Row("holds", "sheet", f"developable: sectors add up to 360 degrees at {_all(count)}")
+    yield _flat_folded(conditions)
+
+
+def _flat_folded(conditions: VertexConditions) -> Row:
+    """Kawasaki's and Maekawa's conditions."""
+    count, faults = len(conditions.vertices), []
+    worst = conditions.not_kawasaki
+    if len(worst):
+        miss = float(conditions.kawasaki[conditions.vertices == worst[0]][0])
+        by = f"by {in_degrees(miss)} degrees" if np.isfinite(miss) else "an odd vertex"
+        faults.append(
+            f"Kawasaki's condition fails at {_of(len(worst), count)}, most at vertex "
+            f"{worst[0]} ({by})"
+        )
+    worst = conditions.not_maekawa
+    if len(worst):
+        faults.append(
+            f"Maekawa's condition fails at {_of(len(worst), count)}, for one at vertex {worst[0]}"
+        )
+    unknown = int(np.isnan(conditions.maekawa).sum())
+    if unknown:
+        faults.append(f"Maekawa's condition is not known at {_of(unknown, count)}")
+    if faults:
+        return Row("says", "vertices", "; ".join(faults))
+    return Row("holds", "vertices", f"Kawasaki and Maekawa hold at {_all(count)}, one by one")
 
 
 def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:

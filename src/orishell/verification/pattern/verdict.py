@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from orishell.io import ReadPattern
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.verification.pattern.motion import ALL, Asked, FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
-from orishell.verification.pattern.rows import Judged, said_of_motion
+from orishell.verification.pattern.rows import Judged, of_vertices, said_of_motion
 from orishell.verification.pattern.states import examine_states
 from orishell.verification.pattern.vertices import (
     VertexConditions,
@@ -88,7 +89,11 @@ class PatternVerdict:
 
 
 def judge_pattern(
-    read: ReadPattern, *, tolerance: float = TOLERANCE, progress: Progress = no_progress
+    read: ReadPattern,
+    *,
+    tolerance: float = TOLERANCE,
+    progress: Progress = no_progress,
+    so_far: Callable[[tuple[Row, ...]], object] = tuple,
 ) -> PatternVerdict:
     """Say of a crease pattern whether and how it folds.
 
@@ -101,12 +106,16 @@ def judge_pattern(
         as that over the shortest crease at its vertex.
     progress
         Is told the share that is done.
+    so_far
+        Is told the rows that are known before a motion is looked for, which takes the longest.
     """
     rows, findings = [], None
     if read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
-        findings, found = judge_sheet(read.flat, read.unit, tolerance=tolerance, progress=progress)
+        findings, found = judge_sheet(
+            read.flat, read.unit, tolerance=tolerance, progress=progress, so_far=so_far
+        )
         rows += found
     if read.states and read.flat is not None:
         rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
@@ -124,6 +133,7 @@ def judge_sheet(
     tolerance: float = TOLERANCE,
     asked: Asked = ALL,
     progress: Progress = no_progress,
+    so_far: Callable[[tuple[Row, ...]], object] = tuple,
 ) -> tuple[Findings, list[Row]]:
     """Find how a flat sheet folds, and say so.
 
@@ -135,8 +145,8 @@ def judge_sheet(
         As of :func:`judge_pattern`.
     asked
         Which motion.
-    progress
-        Is told the share that is done.
+    progress, so_far
+        As of :func:`judge_pattern`.
 
     Raises
     ------
@@ -148,8 +158,9 @@ def judge_sheet(
     most = float(limits.max(initial=0.0))
     grid = OnGrid.of(pattern)
     known = None if grid is None else recognise(grid.flat, grid.signs, most)
-    motion = find_motion(pattern, grid, most, asked, progress)
     conditions = find_conditions(pattern, limits)
+    so_far(tuple(of_vertices(pattern, conditions)))
+    motion = find_motion(pattern, grid, most, asked, progress)
     judged = Judged(pattern, unit, conditions, known, motion, error, rounding, asked.choice)
     rows = sorted(judged.rows(), key=lambda row: ORDER.index(row.sign))
     return Findings(pattern, conditions, known, motion), rows
