@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 from ezdxf import path as paths
 from ezdxf.filemanagement import new, readfile
+from ezdxf.math import Matrix44
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
@@ -133,6 +135,118 @@ def test_a_drawing_in_any_order_becomes_one_curve(tmp_path: Path) -> None:
     )
 
 
+UPRIGHT = {
+    "x and z": lambda points: np.stack(
+        [points[..., 0], 0 * points[..., 0] + 7, points[..., 1]], -1
+    ),
+    "y and z": lambda points: np.stack(
+        [0 * points[..., 0] + 7, points[..., 0], points[..., 1]], -1
+    ),
+}
+"""Points in space of those (..., 2) in a plane, as engineers draw a section."""
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+@pytest.mark.parametrize("plane", UPRIGHT)
+def test_a_section_that_was_drawn_upright_is_the_same_curve(
+    tmp_path: Path, name: str, plane: str
+) -> None:
+    """Every entity, turned by ezdxf: its plane's two axes go to the axes of the other plane."""
+    flat = read_dxf(write(tmp_path, DRAWINGS[name]), into="m")
+    x, y, origin = UPRIGHT[plane](np.array([[1.0, 0], [0, 1], [0, 0]]))
+    x, y = x - origin, y - origin
+    numbers = [*x, 0, *y, 0, *np.cross(x, y), 0, *origin, 1]
+
+    def upright(space: Any) -> None:
+        DRAWINGS[name](space)
+        space[0].transform(Matrix44([float(each) for each in numbers]))
+
+    chain = read_dxf(write(tmp_path, upright), into="m")
+    (note,) = chain.notes
+    assert f"drawn in {plane}" in note
+    np.testing.assert_allclose(chain.joints, flat.joints, rtol=0, atol=1e-12)
+    found, wanted = chain.curve(), flat.curve()
+    shares = np.linspace(0, 1, 40)
+    np.testing.assert_allclose(
+        found.position(shares * found.stop), wanted.position(shares * wanted.stop), atol=1e-9
+    )
+
+
+def test_an_upright_section_in_lines_arcs_and_blocks(tmp_path: Path) -> None:
+    """As Rhino and AutoCAD write it: arcs and polylines in their own planes, lines in space."""
+    front = {"extrusion": (0, -1, 0)}
+
+    def draw(space: Any) -> None:
+        space.add_line((0, 5, 0), (0, 5, 3))
+        space.add_arc((1, 3, -5), 1, 0, 180, dxfattribs=front)
+        block = space.doc.blocks.new("POST")
+        block.add_line((0, 0, 3), (0, 0, 0))
+        space.add_blockref("POST", (2, 5, 0))
+
+    chain = read_dxf(write(tmp_path, draw), into="m")
+    np.testing.assert_allclose(chain.joints, [(0, 0), (0, 3), (2, 3), (2, 0)], atol=1e-12)
+    curve = chain.curve()
+    assert trace_curve(curve).length == pytest.approx(6 + np.pi, rel=1e-12)
+    assert curve.position(0.5 * curve.stop) == pytest.approx([1, 4])
+    assert curve.notes == ("drawn in x and z, as seen from the front: z is its height",)
+
+
+def test_of_several_sections_one_is_chosen_as_the_message_says(tmp_path: Path) -> None:
+    path = write(tmp_path, _sections)
+    with pytest.raises(InputError, match="choose one with layer or handle") as caught:
+        read_dxf(path, into="m")
+    named = re.search(r"POLYLINE (\w+) on layer '(.+)'", caught.value.where)
+    assert named is not None
+    for handle, layer in ((named[1], None), (None, named[2])):
+        chain = read_dxf(path, into="m", handle=handle, layer=layer)
+        assert chain.joints.tolist() == [[0, 0], [1, 1], [2, 0]]
+
+
+def test_what_is_inserted_on_a_frozen_layer_is_not_seen(tmp_path: Path) -> None:
+    """Whatever its own layer; on one that is off it is, as AutoCAD shows it."""
+    for hide, seen in (("freeze", False), ("off", True)):
+
+        def draw(space: Any, hide: str = hide) -> None:
+            block = space.doc.blocks.new("B")
+            block.add_line((1, 0), (2, 1), dxfattribs={"layer": "A"})
+            space.doc.layers.add("A")
+            getattr(space.doc.layers.add("OLD"), hide)()
+            space.add_line((0, 0), (1, 0), dxfattribs={"layer": "A"})
+            space.add_blockref("B", (0, 0), dxfattribs={"layer": "OLD"})
+
+        assert len(read_dxf(write(tmp_path, draw), into="m").pieces) == 1 + seen
+
+
+def test_a_gap_is_joined_in_the_unit_of_the_file(tmp_path: Path) -> None:
+    """Arcs whose angles were rounded: 0.0004 degrees of a radius of 1000 are 0.007."""
+
+    def draw(space: Any) -> None:
+        space.add_arc((0, 0), 1000, 30, 90)
+        space.add_arc((0, 0), 1000, 90.0004, 150)
+
+    path = write(tmp_path, draw, 4)
+    assert read_dxf(path, into="m").notes == ("ends up to 0.007 mm apart were joined",)
+
+    def wide(space: Any) -> None:
+        space.add_line((0, 0), (1000, 0))
+        space.add_line((1020, 0), (2000, 500))
+
+    path = write(tmp_path, wide, 4)
+    with pytest.raises(InputError, match="gaps") as caught:
+        read_dxf(path, into="m")
+    assert caught.value.remedy.startswith("join = 21 joins them, or choose the curve with handle")
+    chain = read_dxf(path, into="m", join=21.0)
+    assert caught.value.changes == {"join": 21.0}
+    np.testing.assert_allclose(chain.joints, [(0, 0), (1.01, 0), (2, 0.5)], rtol=1e-12)
+
+
+def test_a_file_without_a_unit_says_so(tmp_path: Path) -> None:
+    path = write(tmp_path, line, 0)
+    assert "no unit of length: its numbers were read as ft" in read_dxf(path, into="ft").notes[0]
+    assert read_dxf(path, into="m", unit="mm").notes == ()
+    assert read_dxf(write(tmp_path, line, 4), into="m").notes == ()
+
+
 def _layers(space: Any) -> None:
     for name, y in (("Profile", 0), ("AXIS", 1), ("Frozen", 2), ("Off", 3)):
         space.doc.layers.add(name)
@@ -194,6 +308,17 @@ def _levels(space: Any) -> None:
     space.add_line((1, 0, 5), (2, 0, 5))
 
 
+def _sections(space: Any) -> None:
+    for y in (0, 4):
+        ends = [(0, y, 0), (1, y, 1), (2, y, 0)]
+        space.add_polyline3d(ends, dxfattribs={"layer": f"at {y}"})
+
+
+def _off(space: Any) -> None:
+    space.doc.layers.add("Notes").off()
+    space.add_line((0, 0), (1, 0), dxfattribs={"layer": "Notes"})
+
+
 TILTED = {"extrusion": (0, 0.6, 0.8)}
 ERRORS: dict[str, tuple[Draw, list[str]]] = {
     "nothing": (lambda s: s.add_text("a"), ["nothing is drawn"]),
@@ -208,8 +333,8 @@ ERRORS: dict[str, tuple[Draw, list[str]]] = {
         ["closed"],
     ),
     "a line that rises": (
-        lambda s: s.add_line((0, 0, 0), (1, 0, 1)),
-        ["LINE", "leaves", "z from 0 to 1"],
+        lambda s: s.add_line((0, 0, 0), (1, 2, 1)),
+        ["LINE", "leaves", "z from 0 to 1", "3DROTATE"],
     ),
     "a spline that rises": (
         lambda s: s.add_open_spline([(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 1, 1)]),
@@ -217,7 +342,17 @@ ERRORS: dict[str, tuple[Draw, list[str]]] = {
     ),
     "an upright arc": (lambda s: s.add_arc((0, 0), 1, 0, 90, dxfattribs=TILTED), ["ARC", "0.6"]),
     "two levels": (_levels, ["different planes", "z = 5", "LINE"]),
-    "a mesh": (lambda s: s.add_polymesh((3, 3)), ["POLYLINE", "mesh"]),
+    "two sections": (_sections, ["different planes", "y = 4", "as POLYLINE", "layer or handle"]),
+    "a mesh": (lambda s: s.add_polymesh((3, 3)), ["POLYLINE", "mesh", "layer or handle"]),
+    "a hatch": (
+        lambda s: s.add_hatch().paths.add_polyline_path([(0, 0), (1, 0), (1, 1)]),
+        ["nothing is drawn", "1 HATCH", "EXPLODE"],
+    ),
+    "a layout": (
+        lambda s: s.doc.layout("Layout1").add_line((0, 0), (1, 0)),
+        ["nothing is drawn", "1 in paper space", "CHSPACE"],
+    ),
+    "a layer that is off": (_off, ["nothing is drawn", "not seen", 'layer = "Notes"']),
     "a block in itself": (_loop, ["without end"]),
     "a block a million times": (_many, ["too often"]),
     "a gap": (
@@ -239,6 +374,7 @@ def test_errors(tmp_path: Path, name: str) -> None:
         read_dxf(path, into="m")
     for text in [str(path), *says]:
         assert text in str(caught.value)
+    assert caught.value.remedy
     assert caught.value.exit_status == 2
 
 
@@ -258,6 +394,20 @@ def test_what_else_is_drawn_is_named_and_what_to_choose_works(tmp_path: Path) ->
     )
     assert caught.value.remedy == 'choose the curve with layer = "PROFILE"'
     assert len(read_dxf(path, into="mm", layer="PROFILE").pieces) == 1
+
+
+def test_of_a_closed_curve_of_lines_the_longest_is_named(tmp_path: Path) -> None:
+    corners = [(0, 0), (0, 2), (3, 4), (6, 2), (6, 0), (0, 0)]
+
+    def draw(space: Any, count: int = 5) -> None:
+        for k in range(count):
+            space.add_line(corners[k], corners[k + 1])
+
+    with pytest.raises(InputError, match="closed") as caught:
+        read_dxf(write(tmp_path, draw, 4), into="mm")
+    named = "as the straight line from (6, 0) mm to (0, 0) mm, or choose the curve with handle"
+    assert named in caught.value.remedy
+    assert len(read_dxf(write(tmp_path, lambda s: draw(s, 4)), into="mm").pieces) == 4
 
 
 def test_two_curves_on_a_layer_are_chosen_by_their_handles(tmp_path: Path) -> None:

@@ -40,6 +40,11 @@ def test_reads_the_usual_spellings(tmp_path: Path, text: str) -> None:
         "y,z,x\n0,0,7\n0.5,0.75,7\n1,1,7\n",
         "7,0,0\n7,0.5,0.75\n7,1,1\n",
         "id,z,weight,x\n1,0,8,0\n2,0.75,9,0.5\n3,1,7,1\n",
+        '"0","0"\n"0,5","0,75"\n"1","1"\n',  # as Google Sheets writes decimal commas
+        'x,y\n"0,0","0,0"\n"0,5","0,75"\n"1,0","1,0"\n',
+        "{0, 0, 0}\n{0.5, 0, 0.75}\n{1, 0, 1}\n",  # a panel of Grasshopper
+        "Count,Name,Position X,Position Y,Position Z\n"  # as AutoCAD extracts data
+        "1,Point,0,0,0\n1,Point,0.5,0,0.75\n1,Point,1,0,1\n",
     ],
 )
 def test_the_columns_that_are_meant_are_taken(tmp_path: Path, text: str) -> None:
@@ -60,6 +65,30 @@ def test_a_header_of_windows_states_its_unit(tmp_path: Path) -> None:
     path = tmp_path / "points.csv"
     path.write_bytes("Länge (m);Höhe (m)\r\n0;0\r\n0,5;0,75\r\n".encode("cp1252"))
     np.testing.assert_allclose(read_points(path, into="mm"), [[0, 0], [500, 750]])
+
+
+@pytest.mark.parametrize(
+    ("text", "remedy"),
+    [
+        ("0,5,0,75\n0,6,0,80\n0,7,0,90\n", "separate columns by semicolons"),
+        ("0,0\n0,5,0,75\n1,1\n", "separate columns by semicolons"),
+        ("0,0\n0,5,2\n1,1\n", "separate columns by semicolons"),
+        ("x;y\n0;0\n1.234,5;2\n", "nothing between their thousands"),
+        ("x;y\n0;0\n1 234,5;2\n", "nothing between their thousands"),
+        ("x,y\n0,0\nend of part 1\n1,1\n", "begin it with #"),
+        ("x,y\nmm,mm\n0,0\n1,1\n", "begin it with #"),
+        ("1,2,3,4.5\n2,3,4,5.5\n", "call two columns x and y"),
+    ],
+)
+def test_what_would_be_mistaken_is_refused_with_what_to_write(
+    tmp_path: Path, text: str, remedy: str
+) -> None:
+    """Numbers with decimal commas between commas are never taken for others."""
+    path = tmp_path / "points.csv"
+    path.write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_points(path)
+    assert remedy in caught.value.remedy
 
 
 @pytest.mark.parametrize("text", ["1,0,0\n2,0.5,0.75\n3,1,1\n", "x,y,z\n0,0,0\n1,2,3\n2,3,1\n"])

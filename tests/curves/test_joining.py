@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -11,13 +13,18 @@ from numpy.typing import NDArray
 from orishell.conventions.errors import CurveError
 from orishell.curves import curve_from_points, trace_curve
 from orishell.curves.joining import TOLERANCE, join_pieces
-from orishell.curves.pieces import Piece, bezier, bulge_arc, circular_arc, nurbs, polyline
+from orishell.curves.pieces import Affine, Piece, bezier, bulge_arc, circular_arc, nurbs, polyline
 
 Array = NDArray[np.float64]
 
 
 def place(point: Array) -> str:
-    return f"({point[0]:g}, {point[1]:g}) mm"
+    return f"({point[0]:.15g}, {point[1]:.15g}) mm"
+
+
+def told(text: str) -> Array:
+    """Points (N, 2) that a message names."""
+    return np.array(re.findall(r"\((-?[\d.e-]+), (-?[\d.e-]+)\)", text), dtype=np.float64)
 
 
 PIECES: list[Piece] = [
@@ -59,9 +66,126 @@ def test_ends_within_the_tolerance_are_joined_and_meet_exactly() -> None:
     curve = chain.curve()
     before = curve.position(np.nextafter(curve.breaks[0], 0))
     np.testing.assert_allclose(before, curve.position(curve.breaks[0]), rtol=0, atol=1e-14)
-    with pytest.raises(CurveError, match="gaps"):
-        join_pieces(polyline([(0, 0), (4, 0)]) + polyline([(4, 5e-5), (10, 0)]), place)
+    assert chain.notes == ()
+    apart = join_pieces(polyline([(0, 0), (4, 0)]) + polyline([(4, 5e-5), (10, 0)]), place)
+    np.testing.assert_allclose(apart.joints[1], [4, 2.5e-5], rtol=1e-12)
+    assert apart.notes != ()
     assert TOLERANCE == 1e-6
+
+
+def torn(rng: np.random.Generator, gaps: Array) -> tuple[list[Piece], Array]:
+    """An arc of radius 10 in pieces, in any order and direction, with gaps between them; its ends.
+
+    The pieces are straight or bent, 0.5 long at least.
+    """
+    count = len(gaps) + 1
+    angle = np.pi - np.cumsum(np.append(0.0, rng.uniform(0.05, 0.1, count)))
+    corners = 10 * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    turn = rng.uniform(0, 2 * np.pi, len(gaps))
+    half = 0.5 * gaps[:, None] * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    begins, ends = corners[:-1].copy(), corners[1:].copy()
+    ends[:-1] -= half
+    begins[1:] += half
+    pieces: list[Piece] = [
+        polyline([begin, end])[0]
+        if rng.integers(2)
+        else bezier([begin, 0.5 * (begin + end) + 0.1 * rng.normal(size=2), end])
+        for begin, end in zip(begins, ends, strict=True)
+    ]
+    pieces = [each.reversed() if rng.integers(2) else each for each in pieces]
+    return [pieces[k] for k in rng.permutation(count)], np.array([begins[0], ends[-1]])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_smallest_gaps_are_joined_by_themselves_and_it_is_said(seed: int) -> None:
+    """Gaps of 1e-5 to 3e-3 of what is about 10 wide, some of them 0; pieces are 0.5 long."""
+    rng = np.random.default_rng(seed)
+    gaps = 10 ** rng.uniform(-4, -1.5, 12) * rng.integers(0, 2, 12)
+    gaps[rng.integers(12)] = 10 ** rng.uniform(-4, -1.5)
+    pieces, ends = torn(rng, gaps)
+    chain = join_pieces(pieces, place, unit="mm")
+    assert len(chain.pieces) == 13
+    np.testing.assert_allclose(chain.joints[[0, -1]], ends, rtol=0, atol=1e-12)
+    (note,) = chain.notes
+    assert float(note.split()[3]) == pytest.approx(gaps.max(), rel=0.051)  # two digits
+    assert note == f"ends up to {note.split()[3]} mm apart were joined"
+    for same in (chain.reversed(), chain.scaled(2.0)):
+        assert same.notes == same.curve().notes == same.spline().notes == chain.notes
+    np.testing.assert_array_equal(
+        join_pieces(pieces, place, join=1.01 * gaps.max()).joints, chain.joints
+    )
+
+
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("why", ["it is wide", "another end is near"])
+def test_what_may_be_meant_is_not_joined_unasked_but_as_the_message_says(
+    seed: int, why: str
+) -> None:
+    rng = np.random.default_rng(seed)
+    wide = why == "it is wide"
+    gaps = np.zeros(12)
+    gaps[rng.integers(12)] = rng.uniform(0.06, 0.1) if wide else 0.01
+    pieces, ends = torn(rng, gaps)
+    if not wide:  # a piece that is three gaps long, a gap from the end
+        pieces += polyline(ends[1] + np.array([[0.01, 0], [0.04, 0]]))
+    with pytest.raises(CurveError, match="gaps") as caught:
+        join_pieces(pieces, place)
+    error = caught.value
+    assert error.remedy.startswith("join = ")
+    join = float(error.remedy.split()[2])
+    assert error.changes == {"join": join}
+    chain = join_pieces(pieces, place, join)
+    assert len(chain.pieces) == len(pieces)
+    assert gaps.max() < join < 1.3 * gaps.max()
+    assert len(chain.notes) == 1
+
+
+@pytest.mark.parametrize("offset", [0.0, 5e6])
+@pytest.mark.parametrize("gap", [0.3, 2.4e-3, 1.7e-4])
+def test_ends_are_named_in_digits_that_tell_them_apart(gap: float, offset: float) -> None:
+    """Also where coordinates are those of a map: by the gap, not by the size of the numbers."""
+    pieces = polyline([(0, 0), (1 / 3, 1 / 7)]) + polyline([(1 / 3 + gap, 1 / 7), (1.7, 1.7)])
+    # A third piece beside both leaves it open which ends are one.
+    pieces += polyline([(1 / 3 + 0.5 * gap, 1 / 7 + gap), (0, 1.7)])
+    moved = [each.transformed(Affine.of(1, 0, 0, 1, offset, offset)) for each in pieces]
+    with pytest.raises(CurveError, match="gaps") as caught:
+        join_pieces(moved, place)
+    first, second = told(caught.value.where)
+    assert np.hypot(*(second - first)) == pytest.approx(gap, rel=0.06, abs=1e-8)
+
+
+def test_too_wide_a_gap_is_left_to_who_drew_it() -> None:
+    with pytest.raises(CurveError, match="gaps") as caught:
+        join_pieces(polyline([(0, 0), (4, 0)]) + polyline([(4.3, 0), (10, 0)]), place)
+    assert caught.value.remedy == "make ends meet, or choose its pieces"
+    assert caught.value.changes == {}
+
+
+def test_the_ends_of_the_curve_itself_are_not_joined() -> None:
+    """A horseshoe stays one, however near its ends are."""
+    horseshoe = [circular_arc((0, 0), 1, 0.01, 2 * np.pi - 0.02)]
+    assert len(join_pieces(horseshoe, place, join=0.1).pieces) == 1
+    halves = polyline([(0, 0), (1, 1)]) + polyline([(1.001, 1), (0.001, 0.001)])
+    with pytest.raises(CurveError, match="closed"):
+        join_pieces(halves, place, join=0.01)
+    with pytest.raises(CurveError, match="gaps"):  # unasked both may not be meant
+        join_pieces(halves, place)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_closed_curve_names_the_straight_line_that_opens_it(seed: int) -> None:
+    """An arch on its baseline, as one draws it to be filled."""
+    rng = np.random.default_rng(seed)
+    pieces, (first, last) = torn(rng, np.zeros(20))
+    baseline = polyline([last, first])
+    with pytest.raises(CurveError, match="closed") as caught:
+        join_pieces(pieces + baseline, place)
+    assert "as the straight line from" in caught.value.remedy
+    np.testing.assert_allclose(told(caught.value.remedy), [last, first], atol=1e-4)
+    assert len(join_pieces(pieces, place).pieces) == 21
+    with pytest.raises(CurveError, match="closed") as caught:
+        join_pieces([*pieces, *baseline, *polyline([(20, 0), (21, 1)])], place)
+    assert caught.value.remedy == "choose its pieces"
 
 
 def test_an_arc_stays_where_it_is_if_its_ends_fit() -> None:
@@ -110,6 +234,7 @@ def test_errors_say_where(pieces: list[Piece], says: list[str]) -> None:
         join_pieces(pieces, place)
     for text in says:
         assert text in str(caught.value)
+    assert caught.value.remedy
 
 
 def test_thousands_of_coinciding_pieces_take_no_quadratic_memory() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -30,7 +31,7 @@ def write(directory: Path, body: str, page: str = "") -> Path:
     return path
 
 
-def joints(directory: Path, body: str, page: str = "", **choice: str) -> Array:
+def joints(directory: Path, body: str, page: str = "", **choice: Any) -> Array:
     """In pixels, unless a unit is given; y upwards."""
     chain = read_svg(write(directory, body, page), into="in", **choice)
     return chain.joints * (1 if "unit" in choice else 96)
@@ -307,7 +308,7 @@ def test_one_element_alone_is_named_where_it_makes_no_curve(tmp_path: Path) -> N
         read_svg(write(tmp_path, '<path id="a" d="M0 0H9V9Z"/>'), into="mm")
 
 
-ERRORS = {
+ERRORS: dict[str, tuple[str, dict[str, Any], list[str]]] = {
     "an id that is unknown": ('<path id="profile"/>', {"id": "profil"}, ["profile", "'profil'"]),
     "no ids at all": ("<path/>", {"id": "x"}, ["leave id out"]),
     "nothing drawn": ("<text>a</text>", {}, ["nothing is drawn"]),
@@ -344,6 +345,24 @@ ERRORS = {
     "a transform cut off": ('<path transform="rotate(5" d="M0 0"/>', {}, ["<path>", "transform"]),
     "a transform short of numbers": ('<path transform="matrix(1 2)"/>', {}, ["transform"]),
     "a transform in a style": ('<path style="transform:scale(2)"/>', {}, ["style"]),
+    "words": ("<text>a</text>", {}, ["nothing is drawn", "draw a line"]),
+    "an image": ('<image href="a.png"/>', {}, ["nothing is drawn", "images: 1", "trace"]),
+    "no stroke": ('<path fill="none" d="M0 0H9"/>', {}, ["not seen: 1", "give them a stroke"]),
+    "an id of words": (
+        '<text id="t">a</text><path id="p" d="M0 0H9"/>',
+        {"id": "t"},
+        ["nothing is drawn", '<text id="t">', 'choose one with id = "p"'],
+    ),
+    "an origin in its own box": (
+        '<path transform="scale(2)" style="transform-box:fill-box;transform-origin:center"/>',
+        {},
+        ["transform-box", "fill-box", "apply the transform"],
+    ),
+    "two parts of one path": (
+        '<path d="M0 0H96M192 0h96"/>',
+        {},
+        ["gaps", "break it apart (Path > Break Apart in Inkscape"],
+    ),
     "endless reuse": ('<g id="g"><use href="#g"/></g>', {}, ["without end"]),
 }
 
@@ -356,6 +375,102 @@ def test_errors(tmp_path: Path, name: str) -> None:
         read_svg(path, into="m", **choice)
     for text in [str(path), *says]:
         assert text in str(caught.value)
+    assert caught.value.remedy
+
+
+HIDDEN = {
+    "a layer": '<g id="a" style="display:none"><path d="M0 0H9" stroke="red"/></g><g id="b"/>',
+    "a path": '<path id="a" fill="none" d="M0 0H9"/>',
+    "a definition": '<defs><path id="a" d="M0 0H9"/></defs>',
+}
+
+
+@pytest.mark.parametrize("name", HIDDEN)
+def test_where_nothing_is_seen_what_there_is_can_be_chosen(tmp_path: Path, name: str) -> None:
+    path = write(tmp_path, HIDDEN[name])
+    with pytest.raises(
+        InputError, match="nothing is drawn here; got shapes that are not"
+    ) as caught:
+        read_svg(path, into="mm")
+    assert caught.value.remedy == 'choose one with id = "a"'
+    assert len(read_svg(path, into="mm", id="a").pieces) == 1
+
+
+ILLUSTRATOR = """<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
+  <!ENTITY ns_ai "http://ns.adobe.com/AdobeIllustrator/10.0/">
+  <!ENTITY ns_svg "http://www.w3.org/2000/svg">
+  <!ENTITY st0 "fill:none;stroke:#000000;">
+]>
+<svg xmlns:i="&ns_ai;" xmlns="&ns_svg;" viewBox="0 0 283.465 100">
+<switch><foreignObject requiredExtensions="&ns_ai;" width="1" height="1"/><g i:extraneous="self">
+<rect width="200" height="100" style="fill:none"/><path style="&st0;" d="M0,5H283.465"/>
+</g></switch></svg>"""
+
+
+def test_names_that_illustrator_declares_are_read(tmp_path: Path) -> None:
+    """And its numbers, which are points of 72 to the inch, become millimetres as the note says."""
+    path = tmp_path / "drawing.svg"
+    path.write_text(ILLUSTRATOR, encoding="utf-8")
+    chain = read_svg(path, into="mm")
+    assert len(chain.pieces) == 1
+    (note,) = chain.notes
+    assert "96 of its units were read as an inch" in note
+    scale = float(note.split("scale = ")[1].rstrip(")"))
+    assert scale * chain.joints[1, 0] == pytest.approx(100, rel=1e-5)
+    for page, count in (('width="100mm"', 0), ('height="2in"', 0), ('width="100px"', 1)):
+        assert len(read_svg(write(tmp_path, LINE, page), into="mm").notes) == count
+    assert read_svg(path, into="mm", unit="cm").notes == ()
+
+
+def test_a_transform_about_an_origin(tmp_path: Path) -> None:
+    """SVG 2 and CSS Transforms 1: moved there, transformed, moved back; shares of the viewport."""
+    page = 'viewBox="0 0 300 200"'
+    turned = joints(tmp_path, '<path transform="rotate(30 150 50)" d="M20 80L90 40"/>', page)
+    for origin in ("150px 50px", "150 50", "center 25%", "50% 25%"):
+        body = f'<path transform="rotate(30)" style="transform-origin:{origin}" d="M20 80L90 40"/>'
+        np.testing.assert_allclose(joints(tmp_path, body, page), turned, atol=1e-12)
+
+
+def test_ends_that_were_rounded_are_joined_and_wider_gaps_as_the_message_says(
+    tmp_path: Path,
+) -> None:
+    """As Illustrator rounds: to two decimals. The gap is in millimetres of the page, or in unit."""
+    body = '<g stroke="#000"><path id="a" d="M20,80L99.99,20"/><path id="b" d="{}L180,80"/></g>'
+    page = 'width="400mm" viewBox="0 0 200 100"'
+    near = write(tmp_path, body.format("M100,20"), page)
+    assert read_svg(near, into="m").notes == ("ends up to 0.02 mm apart were joined",)
+    assert read_svg(near, into="m", unit="cm").notes == ("ends up to 0.01 cm apart were joined",)
+    far = write(tmp_path, body.format("M102,20"), page)
+    for unit, gap in ((None, 4.02), ("cm", 2.01)):
+        with pytest.raises(InputError, match="gaps") as caught:
+            read_svg(far, into="mm", unit=unit)
+        assert 'joins them, or choose the curve with id = "b" or id = "a"' in caught.value.remedy
+        join = float(caught.value.remedy.split()[2])
+        assert gap < join < 1.1 * gap
+        (note,) = read_svg(far, into="mm", unit=unit, join=join).notes
+        assert f"ends up to {gap:.2g} {unit or 'mm'} apart" in note
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"%PDF-1.7", "this is PDF, not SVG. Remedy: save it as SVG in the program"),
+        (b"\x1f\x8b\x08", "this is gzip, not SVG"),
+        (b"  0\r\nSECTION\r\n", 'this is DXF, not SVG. Remedy: give it as dxf = "..."'),
+    ],
+)
+def test_files_of_another_kind_are_named(tmp_path: Path, content: bytes, says: str) -> None:
+    path = tmp_path / "drawing.svg"
+    path.write_bytes(content)
+    with pytest.raises(InputError) as caught:
+        read_svg(path, into="mm")
+    assert says in str(caught.value)
+    path.write_text("<svg/>")
+    with pytest.raises(
+        InputError, match=r'this is SVG, not DXF\. Remedy: give it as svg = "\.\.\."'
+    ):
+        read_dxf(path, into="mm")
 
 
 @pytest.mark.parametrize(
@@ -380,6 +495,10 @@ LAUGHS = (
 )
 UNSAFE = {
     "a billion laughs": (LAUGHS, "entities"),
+    "an entity that grows": (
+        f'<!DOCTYPE svg [<!ENTITY a "{"x" * 1000}">]><svg><text>{"&a;" * 2000}</text></svg>',
+        "entities",
+    ),
     "an external entity": (
         '<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]><svg><text>&x;</text></svg>',
         "entities",

@@ -14,6 +14,8 @@ from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, read_design_file
 from orishell.design_file.target import Target
 from orishell.motion import FoldingMotion
+from orishell.shell.make import make_shell
+from orishell.shell.steps import MEASURES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HALF_ANGLE = 0.6
@@ -143,6 +145,40 @@ def test_what_a_file_draws_takes_the_place_of_its_name(drawings: Path, name: str
         assert (curves[0].start, curves[0].stop) == pytest.approx((start, stop), rel=1e-9)
         found, wanted = (curve.position(np.linspace(start, stop, 50)) for curve in curves)
         np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
+
+
+HALVES = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="4000mm" height="1000mm" '
+    'viewBox="0 0 4000 1000"><g fill="none" stroke="#000">'
+    '<path d="M0 900Q1000 100 2000 100"/><path d="M{} 100Q3000 100 4000 900"/></g></svg>'
+)
+
+
+def test_how_a_drawing_was_read_is_a_warning_of_its_shell(tmp_path: Path) -> None:
+    """Ends that were joined, which curve they are of, and by how much they were apart."""
+    (tmp_path / "halves.svg").write_text(HALVES.format(2000.4))
+    file = design_file(tmp_path, 'svg = "halves.svg"\nscale = [0.5, 0.4]\nreverse = true')
+    told = "f: ends up to 0.4 mm apart were joined"
+    assert file.notes == (told,)
+    assert told in make_shell(file, clash="unexamined", skip=MEASURES).report.warnings
+    assert design_file(tmp_path, FORMULA).notes == ()
+
+
+@pytest.mark.parametrize("unit", ["", '\nunit = "cm"'])
+def test_a_wider_gap_is_joined_by_the_key_that_the_message_offers(
+    tmp_path: Path, unit: str
+) -> None:
+    (tmp_path / "halves.svg").write_text(HALVES.format(2030))
+    source = f'svg = "halves.svg"{unit}'
+    with pytest.raises(InputError, match="the nearest ends 30 apart") as caught:
+        profile(tmp_path, source)
+    assert caught.value.remedy.startswith("join = ")
+    typed = caught.value.remedy.split(" joins")[0]
+    curve = profile(tmp_path, f"{source}\n{typed}")
+    ends = curve.position(np.array([curve.start, curve.stop]))
+    assert np.ptp(ends[:, 0]) == pytest.approx(40 if unit else 4)
+    table = Target.model_validate(parse_toml(f"{source}\n{typed}")).without_files(tmp_path, "m")
+    assert set(table) == {"path"}
 
 
 def test_unit_overrides_what_the_file_says(drawings: Path) -> None:
@@ -289,6 +325,12 @@ FAULTS = {
     ),
     "a variable in a part": ('svg = "arc.svg"\npart = ["t", 1]', "[target.f] part[0]", "constants"),
     "a layer for an svg": ('svg = "a.svg"\nlayer = "0"', "[target.f] layer", "goes with dxf"),
+    "a gap to join for points": (
+        'points = "arc.csv"\njoin = 1',
+        "[target.f] join",
+        "goes with svg or dxf, not with points",
+    ),
+    "no gap to join": ('svg = "arc.svg"\njoin = 0', "[target.f] join", "greater than 0"),
     "a unit for a formula": (f'{FORMULA}\nunit = "mm"', "[target.f] unit", "points or svg or dxf"),
     "smooth for a formula": (f"{FORMULA}\nsmooth = true", "[target.f] smooth", "not with formula"),
     "layer and handle": (

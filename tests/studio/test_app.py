@@ -251,6 +251,12 @@ def test_dropped_files(client: httpx.Client) -> None:
     arc = drop("p.svg", svg % b'<path d="M0 50 A50 50 0 0 1 100 50"/>').json()
     assert arc["table"] == {"path": "M0 -0.05 A0.05 0.05 0 0 0 0.1 -0.05"}
     assert arc["note"] == "1 piece of a path along p.svg, exactly"
+    # Where loose ends make one curve of all they are joined, and it is said.
+    for gap, said in ((0.1, "0.1"), (1.5, "1.5")):
+        torn = drop("p.svg", svg % f'<path d="M0 50L50 0M{50 + gap} 0L100 50"/>'.encode()).json()
+        assert torn["note"] == (
+            f"2 pieces of a path along p.svg, exactly; ends up to {said} mm apart were joined"
+        )
     t = np.linspace(-1, 1, 200)
     measured = [f"{x},{y}" for x, y in zip(t, np.cos(t), strict=True)]
     few = drop("p.csv", "\n".join(measured).encode()).json()

@@ -46,7 +46,10 @@ def require_source_file(path: Path, what: str, most: int, remedy: str = "") -> N
         raise _unreadable(what, error) from None
     if size > most:
         raise InputError(
-            f"the {what} is too large", got=f"{size} bytes", expected=f"at most {most} bytes"
+            f"the {what} is too large",
+            got=f"{size} bytes",
+            expected=f"at most {most} bytes",
+            remedy="copy what is meant into a file of its own",
         )
 
 

@@ -48,6 +48,7 @@ class Curve:
     drawn: tuple[float, float, float] = (0.0, 0.0, 1.0)
     # how much the curve has been enlarged along x and y since it was drawn
     scale: tuple[float, float] = (1.0, 1.0)
+    notes: tuple[str, ...] = ()  # what is to be said of how it was read
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):

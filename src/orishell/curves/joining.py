@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,13 +11,13 @@ from orishell.conventions.errors import CurveError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves.curve import Curve
+from orishell.curves.ends import CHOOSE, Course, GapError, Marks, Place, find_course, next_ends
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.memo import remembered
-from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
+from orishell.curves.pieces import MAX_PIECES, SIMPLIFY, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
 from orishell.curves.trace import Trace
-from orishell.numerics.arrays import Array, Integers
-from orishell.numerics.equals import classes, first_smallest
+from orishell.numerics.arrays import Array
 
 
 @remembered
@@ -44,15 +44,18 @@ def run_along_axis(trace: Trace, theta: float = 0.0) -> Trace:
     )
 
 
-Place = Callable[[Array], str]
-"""How messages name a point (2,) of the drawing."""
-
 TOLERANCE = 1e-6
-"""Ends that are nearer than this, relative to the diagonal of the drawing, are joined."""
+"""Ends that are nearer than this, relative to the diagonal of the drawing, are one."""
+WIDEST = 0.02
+UNASKED = 0.005
+"""A distance that joins ends is offered up to the first share of the drawing's diagonal, and taken
+up to the second one: pixels of a hand are one thing, a line that stops short another."""
+FAR_APART = 4.0
+"""What is meant to be apart is so many such distances apart."""
+STEP = 1.2
+"""By what factor the next distance that is tried exceeds the last one, at least."""
 LARGEST = 1e50
 """Coordinates beyond this count as not finite."""
-CHOOSE = "choose its pieces"
-"""Part of a remedy; where it is known how to choose them, that takes its place."""
 SMOOTH_TURN = 0.1
 """A bent piece turns by at most this from point to point of a spline through it (radians)."""
 MOST_BETWEEN = 64
@@ -65,22 +68,25 @@ class Chain:
 
     pieces: tuple[Piece, ...]  # the pieces (N,)
     joints: Array  # where they begin, meet and end (N+1, 2)
+    notes: tuple[str, ...] = ()  # what is to be said of how it was read
 
     def reversed(self) -> Chain:
         """The same points, from the last to the first."""
         turned = tuple(piece.reversed() for piece in self.pieces[::-1])
-        return Chain(turned, self.joints[::-1])
+        return replace(self, pieces=turned, joints=self.joints[::-1])
 
     def scaled(self, factor: float) -> Chain:
         """The drawing enlarged about the origin by ``factor`` > 0."""
         if factor == 1.0:
             return self
         affine = Affine(factor * np.eye(2), np.zeros(2))
-        return Chain(tuple(p.transformed(affine) for p in self.pieces), factor * self.joints)
+        pieces = tuple(piece.transformed(affine) for piece in self.pieces)
+        return replace(self, pieces=pieces, joints=factor * self.joints)
 
     def curve(self) -> Curve:
         """The curve exactly as it is drawn; its parameter is about the arc length."""
-        return curve_from_pieces(PieceArrays.of(self.pieces), self.joints)
+        curve = curve_from_pieces(PieceArrays.of(self.pieces), self.joints)
+        return replace(curve, notes=self.notes)
 
     def spline(self) -> Curve:
         """A cubic spline, twice continuously differentiable, through the drawing.
@@ -94,43 +100,78 @@ class Chain:
             if len(share):
                 points.append(arrays.jet(np.full(len(share), k), share)[0])
             points.append(self.joints[k + 1 : k + 2])
-        return curve_from_points(np.concatenate(points), smooth=True)
+        return replace(curve_from_points(np.concatenate(points), smooth=True), notes=self.notes)
 
 
-def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
+def join_pieces(
+    pieces: Sequence[Piece], place: Place, join: float | None = None, unit: str = ""
+) -> Chain:
     """Order and turn pieces so that they make one curve; CurveError if they do not.
 
-    Ends nearer than :data:`TOLERANCE` times the diagonal of all pieces are joined. Pieces shorter
+    Ends nearer than :data:`TOLERANCE` times the diagonal of all pieces are one. Pieces shorter
     than that, and pieces that are drawn twice, are dropped. The curve begins at the end with the
     smaller x, or if they have the same, the smaller y.
+
+    Parameters
+    ----------
+    pieces
+        What is drawn.
+    place
+        How messages name a point.
+    join
+        Ends that are still loose are joined up to this distance; None for the least with which
+        they make one curve, where nothing else can be meant by them.
+    unit
+        Of what is drawn, for notes.
     """
     require_pieces(pieces)
-    arrays = PieceArrays.of(pieces)
-    marks = [arrays.at(share) for share in (0.0, 0.5, 1.0)]
-    diagonal = float(np.hypot(*np.ptp(np.concatenate(marks), axis=0)))
-    tolerance = TOLERANCE * max(diagonal, 0.01 * float(arrays.lengths.max()))
-    kept = np.flatnonzero(arrays.lengths > tolerance)
-    if not len(kept):
-        raise CurveError("the drawing is a single point", where=place(marks[0][0]))
-    begin, middle, end = (mark[kept] for mark in marks)
-    node = _cluster(np.concatenate([begin, end]), tolerance).reshape(2, -1)
-    same = np.column_stack([np.sort(node, axis=0).T, _cluster(middle, tolerance)])
-    single = np.sort(np.unique(same, axis=0, return_index=True)[1])
-    kept, node = kept[single], node[:, single]
-    both = np.concatenate([begin[single], end[single]])
-    count = np.maximum(np.bincount(node.ravel()), 1)
-    where = np.column_stack(
-        [np.bincount(node.ravel(), both[:, axis], len(count)) / count for axis in (0, 1)]
+    marks = Marks.of(pieces)
+    least = TOLERANCE * marks.size
+    try:
+        course = find_course(marks, least, join or least, place)
+    except GapError as error:
+        course = _bridged(marks, least, join, place, error)
+    turned = tuple(
+        pieces[k].reversed() if back else pieces[k]
+        for k, back in zip(course.pieces.tolist(), course.back.tolist(), strict=True)
     )
-    grid = 1e-3 * tolerance  # so that messages do not quote rounding
+    note = f"ends up to {plain(course.bridged, 2)} {unit} apart were joined"
+    return Chain(turned, course.joints, (note,) if course.bridged > least else ())
 
-    def rounded(point: Array) -> str:
-        return place(np.round(point / grid) * grid + 0.0)
 
-    first = _first_end(node, where, tolerance, rounded)
-    walk = _walk(node, first)
-    chain = tuple(pieces[kept[k]].reversed() if back else pieces[kept[k]] for k, back, _ in walk)
-    return Chain(chain, where[[first, *(stop for _, _, stop in walk)]])
+def _bridged(
+    marks: Marks, least: float, join: float | None, place: Place, error: GapError
+) -> Course:
+    """The course with the first wider distance to join ends that makes any, if that is not asked.
+
+    Raises GapError: The one given, with that distance as its remedy if something else may be meant.
+    """
+    wider, gap = join or least, error.gap
+    while True:
+        wider = _above(max(gap, STEP * wider))
+        if wider > WIDEST * marks.size:
+            raise error
+        try:
+            course = find_course(marks, least, wider, place)
+            break
+        except GapError as another:
+            gap = another.gap
+        except CurveError:
+            raise error from None
+    near = next_ends(marks, least)
+    between = (near > wider) & (near < FAR_APART * wider)
+    if join is None and wider <= UNASKED * marks.size and not between.any():
+        return course
+    error.remedy = f"join = {wider:g} joins them, or {CHOOSE}"
+    error.changes = {"join": wider}
+    raise error
+
+
+def _above(length: float) -> float:
+    """The next number of two digits; the same for what differs by rounding only."""
+    length *= 1 + 1e-6
+    last = 10.0 ** (np.floor(np.log10(length)) - 1)
+    return float(f"{(np.floor(length / last) + 1) * last:.2g}")
 
 
 def require_pieces(pieces: Sequence[Piece]) -> None:
@@ -139,106 +180,21 @@ def require_pieces(pieces: Sequence[Piece]) -> None:
         raise CurveError(
             "nothing is drawn here",
             expected="lines, arcs, polylines, paths, ellipses or splines",
+            remedy="draw one of them",
         )
     if len(pieces) > MAX_PIECES:
         raise CurveError(
             "the drawing has too many pieces",
             got=str(len(pieces)),
             expected=f"at most {MAX_PIECES}",
-            remedy="simplify it",
+            remedy=SIMPLIFY,
         )
     if not all(piece.reach < LARGEST for piece in pieces):  # nan, too
         raise CurveError(
-            "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
+            "a coordinate is not finite, or too large",
+            expected=f"numbers up to {LARGEST:g}",
+            remedy="draw it anew, in another unit",
         )
-
-
-def _cluster(points: Array, tolerance: float) -> Integers:
-    """Numbers (P,) of points (P, 2), the same for those that are within a tolerance."""
-    from scipy.spatial import cKDTree
-
-    # One point for each cell of a grid, so that however many coincide, few pairs are left.
-    cells = np.floor((points - points.min(axis=0)) / tolerance)
-    _, first, cell = np.unique(cells, axis=0, return_index=True, return_inverse=True)
-    sites = points[first]
-    pairs = cKDTree(sites).query_pairs(tolerance, output_type="ndarray")
-    return _components(pairs.T, len(sites))[cell.ravel()]
-
-
-def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> int:
-    """The end (a node's number) at which the one chain of pieces begins."""
-    degree = np.bincount(node.ravel(), minlength=len(where))
-    if degree.max() > 2:
-        nodes = np.flatnonzero(degree > 2)
-        at = int(nodes[np.lexsort((where[nodes, 1], classes(where[nodes, 0])))[0]])  # the leftmost
-        raise CurveError(
-            "the curve branches",
-            where=f"at {place(where[at])}",
-            got=f"{degree[at]} ends that meet",
-            expected="at most 2",
-            remedy=f"{CHOOSE}, or remove what does not belong to it",
-        )
-    chain = _components(node, len(where))
-    free = np.flatnonzero(degree == 1)
-    closed = np.setdiff1d(node.ravel(), np.flatnonzero(np.isin(chain, chain[free])))
-    if len(closed):
-        at = int(node[0, np.argmax(np.isin(node[0], closed))])
-        raise CurveError(
-            "the curve is closed",
-            where=f"from {place(where[at])} back to there",
-            expected="a curve with two ends",
-            remedy="remove a piece of it",
-        )
-    if len(free) > 2:
-        a, b, distance = _nearest_ends(free, chain, where)
-        raise CurveError(
-            "the curve has gaps",
-            where=f"between {place(where[a])} and {place(where[b])}",
-            got=f"{len(free) // 2} separate parts, the nearest ends {plain(distance, 3)} apart",
-            expected="one curve",
-            remedy=f"make ends meet to {plain(tolerance, 1)}, or {CHOOSE}",
-        )
-    a, b = (int(each) for each in free)
-    across = where[b] - where[a]
-    forwards = across[1] > 0 if abs(across[0]) <= tolerance else across[0] > 0
-    return a if forwards else b
-
-
-def _components(links: Integers, count: int) -> Integers:
-    """Numbers (count,) of connected components under links (2, L)."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    graph = coo_array((np.ones(links.shape[1]), links), shape=(count, count))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.intp)
-
-
-def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, int, float]:
-    """The nearest two free ends of different chains, and their distance."""
-    from scipy.spatial import cKDTree
-
-    # Of the three nearest ends one is the end itself, and one may be the other of its chain.
-    distances, near = (np.asarray(each) for each in cKDTree(where[free]).query(where[free], k=3))
-    other = chain[free][near] != chain[free][:, None]
-    distances = np.where(other, distances, np.inf)
-    k, column = divmod(first_smallest(distances), 3)
-    return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
-
-
-def _walk(node: Integers, first: int) -> list[tuple[int, bool, int]]:
-    """The pieces from one end on, whether each is run through backwards, and where it ends."""
-    at: dict[int, list[int]] = {}
-    for k, (a, b) in enumerate(node.T.tolist()):
-        at.setdefault(a, []).append(k)
-        at.setdefault(b, []).append(k)
-    walk: list[tuple[int, bool, int]] = []
-    here, last = first, -1
-    while ahead := [k for k in at[here] if k != last]:
-        last = ahead[0]
-        back = int(node[1, last]) == here
-        here = int(node[0 if back else 1, last])
-        walk.append((last, back, here))
-    return walk
 
 
 def _parts(piece: Piece) -> int:

@@ -16,6 +16,7 @@ from orishell.numerics.arrays import Array, Integers
 
 MAX_PIECES = 50_000
 """Most pieces that a drawing may have."""
+SIMPLIFY = "draw it with fewer points (Path > Simplify in Inkscape, Rebuild in Rhino)"
 MAX_DEGREE = 11
 """Highest degree of a NURBS."""
 FLATTEST_BULGE = 1e-9
@@ -161,6 +162,7 @@ def _require_nurbs(degree: int, knots: Array, points: Array, weights: Array) -> 
             "this degree of a spline is not supported",
             got=str(degree)[:20],
             expected=f"a number from 1 to {MAX_DEGREE}",
+            remedy="rebuild it with degree 3 (Rebuild in Rhino, SPLINEDIT in AutoCAD)",
         )
     counts = f"{len(points)} control points, {len(weights)} weights and {len(knots)} knots"
     if len(points) <= degree or len(weights) != len(points):

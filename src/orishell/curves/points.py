@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import takewhile
 from pathlib import Path
@@ -25,11 +27,19 @@ UNIT_NAMES: Final = {
 }
 _NAMED: Final = {name: unit for unit, names in UNIT_NAMES.items() for name in names}
 SEMICOLONS: Final = "write decimals with a point, or separate columns by semicolons"
+UNGROUPED: Final = "write numbers with nothing between their thousands"
+NO_POINT: Final = "remove the line, or begin it with #"
+WHICH: Final = "it is not known which columns are x and y"
+TITLES: Final = "call two columns x and y in a first line, and no third one z"
+MOST_UNNAMED = 3
+"""Of so many columns without a name one may be the one that is constant; more are too many."""
 _BRACKETS = re.compile(r"\[([^\]]*)\]$")
 _DECIMAL_COMMA = re.compile(r"\d,\d")
 _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
+_OPENING, _CLOSING = frozenset("{("), frozenset("})")
 _SEPARATOR = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
-_COORDINATE = re.compile(r"([xyz])(?![^\W_])")
+_COORDINATE = re.compile(r"(?<![^\W_])([xyz])(?![^\W_])")
+_THOUSANDS = re.compile(r"\d[.\s']\d{3}(,\d|\b)")
 _RUNNING = re.compile(r"(nr|no|num|number|nummer|id|index|point|punkt|pt)\b|#", re.IGNORECASE)
 CONSTANT = 1e-9
 """A column that varies by no more than this share of the one that varies most is constant."""
@@ -65,8 +75,9 @@ def read_points(path: str | Path, *, into: str | None = None, unit: str | None =
     """Points (N, 2) from two columns of a text file, in the order of its lines.
 
     Columns are separated by commas, semicolons, tabs or blanks, or by what a first line `sep=;`
-    says; with semicolons or tabs, numbers may have decimal commas. A header line without numbers,
-    empty rows and lines that begin with ``#`` are passed over. The header may state the unit, as in
+    says; with semicolons or tabs, or in quotation marks, numbers may have decimal commas. Brackets
+    around a line, a header line without numbers, empty rows and lines that begin with ``#`` are
+    passed over. The header may state the unit, as in
     "x [mm], y [mm]" or "x_mm;y_mm".
 
     The columns are those that the header calls x, y and z, else those side by side that hold
@@ -106,6 +117,7 @@ def read_points(path: str | Path, *, into: str | None = None, unit: str | None =
             where=where,
             got=str(len(points)),
             expected="at least 2, one a line",
+            remedy="write x and y of each point in a line of its own",
         )
     if into is None:
         return points
@@ -139,15 +151,16 @@ def _rows(text: str) -> Iterator[_Row]:
     separator = None
     for number, line in enumerate(text.splitlines(), start=1):
         content = line.strip()
+        if content[:1] in _OPENING and content[-1:] in _CLOSING:
+            content = content[1:-1].strip()
         if number == 1 and (said := _SEPARATOR.fullmatch(content)):
             separator = said[1]
             continue
         if not content or content.startswith("#"):
             continue
-        fields, decimal_comma = _split(line.strip(" \r\n"), separator)
+        fields = _split(line.strip(" \r\n") if "\t" in line else content, separator)
         if any(fields):
-            values = [_number(field, decimal_comma=decimal_comma) for field in fields]
-            yield _Row(number, content, fields, values)
+            yield _Row(number, content, fields, [_number(field) for field in fields])
 
 
 def _points(rows: list[_Row]) -> tuple[Array, _Row | None, list[int]]:
@@ -158,31 +171,52 @@ def _points(rows: list[_Row]) -> tuple[Array, _Row | None, list[int]]:
     columns = _coordinates(header, rows[0])
     table = np.empty((len(rows), len(columns)))
     for row, numbers in zip(rows, table, strict=True):
-        titles = 0 if header is None else len(header.fields)
-        if "," in row.content and len(row.fields) == 2 * titles > 2:
-            raise row.fault("this line has twice as many columns as the header", "", SEMICOLONS)
+        _require_width(row, header or rows[0])
         found = [row.values[each] if each < len(row.values) else None for each in columns]
         if None in found:
-            remedy = SEMICOLONS if _DECIMAL_COMMA.search(row.content) else ""
-            raise row.fault("this line is not a point", "two numbers, x and y", remedy)
+            raise row.fault("this line is not a point", "two numbers, x and y", _mended(row))
         numbers[:] = found
         if not np.isfinite(numbers).all():
-            raise row.fault("this point is not finite")
+            raise row.fault("this point is not finite", "numbers", NO_POINT)
     plane = _plane(table, rows[0])
     return table[:, plane], header, [columns[each] for each in plane]
+
+
+def _mended(row: _Row) -> str:
+    """What makes a line a point, or none that is read."""
+    if any(each.isalpha() for each in row.content):
+        return NO_POINT
+    if _THOUSANDS.search(row.content):
+        return UNGROUPED
+    return SEMICOLONS if _DECIMAL_COMMA.search(row.content) else NO_POINT
+
+
+def _require_width(row: _Row, first: _Row) -> None:
+    """Refuse a line of more numbers than the first one has columns: commas may be decimal ones."""
+    count, width = len(row.fields), len(first.fields)
+    if count > width > 1 and "," in row.content and None not in row.values:
+        many = "twice as many columns as" if count == 2 * width else "more columns than"
+        raise row.fault(f"this line has {many} the first one", f"{width}", SEMICOLONS)
 
 
 def _coordinates(header: _Row | None, first: _Row) -> list[int]:
     """Columns that hold coordinates, by their names or else by what the first row has there."""
     names = [] if header is None else [field.strip().lower() for field in header.fields]
-    called = {found[1]: at for at, name in enumerate(names) if (found := _COORDINATE.match(name))}
-    if len(called) > 1:
-        return [called[letter] for letter in sorted(called)]
+    called = [
+        (found[1], at) for at, name in enumerate(names) if (found := _COORDINATE.search(name))
+    ]
+    letters = {letter for letter, _ in called}
+    if 1 < len(letters) == len(called):
+        return [at for _, at in sorted(called)]
     begin = next((at for at, value in enumerate(first.values) if value is not None), 0)
     rest = takewhile(lambda at: first.values[at] is not None, range(begin, len(first.values)))
     numbers = list(rest)
     if len(numbers) > 2 and numbers[0] < len(names) and _RUNNING.match(names[numbers[0]]):
         del numbers[0]
+    if len(numbers) > MOST_UNNAMED:
+        commas = len(numbers) == 4 and "," in first.content and "." not in first.content
+        remedy = SEMICOLONS if commas else TITLES
+        raise first.fault(WHICH, f"at most {MOST_UNNAMED} columns of numbers", remedy)
     return numbers if len(numbers) > 1 else [0, 1]
 
 
@@ -193,27 +227,26 @@ def _plane(table: Array, first: _Row) -> list[int]:
     spread = np.ptp(table / 2, axis=0)  # halves, which do not overflow
     varying = np.flatnonzero(spread > CONSTANT * spread.max()).tolist()
     if len(varying) > 2:
-        raise first.fault(
-            "it is not known which columns are x and y",
-            "two columns, or of three one that is constant",
-            "call two columns x and y in a first line, and no third one z",
-        )
+        raise first.fault(WHICH, "two columns, or of three one that is constant", TITLES)
     # A straight line along a coordinate has another beside it.
     return varying if len(varying) == 2 else [0, max([1, *varying])]
 
 
-def _split(line: str, separator: str | None) -> tuple[list[str], bool]:
-    """The fields of a line, and whether commas in them are decimal commas."""
+def _split(line: str, separator: str | None) -> list[str]:
+    """The fields of a line. Of those with a comma between them only quoted ones have commas."""
     likely = (";", "\t") if ";" in line or "," not in line else ("\t", ",")
     for each in likely if separator is None else (separator,):
         if each in line:
-            fields = [field.strip().strip('"') for field in line.split(each)]
-            return fields, each != ","
-    return line.split(), False
+            fields = line.split(each)
+            if '"' in line:
+                with suppress(csv.Error):
+                    fields = next(csv.reader([line], delimiter=each, skipinitialspace=True))
+            return [field.strip().strip('"') for field in fields]
+    return line.split()
 
 
-def _number(field: str, *, decimal_comma: bool) -> float | None:
-    if decimal_comma and field.count(",") == 1 and "." not in field:
+def _number(field: str) -> float | None:
+    if field.count(",") == 1 and "." not in field:
         field = field.replace(",", ".")
     try:
         return float(field)
@@ -233,13 +266,16 @@ def _header_unit(fields: list[str], where: str) -> str | None:
                 where=where,
                 got=repr(field[:60]),
                 expected="one of " + ", ".join(UNIT_NAMES),
-                remedy="or give unit in the design file, which overrules the header",
+                remedy="name one of them, or give unit in the design file, which counts more",
             )
         found = bracket[1].strip() if bracket is not None else word[1] if word else ""
         if found in _NAMED:
             units[field] = _NAMED[found]
     if len(set(units.values())) > 1:
         raise InputError(
-            "the columns have different units", where=where, got=" and ".join(fields)[:80]
+            "the columns have different units",
+            where=where,
+            got=" and ".join(fields)[:80],
+            remedy="give both in one, or give unit in the design file, which counts more",
         )
     return next(iter(units.values()), None)

@@ -17,7 +17,7 @@ from orishell.conventions.table import placed
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design import PanelSpec, PiecedSurface
+from orishell.design import MeshSurface, PanelSpec, PiecedSurface
 from orishell.design_file.constructions import require_boards, require_one_hinge_density
 from orishell.design_file.faults import explain
 from orishell.design_file.fit import FitTable
@@ -96,6 +96,14 @@ class DesignFile:
     def inputs(self) -> tuple[Path, ...]:
         """The file, and those that it names: what is written never takes their place."""
         return input_files(self.path, self.tables) if self.files else ()
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be said of how the files of its target were read."""
+        if isinstance(self.surface, MeshSurface):
+            return self.surface.notes
+        curves = zip("fg", self.target or (), strict=False)
+        return tuple(f"{name}: {note}" for name, curve in curves for note in curve.notes)
 
     def changed(self, values: Mapping[str, Any]) -> DesignFile:
         """The design file with other values at some keys, as if they had been typed in.

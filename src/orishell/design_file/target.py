@@ -32,8 +32,8 @@ from orishell.numerics.arrays import Array
 FITTING: Final = {
     "formula": {"range"},
     "points": {"unit", "smooth", "part"},
-    "svg": {"unit", "smooth", "id", "part"},
-    "dxf": {"unit", "smooth", "layer", "handle", "part"},
+    "svg": {"unit", "smooth", "id", "join", "part"},
+    "dxf": {"unit", "smooth", "layer", "handle", "join", "part"},
     "path": {"unit", "smooth", "part"},
 }
 """The sources of a curve, and the keys that have a meaning for each."""
@@ -87,6 +87,7 @@ class Target(Table):
     dxf: str | None = None
     layer: str | None = None
     handle: str | None = None
+    join: Factor | None = None  # how far apart loose ends of a drawing may be, in its unit
     unit: Unit | None = None
     smooth: bool | None = None
     part: Ends | None = None
@@ -167,7 +168,13 @@ class Target(Table):
         if self.path is not None:
             chain = parse_curve(self.path).scaled(conversion(self.unit or unit, unit))
         elif self.svg is not None:
-            chain = read_svg(beside(directory, self.svg), into=unit, id=self.id, unit=self.unit)
+            chain = read_svg(
+                beside(directory, self.svg),
+                into=unit,
+                id=self.id,
+                unit=self.unit,
+                join=self.join,
+            )
         else:
             chain = read_dxf(
                 beside(directory, self.dxf or ""),
@@ -175,6 +182,7 @@ class Target(Table):
                 layer=self.layer,
                 handle=self.handle,
                 unit=self.unit,
+                join=self.join,
             )
         return chain.reversed() if self.reverse else chain
 

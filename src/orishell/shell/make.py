@@ -15,7 +15,7 @@ from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.deployment.report import with_ground, with_measures
-from orishell.design import Design, MeshSurface
+from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
 from orishell.document import Document, DocumentTie, FirstContact
@@ -233,7 +233,7 @@ def _step_by_step(
         degrees_of_freedom=found.freedom.count,
         freedom=found.freedom,
         warnings=(
-            *(file.surface.notes if isinstance(file.surface, MeshSurface) else ()),
+            *file.notes,
             *design.warnings,
             *lock.warnings,
             *warn_of_freedom(found.freedom),

@@ -104,32 +104,37 @@ def _read_drawing(path: Path, ending: str, name: str, unit: str) -> DroppedCurve
         # So many lines are a curve that was measured, or written by another program.
         few = _few(chain.joints, part + name, unit)
         if few is not None:
-            return few
+            return {**few, "note": "; ".join((few["note"], *chain.notes))}
     data, farthest = curve_data(chain)
     curve = parse_curve(data)
     trace_curve(curve.curve(), "the drawing")
     many = len(curve.pieces)
     note = f"{many} piece{'s' * (many > 1)} of a path along {part}{name}, "
     note += f"about {plain(farthest, 2)} {unit} beside it at most" if farthest else "exactly"
-    return {"table": {"path": data}, "note": note}
+    return {"table": {"path": data}, "note": "; ".join((note, *chain.notes))}
 
 
 def _longest_curve(path: Path, ending: str, unit: str) -> tuple[Chain, str]:
     """The longest curve of a drawing, and the name of the path or layer that it is from.
 
-    Raises InputError if neither the drawing nor one of its parts is a curve.
+    Loose ends are joined where that makes one curve of all: how far they were apart is said, and
+    the page shows what became of them. Raises InputError if neither the drawing nor one of its
+    parts is a curve.
     """
     drawn = path.read_text("utf-8", "replace")
     kind, names = ("path", IDS) if ending == ".svg" else ("layer", LAYERS)
 
-    def read(part: str | None = None) -> Chain:
+    def read(part: str | None = None, join: float | None = None) -> Chain:
         if ending == ".svg":
-            return read_svg(path, into=unit, id=part)
-        return read_dxf(path, into=unit, layer=part)
+            return read_svg(path, into=unit, id=part, join=join)
+        return read_dxf(path, into=unit, layer=part, join=join)
 
     try:
         return read(), ""
     except InputError as error:
+        join = error.changes.get("join")
+        if isinstance(join, float):
+            return read(join=join), ""
         parts: dict[str, Chain] = {}
         for part in list(dict.fromkeys(names.findall(drawn)))[:PARTS]:
             with contextlib.suppress(InputError):

@@ -27,6 +27,18 @@ SPLINE_FRAME = 16
 """Flag of a polyline's vertices that are not on it but control it."""
 
 
+FLATTEN: Final = (
+    "turn it into the plane of x and y (3DROTATE in AutoCAD, RemapCPlane in Rhino), set heights "
+    "that differ by little to one (FLATTEN, ProjectToCPlane), or choose another with layer or "
+    "handle"
+)
+REDRAWN: Final = "repair the file in the CAD program (AUDIT), or draw it anew, and save it again"
+
+
+class PlaneError(InputError):
+    """An entity that does not lie in a plane of constant z."""
+
+
 @record
 class Drawn:
     """The pieces that an entity draws, and at what heights."""
@@ -53,12 +65,14 @@ def draw_entity(entity: DXFEntity) -> Drawn:
         drawn = Drawn(pieces, heights, name)
         # What is not finite is refused when the pieces are joined.
         if len(heights) and np.ptp(heights) > FLAT * drawn.reach:
-            raise InputError(  # noqa: TRY301 - located below
+            raise PlaneError(
                 "this entity leaves the plane z = constant",
                 got=f"z from {heights.min():.6g} to {heights.max():.6g}",
-                expected="a curve in a plane of constant z",
+                expected="a curve in a plane of two coordinates",
+                remedy=FLATTEN,
             )
     except InputError as error:
+        error.remedy = error.remedy or REDRAWN
         raise error.located(name) from None
     return drawn
 
@@ -114,7 +128,10 @@ def _light_polyline(entity: Any) -> tuple[list[Piece], Any]:
 
 def _heavy_polyline(entity: Any) -> tuple[list[Piece], Any]:
     if not (entity.is_2d_polyline or entity.is_3d_polyline):
-        raise InputError("this is a mesh, not a curve")
+        raise InputError(
+            "this is a mesh, not a curve",
+            remedy="remove it, or choose the curve with layer or handle",
+        )
     corners = [v for v in entity.vertices if not int(v.dxf.get("flags", 0)) & SPLINE_FRAME]
     points = np.array([v.dxf.location for v in corners], dtype=np.float64).reshape(-1, 3)
     if entity.is_3d_polyline:
@@ -161,10 +178,11 @@ def _upwards(entity: Any) -> int:
     """1 or -1 for an extrusion along z or -z; others are refused."""
     x, y, z = (float(value) for value in entity.dxf.get("extrusion", (0, 0, 1)))
     if not np.hypot(x, y) <= UPRIGHT * abs(z) or z == 0:
-        raise InputError(
+        raise PlaneError(
             "this entity lies in a plane that is not z = constant",
             got=f"extrusion ({x:g}, {y:g}, {z:g})",
-            expected="(0, 0, 1) or (0, 0, -1)",
+            expected="a curve in a plane of two coordinates",
+            remedy=FLATTEN,
         )
     return 1 if z > 0 else -1
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
-from itertools import chain
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypeVar
 
@@ -13,10 +13,12 @@ import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.quantities import MILLIMETRES
-from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
-from orishell.curves.files import MAX_BYTES, name_parts, read_source
+from orishell.curves.dxf.entities import Drawn
+from orishell.curves.dxf.planes import draw_in_plane
+from orishell.curves.dxf.selection import chosen_curves, handle_of
+from orishell.curves.files import MAX_BYTES, name_parts, read_source, require_kind
 from orishell.curves.joining import Chain, join_pieces
-from orishell.curves.pieces import MAX_PIECES, Piece
+from orishell.curves.pieces import Piece
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -48,10 +50,7 @@ UNITS: Final[dict[int, tuple[str, float]]] = {
     24: ("survey mi", 1200e3 / 3937 * 5280),
 }
 """Name and millimetres of each value of ``$INSUNITS`` (ezdxf's factors are good to 1e-11 only)."""
-MAX_DEPTH = 16
-"""How deep blocks may be inserted into each other."""
-LISTED = 12
-DRAWN_TYPES: Final = {*CURVE_TYPES, "INSERT"}
+CHOSEN: Final = "on a layer of their own and choose it with layer"
 
 
 def read_dxf(
@@ -61,8 +60,12 @@ def read_dxf(
     layer: str | None = None,
     handle: str | None = None,
     unit: str | None = None,
+    join: float | None = None,
 ) -> Chain:
-    """The curve that the modelspace of a DXF file draws.
+    """The curve that the modelspace of a DXF file draws, seen from above.
+
+    Where it lies in no plane of constant z it may lie in one of constant y, or x: then z is its
+    height, and its notes say so.
 
     Parameters
     ----------
@@ -77,7 +80,9 @@ def read_dxf(
         The one entity that is read.
     unit
         The file's unit, whatever its ``$INSUNITS`` says. If that is absent or 0, and this is
-        None, the file is taken to be in the unit of the result.
+        None, the file is taken to be in the unit of the result, and its notes say so.
+    join
+        How far apart loose ends may be, in the file's unit; see :func:`join_pieces`.
 
     Raises
     ------
@@ -88,20 +93,25 @@ def read_dxf(
     choice = f" layer {layer!r}" if layer is not None else f" handle {handle}" if handle else ""
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused when joined
-            stated, drawn = read_entities(path, lambda document: _drawn(document, layer, handle))
+            look = partial(_drawn, layer=layer, handle=handle)
+            stated, (drawn, notes) = read_entities(path, look)
         name, size = (unit, MILLIMETRES[unit]) if unit else stated or (into, MILLIMETRES[into])
-        require_one_plane(drawn)
+        if unit is None and stated is None:
+            notes = (*notes, f"the file states no unit of length: its numbers were read as {into}")
         pieces = [piece for each in drawn for piece in each.pieces]
         try:
-            joined = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
+            joined = join_pieces(
+                pieces, lambda point: f"({point[0]:.15g}, {point[1]:.15g}) {name}", join, name
+            )
         except CurveError as error:
-            raise _naming(error, drawn) from None
+            raise _naming(error, drawn, join) from None
     except InputError as error:
         raise error.located(f"{path}{choice}:") from None
+    joined = replace(joined, notes=(*notes, *joined.notes))
     return joined.scaled(1.0 if name == into else size / MILLIMETRES[into])
 
 
-def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
+def _naming(error: CurveError, drawn: list[Drawn], join: float | None) -> CurveError:
     """The error about all pieces, with their entities and what there is to choose."""
     together: dict[str, list[Piece]] = {}
     for each in drawn:
@@ -111,18 +121,20 @@ def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
         error,
         [(each.name, each.pieces) for each in drawn],
         sorted(together.items(), key=lambda item: item[0].startswith("handle")),
-        "put the entities that are meant on a layer of their own and choose it with layer, or "
-        "remove the others",
+        otherwise=f"put the entities that are meant {CHOSEN}, or remove the others",
+        alone=f"EXPLODE it, and put the pieces that are meant {CHOSEN}",
+        join=join,
     )
 
 
 def _require_end(content: bytes) -> None:
     """Refuse a file that is cut off: ezdxf might read its first half."""
-    if content.startswith(b"AC10"):
-        raise InputError("this is DWG, not DXF", remedy="save it as DXF in the CAD program")
+    require_kind(content, "DXF")
     if not content.rstrip(b"\0\x1a \t\r\n").endswith(b"EOF"):
         raise InputError(
-            "this is not DXF, or it is cut off", got="no EOF at the end", remedy="save it again"
+            "this is not DXF, or it is cut off",
+            got="no EOF at the end",
+            remedy="save it as DXF again",
         )
 
 
@@ -166,122 +178,19 @@ def read_entities(
     return UNITS.get(code) if b"$INSUNITS" in content else None, found
 
 
-def _drawn(document: Drawing, layer: str | None, handle: str | None) -> list[Drawn]:
-    """What the chosen entities draw."""
+def _drawn(
+    document: Drawing, layer: str | None, handle: str | None
+) -> tuple[list[Drawn], tuple[str, ...]]:
+    """What the chosen entities draw, and what is to be said of it."""
+    chosen = chosen_curves(document, layer, handle)
+    drawn, notes = draw_in_plane([entity for entity, _ in chosen])
     return [
-        replace(draw_entity(each), choices=_choices(each, on))
-        for each, on in _chosen(document, layer, handle)
-    ]
+        replace(each, choices=_choices(entity, on))
+        for each, (entity, on) in zip(drawn, chosen, strict=True)
+    ], notes
 
 
 def _choices(entity: DXFEntity, on: str) -> tuple[str, ...]:
     """How to choose an entity, or its layer; one in a block has no handle of its own."""
-    handle = _handle(entity)
+    handle = handle_of(entity)
     return (f'layer = "{on}"', *([f'handle = "{handle}"'] if handle else []))
-
-
-def _chosen(
-    document: Drawing, layer: str | None, handle: str | None
-) -> list[tuple[DXFEntity, str]]:
-    space = document.modelspace()
-    if handle is not None:
-        found = [each for each in space if _handle(each) == handle.upper().lstrip("0")]
-        if not found:
-            raise _unknown(
-                "handle", handle, [_handle(each) for each in space if each.dxftype() in CURVE_TYPES]
-            )
-        curves = list(_exploded(found, "0"))
-        if not curves:
-            raise InputError(
-                "this entity is no curve",
-                got=name_of(found[0]),
-                expected="one of " + ", ".join(CURVE_TYPES),
-            )
-        return curves
-    if layer is None:
-        return visible_curves(document)
-    curves = list(_exploded(space, None))
-    chosen = [(entity, on) for entity, on in curves if on.casefold() == layer.casefold()]
-    if not chosen:
-        raise _unknown("layer", layer, sorted({on for _, on in curves}))
-    return chosen
-
-
-def visible_curves(document: Drawing, most: int = MAX_PIECES) -> list[tuple[DXFEntity, str]]:
-    """All curves of the modelspace that are not on a layer which is off, with their layers.
-
-    Raises InputError: If there are more than ``most``, or blocks inserted without end.
-    """
-    unseen = {
-        each.dxf.name.casefold() for each in document.layers if each.is_off() or each.is_frozen()
-    }
-    curves = _exploded(document.modelspace(), None, most=most)
-    return [(entity, on) for entity, on in curves if on.casefold() not in unseen]
-
-
-def _exploded(
-    entities: Iterable[DXFEntity], layer: str | None, depth: int = 0, most: int = MAX_PIECES
-) -> Iterator[tuple[DXFEntity, str]]:
-    """Visible curves and the layers that they count for, those in inserted blocks among them."""
-    from ezdxf.entities.insert import Insert
-
-    count = 0
-    for entity in entities:
-        if entity.dxftype() not in DRAWN_TYPES or entity.dxf.get("invisible", 0):
-            continue
-        own = layer_of(entity)
-        on = layer if layer is not None and own == "0" else own
-        if isinstance(entity, Insert):
-            if depth >= MAX_DEPTH:
-                raise InputError(
-                    "blocks are inserted into each other without end",
-                    got=name_of(entity),
-                    expected=f"at most {MAX_DEPTH} levels",
-                )
-            if entity.mcount > most:
-                raise InputError("a block is inserted too often", got=name_of(entity))
-            inserts = entity.multi_insert() if entity.mcount > 1 else [entity]
-            found: Iterator[tuple[DXFEntity, str]] = chain.from_iterable(
-                _exploded(insert.virtual_entities(), on, depth + 1, most) for insert in inserts
-            )
-        else:
-            found = iter([(entity, on)])
-        for each in found:
-            count += 1
-            if count > most:
-                raise InputError("the drawing has too many entities", expected=f"at most {most}")
-            yield each
-
-
-def require_one_plane(drawn: list[Drawn]) -> None:
-    """Refuse curves that lie above each other: seen from above they would seem to meet.
-
-    Raises InputError: Naming one that lies elsewhere than the first.
-    """
-    if not drawn:
-        return
-    level = float(drawn[0].z[0])
-    reach = max(each.reach for each in drawn)
-    for each in drawn:
-        if not np.abs(each.z - level).max() <= FLAT * reach:
-            raise InputError(
-                "the entities lie in different planes",
-                where=each.name,
-                got=f"z = {each.z[0]:.6g}",
-                expected=f"{level:.6g}, as {drawn[0].name} has",
-                remedy="move them into one plane, or choose one with layer or handle",
-            )
-
-
-def _handle(entity: DXFEntity) -> str:
-    return str(entity.dxf.get("handle") or "").upper().lstrip("0")
-
-
-def _unknown(key: str, wanted: str, known: list[str]) -> InputError:
-    more = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
-    return InputError(
-        f"there is no curve {'on' if key == 'layer' else 'with'} this {key}",
-        got=repr(wanted[:60]),
-        expected="one of " + ", ".join(known[:LISTED]) + more if known else "",
-        remedy="" if known else "the modelspace has no curves",
-    )

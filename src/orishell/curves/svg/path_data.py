@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.curves.joining import Chain, require_pieces
-from orishell.curves.pieces import MAX_PIECES, Arc, Piece, bezier
+from orishell.curves.pieces import MAX_PIECES, SIMPLIFY, Arc, Piece, bezier
 from orishell.curves.svg.tree import VALUE
 from orishell.numerics.arrays import Array
 
@@ -181,7 +181,9 @@ class _Pen:
 
     def add(self, piece: Piece, end: Array) -> None:
         if len(self.pieces) >= MAX_PIECES:
-            raise InputError("the path has too many pieces", expected=f"at most {MAX_PIECES}")
+            raise InputError(
+                "the path has too many pieces", expected=f"at most {MAX_PIECES}", remedy=SIMPLIFY
+            )
         self.pieces.append(piece)
         self.ends.append(end)
         self.here = end

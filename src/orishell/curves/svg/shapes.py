@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.curves.pieces import MAX_PIECES, Arc, Piece, polyline
+from orishell.curves.pieces import MAX_PIECES, SIMPLIFY, Arc, Piece, polyline
 from orishell.curves.svg.path_data import parse_path
 from orishell.curves.svg.tree import Element, View, parse_length, parse_numbers
 
@@ -43,7 +43,9 @@ def _points(element: Element, *, closed: bool) -> list[Piece]:
     if len(numbers) % 2:
         raise InputError("a point has no y", where="points", got=f"{len(numbers)} numbers")
     if len(numbers) > 2 * MAX_PIECES:
-        raise InputError("the polyline has too many points", expected=f"at most {MAX_PIECES}")
+        raise InputError(
+            "the polyline has too many points", expected=f"at most {MAX_PIECES}", remedy=SIMPLIFY
+        )
     points = np.reshape(numbers, (-1, 2))
     if closed:
         points = np.concatenate([points, points[:1]])

@@ -13,7 +13,8 @@ from xml.etree import ElementTree
 
 from orishell.conventions.errors import InputError
 from orishell.curves.svg.declared import Declarations, cascaded, declarations
-from orishell.curves.svg.tree import MAX_ELEMENTS, Element, read_tree
+from orishell.curves.svg.parsed import read_tree
+from orishell.curves.svg.tree import MAX_ELEMENTS, Element
 
 if TYPE_CHECKING:
     from cssselect2 import Matcher

@@ -1,21 +1,15 @@
-"""The elements of an SVG file, read so that no file can do harm, and its lengths and transforms.
-
-Entities are refused and nothing outside the file is fetched; size, number and depth of the elements
-are bounded.
-"""
+"""The elements of an SVG file, and its lengths and transforms."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Final
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.curves.files import read_source
 from orishell.curves.pieces import Affine
 from orishell.curves.svg.declared import Declarations, inline
 
@@ -82,7 +76,9 @@ def parse_numbers(text: str) -> list[float]:
         found = VALUE.match(text, at)
         if found is None:
             raise InputError(
-                "this is no list of numbers", where=f"character {at + 1}", got=repr(text[at:][:40])
+                "this is no list of numbers",
+                where=f"character {at + 1}",
+                got=repr(text[at:][:40]),
             )
         numbers.append(float(found[1]))
         at = found.end()
@@ -162,16 +158,6 @@ def fit_view_box(
 
 
 MAX_ELEMENTS = 200_000
-BYTES = 100
-"""What a file may have for every element that it may have."""
-MAX_DEPTH = 200
-
-SVG = "http://www.w3.org/2000/svg"
-LINKED = {
-    "http://www.w3.org/1999/xlink href": "href",
-    "http://www.inkscape.org/namespaces/inkscape label": "label",
-}
-"""Attributes with a namespace that are read, and what they are called then."""
 
 
 @dataclass(slots=True, eq=False)
@@ -202,76 +188,3 @@ class Element:
             element = stack.pop()
             yield element
             stack += element.children[::-1]
-
-
-def read_tree(path: Path, most: int = MAX_ELEMENTS) -> Element:
-    """An SVG file's outermost element; it may have so many in all.
-
-    Raises InputError: If the file cannot be read, or is not SVG.
-    """
-    from xml.parsers import expat
-
-    content = read_source(path, "SVG file", BYTES * most)
-    parser = expat.ParserCreate(namespace_separator=" ")
-    builder = _Builder(most)
-    parser.StartElementHandler = builder.start
-    parser.EndElementHandler = builder.end
-    parser.CharacterDataHandler = builder.text
-    parser.EntityDeclHandler = _refuse_entity
-    parser.buffer_text = True
-    try:
-        parser.Parse(content, True)
-    except expat.ExpatError as error:
-        raise InputError("this is not XML", got=str(error)) from None
-    except (ValueError, LookupError) as error:  # an unknown encoding
-        raise InputError("the SVG file cannot be read", got=str(error)) from None
-    if builder.root is None or builder.root.tag != "svg":
-        raise InputError("this is not SVG", expected="the outermost element <svg>")
-    return builder.root
-
-
-class _Builder:
-    """Puts the elements together as the parser meets them."""
-
-    def __init__(self, most: int) -> None:
-        self.most = most
-        self.root: Element | None = None
-        self.open: list[Element] = []
-        self.count = 0
-
-    def start(self, name: str, attributes: dict[str, str]) -> None:
-        self.count += 1
-        if self.count > self.most:
-            raise InputError("the file has too many elements", expected=f"at most {self.most}")
-        if len(self.open) >= MAX_DEPTH:
-            raise InputError(
-                "the elements are nested too deeply", expected=f"at most {MAX_DEPTH} levels"
-            )
-        space, _, tag = name.rpartition(" ")
-        own = attributes
-        if any(" " in key for key in attributes):
-            own = {key: value for key, value in attributes.items() if " " not in key}
-            for key, known in LINKED.items():
-                if key in attributes:
-                    own.setdefault(known, attributes[key])
-        element = Element(tag if space in {"", SVG} else "", own)
-        if self.open:
-            self.open[-1].children.append(element)
-        else:
-            self.root = element
-        self.open.append(element)
-
-    def text(self, text: str) -> None:
-        if self.open[-1].tag == "style":
-            self.open[-1].text += text
-
-    def end(self, _: str) -> None:
-        self.open.pop()
-
-
-def _refuse_entity(name: str, *_: object) -> None:
-    raise InputError(
-        "the file declares entities",
-        got=f"<!ENTITY {name[:40]} ...>",
-        remedy="save it as plain SVG",
-    )

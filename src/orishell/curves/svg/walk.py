@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -14,6 +15,7 @@ from orishell.curves.svg.tree import (
     IDENTITY,
     MAX_ELEMENTS,
     MILLIMETRES,
+    NUMBER,
     PIXEL_MM,
     Element,
     View,
@@ -25,6 +27,10 @@ from orishell.curves.svg.tree import (
 
 MAX_USES = 20
 """How deep elements may be reused within each other."""
+UNLINK = "turn symbols and clones into copies (Edit > Clone > Unlink Clone in Inkscape)"
+SIDES = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+"""Words for places along the viewport."""
+_PHYSICAL = re.compile(rf"{NUMBER}\s*(mm|cm|in|pt|pc|q)", re.IGNORECASE)
 DRAWN = {*SHAPES, "g", "a", "svg", "switch", "use", "symbol"}
 
 
@@ -94,7 +100,9 @@ class Walk:
         self.visited += 1
         if self.visited > self.most:
             raise InputError(
-                "elements are reused too often", expected=f"at most {self.most} in all"
+                "elements are reused too often",
+                expected=f"at most {self.most} in all",
+                remedy=UNLINK,
             )
         inside = self._inside(element, context)
         seen = element.tag in DRAWN and (element.tag != "symbol" or context.uses > 0)
@@ -122,9 +130,10 @@ class Walk:
             return context
         if element.style("transform") != element.attributes.get("transform", "").strip():
             raise InputError(
-                "transform in a style is not read", remedy="write it as an attribute of its own"
+                "transform in a style is not read",
+                remedy='write it as an attribute of its own, transform="...", in a text editor',
             )
-        affine = context.affine.after(parse_transform(element.attributes.get("transform", "")))
+        affine = context.affine.after(_transform(element, context.view))
         if element.tag == "use":
             x, y = (length_of(element, axis, context.view, axis) for axis in "xy")
             return replace(context, affine=affine.after(Affine.of(1, 0, 0, 1, x, y)))
@@ -150,6 +159,7 @@ class Walk:
                 "elements reuse each other without end",
                 where=f"<use> of #{target.attributes['id']}",
                 expected=f"at most {MAX_USES} levels",
+                remedy=UNLINK,
             )
         if target.tag in {"symbol", "svg"}:  # its size is that of the use, if that has one
             own = {k: v for k, v in element.attributes.items() if k in {"width", "height"}}
@@ -158,10 +168,42 @@ class Walk:
         yield from self._element(target, inside)
 
 
+def _transform(element: Element, view: View) -> Affine:
+    """The map that an element's transform asks for, about its origin."""
+    affine = parse_transform(element.attributes.get("transform", ""))
+    words = element.style("transform-origin").split()
+    if affine is IDENTITY or not words:
+        return affine
+    box = element.style("transform-box")
+    sides = View(1.0, 1.0) if box not in {"", "view-box"} else view
+    x, y = (
+        parse_length(SIDES.get(word, word), sides.along(axis))
+        for word, axis in zip([*words, "center"], "xy", strict=False)
+    )
+    if sides is not view and (x or y):
+        raise InputError(
+            "this transform-box is not read",
+            got=box[:40],
+            expected="view-box, or none",
+            remedy="apply the transform to the points of the path, and save it again",
+        )
+    there, back = (Affine.of(1, 0, 0, 1, sign * x, sign * y) for sign in (1, -1))
+    return there.after(affine).after(back)
+
+
 def name_of(element: Element) -> str:
     """What messages call an element."""
     name = element.attributes.get("id")
     return f'<{element.tag} id="{name[:60]}">' if name else f"<{element.tag}>"
+
+
+def has_physical_size(root: Element) -> bool:
+    """Whether the page has a width or height in a unit of length; pixels are none.
+
+    root: The outermost element.
+    """
+    sides = (root.attributes.get(side, "").strip() for side in ("width", "height"))
+    return any(_PHYSICAL.fullmatch(side) for side in sides)
 
 
 def _page(root: Element, *, whole: bool) -> tuple[Affine, View]:
@@ -190,5 +232,11 @@ def _size(root: Element, name: str) -> float | None:
         return None
     size = parse_length(text, 0.0, MILLIMETRES)
     if not size > 0:
-        raise InputError("the page has no size", where=name, got=text[:40])
+        raise InputError(
+            "the page has no size",
+            where=name,
+            got=text[:40],
+            expected="a length above 0",
+            remedy=f"give the page a {name} in the drawing program",
+        )
     return size

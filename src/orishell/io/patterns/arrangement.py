@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.curves.joining import FAR_APART, UNASKED, WIDEST
 from orishell.io.patterns.apart import require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import (
@@ -30,12 +31,6 @@ from orishell.numerics.equals import first_smallest
 
 SHORT = 0.02
 """An edge is short below this share of the median one."""
-WIDEST = 0.02
-UNASKED = 0.005
-"""A tolerance is offered up to the first share of the drawing's diagonal, and taken up to the
-second one: pixels of a hand are one thing, a crease that stops short another."""
-FAR_APART = 4.0
-"""What is meant to be apart is so many tolerances apart."""
 
 
 @record

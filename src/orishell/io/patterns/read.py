@@ -12,6 +12,7 @@ from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.source_file import require_source_file
+from orishell.curves.files import kind_of
 from orishell.io.fold_frames import MAX_BYTES, read_frames
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.cp import read_cp_lines
@@ -29,20 +30,6 @@ OTHERS = {
     ".ori": "export it from Oriedita as FOLD or CP",
 }
 """What programs keep for themselves, which write one that is read, too."""
-BEGINNINGS = {
-    b"{": "FOLD",
-    b"<": "SVG",
-    b"0\n": "DXF",
-    b"0\r": "DXF",
-    b"999": "DXF",
-    b"AutoCAD Binary DXF": "DXF",
-    b"AC10": "DWG",
-    b"%PDF": "PDF",
-    b"\x89PNG": "PNG",
-    b"\xff\xd8": "JPEG",
-    b"PK": "ZIP",
-}
-"""How files begin, leading blanks aside."""
 
 
 def read_pattern(
@@ -138,12 +125,12 @@ def _require_kind(path: Path) -> str:
     require_source_file(path, "file", MAX_BYTES)
     try:
         with path.open("rb") as file:
-            begin = file.read(1000).removeprefix(b"\xef\xbb\xbf").lstrip()
+            begin = file.read(1000)
     except OSError as error:
         raise InputError("the file cannot be read", got=error.strerror or str(error)) from None
-    if not begin:
+    if not begin.removeprefix(b"\xef\xbb\xbf").strip():
         raise InputError("the file is empty")
-    kind = next((name for start, name in BEGINNINGS.items() if begin.startswith(start)), "")
+    kind = kind_of(begin)
     wanted = ending[1:].upper() if ending in ENDINGS else ""
     if not wanted or (kind and kind != wanted):
         known = f".{kind.lower()}" in ENDINGS

@@ -11,7 +11,7 @@ from orishell.conventions.errors import InputError
 from orishell.curves.svg.shapes import draw_shape, line_ends
 from orishell.curves.svg.styles import UNPAINTED, inherited, read_styled
 from orishell.curves.svg.tree import NUMBER, Element
-from orishell.curves.svg.walk import Context, Walk, name_of
+from orishell.curves.svg.walk import Context, Walk, has_physical_size, name_of
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer, parse_colour
 from orishell.io.patterns.strokes import Stroke, lines_of, straight_ends
@@ -19,7 +19,6 @@ from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array
 
 MOST_ELEMENTS = 1_000_000
-_PHYSICAL = re.compile(rf"{NUMBER}\s*(mm|cm|in|pt|pc|q)", re.IGNORECASE)
 _SHARE = re.compile(rf"({NUMBER})(%?)")
 LOOKS = ("stroke", "style", "class", "id", "label", "opacity", "stroke-opacity", "color")
 """Attributes that the look of an element depends on."""
@@ -46,9 +45,7 @@ def read_svg_lines(path: Path, *, whole: bool) -> tuple[Lines, str, list[str]]:
         If the file cannot be read, or draws a curve.
     """
     root = read_styled(path, MOST_ELEMENTS)
-    physical = not whole and any(
-        _PHYSICAL.fullmatch(root.attributes.get(side, "").strip()) for side in ("width", "height")
-    )
+    physical = not whole and has_physical_size(root)
     looks = _Looks()
     strokes, circles, unseen = [], 0, 0
     for number, (element, context) in enumerate(
