@@ -178,9 +178,9 @@ def test_a_gap_is_welded_as_the_message_says(
     ran = check(monkeypatch, capsys, path)
     assert (ran.status, ran.out) == (2, "")
     assert ran.err.count("\n") == 1
-    weld = ran.err.split("weld = ")[1].split()[0]
+    weld = ran.err.split("--weld ")[1].split()[0]
     ran = check(monkeypatch, capsys, path, "--weld", weld)
-    assert "4 panels, 12 edges, 1 inner vertices" in ran.out
+    assert "4 panels, 12 edges, 1 inner vertex" in ran.out
     folded = fold_pattern(path, frames=3, weld=float(weld))
     assert len(folded.pattern.faces) == 4
 

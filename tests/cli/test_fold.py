@@ -58,19 +58,21 @@ def test_letters_of_a_grid_that_are_missing_are_found(tmp_path: Path) -> None:
 
 
 def test_one_of_several_choices_is_folded(tmp_path: Path) -> None:
-    """A small Miura sheet without letters folds in two ways; both are rigid, and they differ."""
+    """A small Miura sheet without letters: its own, others with straight lines that stay flat."""
     pattern = miura(3, 4)
     bare = replace(pattern, letters=np.where(pattern.crease, "U", pattern.letters))
     letters = []
     for number in ("1", "2"):
         said, path = folded(tmp_path, bare, "--frames", "3", "--choice", number)
-        assert f"2 choices fold it, of which number {number} is taken" in said
+        choices = "3 or more choices fold it, up to turning it over"
+        assert f"{choices}, of which number {number} is taken" in said
+        assert ("creases stay flat" in said) == (number == "2")
         letters.append(json.loads(path.read_text())["edges_assignment"])
         assert orishell("check", path).returncode == 0
     assert letters[0] != letters[1]
-    refused = orishell("fold", tmp_path / "mine.fold", "--out", tmp_path / "out", "--choice", "3")
+    refused = orishell("fold", tmp_path / "mine.fold", "--out", tmp_path / "out", "--choice", "4")
     assert (refused.returncode, refused.stdout) == (2, "")
-    assert "expected 1 to 2" in refused.stderr
+    assert "expected 1 to 3" in refused.stderr
 
 
 def test_polygons_stay_polygons(tmp_path: Path) -> None:
@@ -154,7 +156,14 @@ def test_odd_options(tmp_path: Path) -> None:
     odd = {"--angle": "0 200 nan", "--frames": "1", "--unit": "x", "--tolerance": "0 1 nan"}
     for option, value in ((name, each) for name, values in odd.items() for each in values.split()):
         assert f"2 orishell: {option}: " in fault(tmp_path, miura, option, value)
-    assert "--unit mm" in fault(tmp_path, miura, unit="unit")
+
+
+def test_a_file_without_a_unit_is_taken_in_millimetres_and_it_is_said(tmp_path: Path) -> None:
+    source = tmp_path / "plain.fold"
+    source.write_text(json.dumps(fold_of(SAMPLES["Miura"].make(), unit="unit")))
+    ran = orishell("fold", source, "--out", tmp_path / "out", "--frames", "2")
+    assert ran.returncode == 0
+    assert "it is taken in mm, unless --unit says another" in ran.stdout
 
 
 def test_rounded_coordinates_fold_to_a_tolerance(tmp_path: Path) -> None:

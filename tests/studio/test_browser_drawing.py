@@ -98,8 +98,8 @@ def test_what_is_wrong_with_a_file_is_one_message_with_what_mends_it(page: Page)
     assert "The panels do not make a grid." in banner.inner_text()
     assert "bomb.svg: at (" in banner.inner_text()
     assert state(page, "name.value") == before
-    # One line begins beside its corner, by more than is joined unasked: a thousandth of the sheet.
-    torn = re.sub(r'x1="([^"]+)"', lambda x: f'x1="{float(x[1]) + 0.01}"', svg_of(miura()), count=1)
+    # One line begins beside its corner, by more than is joined unasked: a hundredth of the sheet.
+    torn = re.sub(r'x1="([^"]+)"', lambda x: f'x1="{float(x[1]) + 0.1}"', svg_of(miura()), count=1)
     drop(page, "torn.svg", torn, "[data-testid=drawing-form]")
     wait_until(page, "document.querySelector('.banner').innerText.includes('torn.svg')")
     page.get_by_test_id("use-nearest").click()

@@ -20,8 +20,10 @@ from orishell.cli.files import (
     say,
     shortened,
     state_named,
+    weld_as_option,
 )
 from orishell.conventions.errors import InputError
+from orishell.conventions.formatting import counted
 from orishell.conventions.quantities import MILLIMETRES, Unit, plain
 
 if TYPE_CHECKING:
@@ -74,7 +76,7 @@ def check(
     if nearby is not None:
         OutputDirectory(nearby.parent, inputs=(file,), force=force).require_usable([nearby.name])
     try:
-        with bar() as progress:
+        with bar() as progress, weld_as_option():
             inspection, verdict = _examined(file, tolerance, weld, progress)
     except InputError as error:
         if "tolerance" in error.keys:
@@ -130,7 +132,8 @@ def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternV
 
     def so_far(rows: tuple[Row, ...]) -> None:
         if len(read.edges) > LARGE:
-            say(f"so far: {len(read.faces)} panels, {len(read.edges)} edges", err=True)
+            said = [counted(len(read.faces), "panel"), counted(len(read.edges), "edge")]
+            say(f"so far: {', '.join(said)}", err=True)
             for row in rows:
                 say("\n".join(lines_of(row)), err=True)
 
@@ -151,12 +154,16 @@ def _write_nearby(verdict: PatternVerdict | None, target: Path, *, force: bool) 
 
 def _print_verdict(verdict: PatternVerdict) -> None:
     read, found = verdict.read, verdict.findings
-    inner = "" if found is None else f", {len(found.pattern.inner)} inner vertices"
-    say(f"{read.path}: {len(read.faces)} panels, {len(read.edges)} edges{inner}")
+    parts = [counted(len(read.faces), "panel"), counted(len(read.edges), "edge")]
+    if found is not None:
+        parts.append(counted(len(found.pattern.inner), "inner vertex", "inner vertices"))
+    say(f"{read.path}: {', '.join(parts)}")
     for row in verdict.rows:
         say("\n".join(lines_of(row)))
     for note in read.notes:
         say(f"note: {note}")
+    if verdict.nearby is not None:
+        say("note: --nearby FILE writes the sheet nearby that folds")
 
 
 def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> None:
@@ -164,10 +171,9 @@ def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> No
 
     report = inspection.as_dict()
     flat, frames = report["flat_frame"], len(report["frames"])
-    say(
-        f"{report['file']}: {report['panels']} panels, {report['creases']} creases, "
-        f"{report['inner_vertices']} inner vertices"
-    )
+    parts = [counted(report["panels"], "panel"), counted(report["creases"], "crease")]
+    parts.append(counted(report["inner_vertices"], "inner vertex", "inner vertices"))
+    say(f"{report['file']}: {', '.join(parts)}")
     say(
         f"frames    {frames}, "
         + ("none of them flat" if flat is None else f"flat sheet in frame {flat}")

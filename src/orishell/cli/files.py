@@ -100,6 +100,17 @@ def bar() -> Iterator[Progress]:
         bars.stop()
 
 
+@contextlib.contextmanager
+def weld_as_option() -> Iterator[None]:
+    """What is refused with a tolerance that helps names the option of the command."""
+    try:
+        yield
+    except InputError as error:
+        if "weld" in error.changes:
+            error.remedy = f"--weld {error.changes['weld']:g} joins them"
+        raise
+
+
 def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
     """The shell of a design file; its warnings are printed."""
     from orishell.shell.make import make_shell

@@ -8,7 +8,16 @@ from typing import Annotated, cast
 
 import typer
 
-from orishell.cli.files import FORCE_HELP, WELD_HELP, bar, directory, lines_of, say, shortened
+from orishell.cli.files import (
+    FORCE_HELP,
+    WELD_HELP,
+    bar,
+    directory,
+    lines_of,
+    say,
+    shortened,
+    weld_as_option,
+)
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
@@ -81,7 +90,7 @@ def fold(
             expected=f"above 0 and at most {LOOSEST} (degrees)",
         )
     turned = None if angle is None else math.radians(angle)
-    with bar() as progress:
+    with bar() as progress, weld_as_option():
         folded = fold_pattern(
             file,
             angle=turned,

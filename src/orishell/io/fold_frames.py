@@ -124,6 +124,10 @@ folded state that inherits the mesh of a crease pattern is not a crease pattern.
 MAX_BYTES = 5_000_000_000
 
 
+class FramesError(InputError):
+    """Frames that are not states of one sheet."""
+
+
 @record
 class Frames:
     """The frames of a file, and which frame each inherited value comes from."""
@@ -133,6 +137,11 @@ class Frames:
 
     def __len__(self) -> int:
         return len(self.raw)
+
+    @property
+    def first(self) -> Frames:
+        """The key frame alone."""
+        return Frames(self.raw[:1], self.sources[:1])
 
     def common(self, key: str, read: Callable[[Any, str], T]) -> T | None:
         """What is read from the values of a key, the same in all frames; None if none has it.
@@ -145,7 +154,7 @@ class Frames:
                 where = self.place(number, key)
                 found = read(frame[key], where)
                 if known is not None and not np.array_equal(np.asarray(known), np.asarray(found)):
-                    raise InputError(
+                    raise FramesError(
                         "the frames differ in more than their coordinates and fold angles",
                         where=where,
                         expected="the same list in every frame that has one",

@@ -10,6 +10,7 @@ from orishell.conventions.errors import InputError
 from orishell.document import LARGEST
 from orishell.io.fold_frames import (
     Frames,
+    FramesError,
     misfit,
     number_list,
     number_table,
@@ -38,11 +39,12 @@ def read_coordinates(frames: Frames) -> dict[int, Array]:
     first = next(iter(arrays))
     for number, positions in arrays.items():
         if len(positions) != len(arrays[first]):
-            raise InputError(
+            raise FramesError(
                 "the frames differ in the number of vertices",
                 where=frames.place(number, key),
                 got=str(len(positions)),
                 expected=f"{len(arrays[first])}, as {frames.place(first, key)}",
+                remedy="write each model to a file of its own",
             )
     owners = enumerate(source.get(key) for source in frames.sources)
     return {number: arrays[owner] for number, owner in owners if owner is not None}

@@ -126,7 +126,7 @@ def fold_pattern(
     frames
         How many states there are, the flat one included, at least 2.
     unit
-        Unit of length, where the source names none or a wrong one.
+        Unit of length, where the source names a wrong one, or none: then mm is taken, and said.
     weld
         Points nearer to each other than this are one (length); None as
         :func:`~orishell.io.read_pattern` takes it.
@@ -138,7 +138,7 @@ def fold_pattern(
     Raises
     ------
     InputError
-        If the source cannot be read, has no flat state, or names no unit.
+        If the source cannot be read, or has no flat state.
     DesignError
         If no motion was found, or none up to the angle.
     """
@@ -164,18 +164,14 @@ def fold_pattern(
             expected=f"above 0 and at most {LOOSEST:g} (radians)",
         )
     read = read_pattern(source, unit=unit, weld=weld)
-    if read.flat is None:
+    flat = read.flat
+    if flat is None:
         raise InputError(read.not_flat, where=f"{source}:")
     if read.unit not in MILLIMETRES:
-        raise InputError(
-            "the pattern has no unit of length",
-            where=f"{source}:",
-            remedy="name that of its coordinates, for example --unit mm",
-        )
+        note = "the file states no unit of length: it is taken in mm, unless --unit says another"
+        read = replace(read, unit="mm", notes=(*read.notes, note))
     asked = Asked(largest=np.pi if angle is None else angle, choice=choice, tolerance=tolerance)
-    findings, rows = judge_sheet(
-        read.flat, read.unit, asked=asked, progress=stretch(progress, 0.0, 0.6)
-    )
+    findings, rows = judge_sheet(flat, read.unit, asked=asked, progress=stretch(progress, 0.0, 0.6))
     motion = findings.motion
     if isinstance(motion, Still):
         raise DesignError(motion.reason)
@@ -185,7 +181,7 @@ def fold_pattern(
             f"the motion does not reach {plain(np.rad2deg(angle))} degrees",
             size=f"it ends at {in_degrees(states.reached)} degrees: {states.ends}",
         )
-    placing, placed, play = Placing(read.flat), [], 0.0
+    placing, placed, play = Placing(flat), [], 0.0
     for number in range(frames):
         positions, part = placing.placed(states.folds[number])
         positions.flags.writeable = False
@@ -193,16 +189,14 @@ def fold_pattern(
         degrees = np.rad2deg(states.folds[number])
         placed.append(DocumentState(positions, degrees, float(np.rad2deg(states.drives[number]))))
         progress(0.8 + 0.2 * (number + 1) / frames, "placing panels")
-    if play > TORN * max(ROUNDING, states.residual) * read.flat.diagonal:
+    if play > TORN * max(ROUNDING, states.residual) * flat.diagonal:
         raise DesignError(
             "the motion that was found tears the sheet at a hole",
             size=f"panels part by {plain(play)} {read.unit}; others were not looked for",
         )
-    document = document_of_pattern(
-        read.flat, states.letters, placed, title=read.title, unit=read.unit
-    )
+    document = document_of_pattern(flat, states.letters, placed, title=read.title, unit=read.unit)
     document = replace(document, contact=_first_contact(motion, states.contact))
-    return Folded(read, read.flat, motion, tuple(rows), states, document, play)
+    return Folded(read, flat, motion, tuple(rows), states, document, play)
 
 
 def _states(

@@ -20,6 +20,7 @@ from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
 from orishell.motion.following.rigid import why_still
+from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
 
@@ -56,7 +57,7 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
             size=_without_letters(drawing),
         )
     sheet, signs, end = decided.sheet, decided.ways[0], decided.end
-    warnings = (*drawing.notes, *_of_letters(drawing, len(decided.ways)))
+    warnings = (*drawing.notes, *_of_letters(drawing, decided.ways))
     moved = 0.0
     if not decided.exact:
         flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
@@ -80,13 +81,14 @@ def _without_letters(drawing: Drawing) -> str:
     return f"{missing} of {signs.row.size + signs.column.size} creases have no letter"
 
 
-def _of_letters(drawing: Drawing, ways: int) -> tuple[str, ...]:
+def _of_letters(drawing: Drawing, ways: tuple[CreaseValues, ...]) -> tuple[str, ...]:
     """What is to be said of letters that were found."""
     creases = _without_letters(drawing)
     if not creases:
         return ()
-    count = f"{ways} ways" if ways < MOST else f"{MOST} ways or more"
-    several = f" and the first of {count} to fold the sheet is taken" if ways > 1 else ""
+    flat = any((each.row == 0).any() or (each.column == 0).any() for each in ways)
+    count = f"{len(ways)} ways" + (" or more" if len(ways) == MOST or flat else "")
+    several = f" and the first of {count} to fold the sheet is taken" if len(ways) > 1 else ""
     return (f"{creases}: mountains and valleys were found{several}",)
 
 

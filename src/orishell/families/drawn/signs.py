@@ -57,15 +57,22 @@ def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
         Signs, NaN where they are to be found.
     """
     found = _ways(flat, given)
-    if found:
-        return found
     # A row in the middle may stay unfolded where columns fold: they change parts.
     turned = _ways(flat.swapaxes(0, 1)[..., ::-1], CreaseValues(given.column.T, given.row.T))
-    return [CreaseValues(each.column.T, each.row.T) for each in turned]
+    for apart, signs in turned.values():
+        back = CreaseValues(signs.column.T, signs.row.T)
+        if not back.row[(back.row.shape[0] - 1) // 2].any():
+            found[back.on_edges().tobytes()] = apart, back
+    ways = sorted(found.values(), key=lambda each: (each[0] > EXACT, _unfolded(each[1])))[:MOST]
+    edges = np.concatenate([np.diff(flat, axis=k).reshape(-1, 2) for k in (0, 1)])
+    size = float(np.linalg.norm(np.ptp(flat, axis=(0, 1))))
+    rounding = ROUNDED * size / float(np.linalg.norm(edges, axis=-1).min())
+    least = min((apart for apart, _ in ways), default=0.0)
+    return [signs for apart, signs in ways if apart <= max(rounding, NEAR * least)]
 
 
-def _ways(flat: Array, given: CreaseValues) -> list[CreaseValues]:
-    """The same of a sheet whose row in the middle folds."""
+def _ways(flat: Array, given: CreaseValues) -> dict[bytes, tuple[float, CreaseValues]]:
+    """Signs of a sheet whose row in the middle folds, and by how much vertices disagree."""
     places = np.moveaxis(flat, -1, 0)[..., None]
     found: dict[bytes, tuple[float, CreaseValues]] = {}
     with np.errstate(all="ignore"):
@@ -78,12 +85,7 @@ def _ways(flat: Array, given: CreaseValues) -> list[CreaseValues]:
                 found[signs.on_edges().tobytes()] = apart, signs
             if len(found) == MOST:
                 break
-    ways = sorted(found.values(), key=lambda each: (each[0] > EXACT, _unfolded(each[1])))
-    edges = np.concatenate([np.diff(flat, axis=k).reshape(-1, 2) for k in (0, 1)])
-    size = float(np.linalg.norm(np.ptp(flat, axis=(0, 1))))
-    rounding = ROUNDED * size / float(np.linalg.norm(edges, axis=-1).min())
-    least = min((apart for apart, _ in ways), default=0.0)
-    return [signs for apart, signs in ways if apart <= max(rounding, NEAR * least)]
+    return found
 
 
 def _choices(flat: Array) -> Iterator[tuple[Array, tuple[Booleans, Booleans]]]:

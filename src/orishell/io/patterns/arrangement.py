@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.formatting import counted
 from orishell.conventions.record import record
 from orishell.curves.joining import FAR_APART, UNASKED, WIDEST
-from orishell.io.patterns.apart import require_one_piece
+from orishell.io.patterns.apart import PiecesError, require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import (
     GapError,
     Graph,
-    counted,
     length_on_others,
     prune,
     straighten,
@@ -191,7 +191,17 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> tuple[CreasePattern
         numbers.reshape(-1, 2),
         letters[beside],
     )
-    require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
+    try:
+        require_one_piece(pattern.edge_faces[pattern.crease], len(pattern.faces))
+    except PiecesError as error:
+        cuts = np.flatnonzero(graph.letters == "C")
+        if len(cuts):
+            error.got += f", parted by cuts as {lines.name(graph.lines[cuts[0]])}"
+            error.remedy = (
+                "if these are creases, draw them red (mountain), blue (valley) or magenta (any), "
+                "not green or black; else write each piece to a file of its own"
+            )
+        raise
     return pattern, graph.angles[beside]
 
 

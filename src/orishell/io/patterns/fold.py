@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError, printable
+from orishell.conventions.formatting import counted
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.io.fold_frames import Frames, read_title, read_unit
+from orishell.io.fold_frames import Frames, FramesError, read_title, read_unit
 from orishell.io.fold_keys import (
     read_assignment,
     read_classes,
@@ -23,7 +24,6 @@ from orishell.io.patterns.apart import PiecesError, require_apart, require_one_p
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.fold_panels import read_polygons, require_different, sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
-from orishell.io.patterns.graph import counted
 from orishell.io.patterns.layout import lay_out, letters_of_folds, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
@@ -82,7 +82,18 @@ def read_fold_pattern(path: Path, frames: Frames, weld: float | None) -> ReadPat
     InputError
         If the file cannot be read, or its panels are no sheet of one piece.
     """
-    notes: list[str] = []
+    try:
+        return _read(path, frames, weld, [])
+    except FramesError:
+        try:
+            note = f"{counted(len(frames) - 1, 'frame')} of other sheets: left out"
+            return _read(path, frames.first, weld, [note])
+        except InputError:
+            pass
+        raise
+
+
+def _read(path: Path, frames: Frames, weld: float | None, notes: list[str]) -> ReadPattern:
     positions = read_coordinates(frames)
     count = len(next(iter(positions.values())))
     edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, count)
@@ -236,9 +247,8 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
     laid = lay_out(positions, joined)
     reason = laid.reason
     if laid.vertices is not None:
-        if letters is None:
-            letters = letters_of_folds(positions, joined)
-            notes.append("the file has no edges_assignment: letters are those of its folded state")
+        without = letters is None
+        letters = letters_of_folds(positions, joined) if letters is None else letters
         flat = pattern_of_panels(laid.vertices, joined.loops, joined.edges, letters)
         try:
             require_apart(flat)
@@ -246,6 +256,8 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
             reason = f"laid out flat, {error.what}"
         else:
             notes.append("the file has no flat sheet: it was laid out from the first state")
+            if without:
+                notes.append("the file has no letters: they are those of its folded state")
             return _with_flat(flat, None, used, chosen)
     known = np.full(len(joined.edges), "U") if letters is None else letters
     return _Sheet(

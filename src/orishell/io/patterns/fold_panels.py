@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.formatting import counted
 from orishell.io.fold_frames import misfit, require_vertices
-from orishell.io.patterns.graph import counted
 from orishell.io.patterns.rings import MOST_PLACES
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Integers

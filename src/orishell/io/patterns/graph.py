@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.formatting import counted
 from orishell.conventions.record import record
 from orishell.io.patterns.crossings import Split
 from orishell.io.patterns.lines import Lines
@@ -201,7 +202,9 @@ def _gap(graph: Graph, lines: Lines) -> GapError:
         else f"{len(alone)} ends of lines lie where no other line begins",
         where=f"{lines.name(graph.lines[edge])} at {lines.at(ends[worst])}",
         got=f"{gaps[worst]:.3g} from the next line" if np.isfinite(gaps[worst]) else "",
-        remedy="draw the border of the sheet as well" if no_border else "",
+        remedy="draw the border of the sheet as well"
+        if no_border
+        else "draw on to the next line, or the rest of the border, or remove what ends there",
     )
     error.gap = float(gaps.max())
     return error
@@ -250,8 +253,3 @@ def _distance(points: Array, a: Array, b: Array) -> Array:
     way, apart = b - a, points - a
     length = np.maximum(np.hypot(*way.T), np.finfo(float).tiny)
     return np.asarray(np.abs(way[:, 0] * apart[:, 1] - way[:, 1] * apart[:, 0]) / length)
-
-
-def counted(number: int, one: str, many: str = "") -> str:
-    """A number of things; ``many`` is their plural if it has more than an s."""
-    return f"{number} {one if number == 1 else many or one + 's'}"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.formatting import counted
 from orishell.conventions.record import record
-from orishell.io.patterns.graph import counted
 from orishell.motion.mesh import folds_between
 from orishell.motion.panel_sides import JoinedLoops
 from orishell.motion.quads import units

@@ -25,9 +25,9 @@ _LETTERS: Final = {word: letter for letter, words in _WORDS.items() for word in 
 """ORIPA calls the layer of auxiliary lines "noname"."""
 _WORD = re.compile("[A-Z]?[a-z]+|[A-Z]+")
 
-HUES: Final = {0: "M", 60: "F", 120: "C", 240: "V", 300: "U", 360: "M"}
-"""Red, yellow, green, blue and magenta (degrees), as in Origami Simulator's "File Import Tips"."""
-NEAR_HUE = 25.0
+HUES: Final = {"M": (335, 385), "F": (40, 85), "C": (90, 160), "V": (195, 270), "U": (275, 330)}
+"""Hues (degrees, from and to) of red, yellow, green, blue and magenta, as in Origami Simulator's
+"File Import Tips", and of what people call so."""
 DARK, GREY = 0.35, 0.25
 """Below this value a colour is black, below this saturation it is no hue."""
 
@@ -48,8 +48,8 @@ def letter_of_colour(colour: Colour) -> str | None:
         return "B"
     if saturation < GREY:
         return None
-    near = min(HUES, key=lambda known: abs(known - 360 * hue))
-    return HUES[near] if abs(near - 360 * hue) <= NEAR_HUE else None
+    degrees = 360 * hue + (360 if 360 * hue < HUES["M"][1] - 360 else 0)
+    return next((each for each, (low, high) in HUES.items() if low <= degrees <= high), None)
 
 
 def parse_colour(text: str) -> Colour | None:

@@ -138,7 +138,8 @@ def _require_kind(path: Path) -> str:
             "the file is of another kind than its ending says"
             if wanted
             else "patterns are not read from such files",
-            got=f"{ending or 'no ending'}, and what looks like {kind or 'nothing that is known'}",
+            got=(ending or "no ending")
+            + ("" if ending in OTHERS else f", and what looks like {kind or 'nothing known'}"),
             expected=", ".join(ENDINGS),
             remedy=OTHERS.get(ending) or (f"give it the ending .{kind.lower()}" if known else ""),
         )

@@ -12,6 +12,7 @@ from orishell.curves.svg.shapes import draw_shape, line_ends
 from orishell.curves.svg.styles import UNPAINTED, inherited, read_styled
 from orishell.curves.svg.tree import NUMBER, Element
 from orishell.curves.svg.walk import Context, Walk, has_physical_size, name_of
+from orishell.io.fold_keys import LETTERS
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer, parse_colour
 from orishell.io.patterns.strokes import Stroke, lines_of, straight_ends
@@ -20,7 +21,19 @@ from orishell.numerics.arrays import Array
 
 MOST_ELEMENTS = 1_000_000
 _SHARE = re.compile(rf"({NUMBER})(%?)")
-LOOKS = ("stroke", "style", "class", "id", "label", "opacity", "stroke-opacity", "color")
+ASSIGNMENT = "data-assignment"
+"""The letter itself, as Rabbit Ear writes it."""
+LOOKS = (
+    "stroke",
+    "style",
+    "class",
+    "id",
+    "label",
+    "opacity",
+    "stroke-opacity",
+    "color",
+    ASSIGNMENT,
+)
 """Attributes that the look of an element depends on."""
 Look = tuple[str | None, float]
 """Letter, or None for a look of no known meaning, and fold angle (radians)."""
@@ -104,7 +117,9 @@ class _Looks:
             stroke = inherited("color", line) or "black"
         if stroke in UNPAINTED:
             return None
-        letter = next(filter(None, map(_layer, reversed(line))), None)
+        given = line[-1].attributes.get(ASSIGNMENT, "").strip().upper()
+        letter = given if given in LETTERS else None
+        letter = letter or next(filter(None, map(_layer, reversed(line))), None)
         if letter is None:
             colour = parse_colour(stroke)
             letter = None if colour is None else letter_of_colour(colour)

@@ -7,6 +7,14 @@ below 2 pi. If a sector is above pi, the others join its ends on the shortest wa
 straight. And from flat not all of three or more fold to one side: a convex polygon is shorter than
 2 pi.
 
+Nor does it fold from flat if some direction w has s u . w at least 0 for all of its creases, of
+signs s along u, and more for some. Rates of fold angles at a vertex, each along its crease as it
+lies then, add up to 0, and so do their parts along w: |rate| s u . w, of which near the flat state
+all that are not 0 are positive. So these creases stand still, but for those that lie across w: one
+such crease has a rate that is bounded by theirs, and stands still, too. Two are in line, and what
+is on either side of them is a chain as long as a half circle that turns one way, so that its ends
+leave the way between them at a right angle: to the same hand on both sides, the line folded flat.
+
 Two straight lines that cross do not fold together from flat, where their creases are A, B, C, D and
 sectors a, pi - a, a, pi - a: let Q lie opposite to C. B and D are as far from A as from Q. So A is
 Q, and the line of B and D does not fold; or both lie on the great circle between A and Q, where
@@ -24,6 +32,8 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 EXACT = 1e-9
 """Sectors nearer to pi prove nothing (radians)."""
+UNSURE = 100.0
+"""Nor do rates that are less than so many times as large."""
 
 
 @record
@@ -33,6 +43,9 @@ class Rigid:
     flat: Booleans  # which edges (E,) are creases that are proved not to fold, letter F left out
     one_sided: Integers  # vertices at which all creases are asked to fold to one side
     crossing: Integers  # vertices at which two straight lines cross that are both asked to fold
+    # vertices whose creases, by their letters, all pull to one side, or are four of other letters
+    # than those with which four fold
+    against: Integers
 
 
 def find_rigid(pattern: CreasePattern, exact: float = EXACT) -> Rigid:
@@ -47,7 +60,7 @@ def find_rigid(pattern: CreasePattern, exact: float = EXACT) -> Rigid:
     folds = pattern.crease & (pattern.signs != 0)
     if not creases.size:
         none = np.zeros(0, np.int64)
-        return Rigid(np.zeros(len(folds), np.bool_), none, none)
+        return Rigid(np.zeros(len(folds), np.bool_), none, none, none)
     while True:
         between, count = sectors_between(pattern, folds)
         widest = between.max(axis=1, initial=0.0)
@@ -63,7 +76,61 @@ def find_rigid(pattern: CreasePattern, exact: float = EXACT) -> Rigid:
     straight = np.abs(between[:, :2].sum(axis=1) - np.pi) <= exact
     straight &= np.abs(between[:, 1:3].sum(axis=1) - np.pi) <= exact
     crossing = (count == 4) & straight & (np.abs(signs).sum(axis=1) == 4)
-    return Rigid(flat, pattern.inner[alike], pattern.inner[crossing])
+    _, ends = pattern.fans
+    way = pattern.vertices[ends] - pattern.vertices[pattern.inner][:, None]
+    along = np.arctan2(way[..., 1], way[..., 0])
+    against = _pulled(along, signs, exact)
+    four = np.flatnonzero((count == 4) & (np.abs(signs).sum(axis=1) == 4))
+    if len(four):
+        chosen = np.argsort(signs[four] == 0, axis=1, kind="stable")[:, :4]
+        ways, asked = (np.take_along_axis(each[four], chosen, axis=1) for each in (along, signs))
+        against[four] |= _not_of_four(ways, asked, exact)
+    return Rigid(flat, pattern.inner[alike], pattern.inner[crossing], pattern.inner[against])
+
+
+def _pulled(along: Array, signs: Array, exact: float) -> Booleans:
+    """At which inner vertices (I,) all creases, by signs (I, D), pull to one side of a line.
+
+    Signs are 0 for what does not fold, and NaN where none is asked for; directions in radians.
+    """
+    angles = np.mod(along + np.where(signs < 0, np.pi, 0), 2 * np.pi)
+    angles = np.sort(np.where(signs == 0, np.nan, angles), axis=1)  # NaN last
+    count = (np.nan_to_num(signs, nan=1.0) != 0).sum(axis=1)
+    last = np.take_along_axis(angles, np.maximum(count - 1, 0)[:, None], axis=1)
+    gaps = np.diff(angles, axis=1, append=np.nan)
+    wrapped = angles[:, :1] + 2 * np.pi - last
+    widest = np.fmax(np.nanmax(np.nan_to_num(gaps), axis=1), wrapped[:, 0])
+    # All along one line, to either side: that folds.
+    lines = np.abs(np.mod(angles - angles[:, :1] + np.pi / 2, np.pi) - np.pi / 2)
+    straight = np.nanmax(np.nan_to_num(lines), axis=1) <= exact
+    straight &= widest <= np.pi + exact
+    known = ~np.isnan(signs).any(axis=1)
+    return np.asarray(known & (count > 0) & (widest >= np.pi - exact) & ~straight)
+
+
+def _not_of_four(along: Array, signs: Array, exact: float) -> Booleans:
+    """At which vertices (N,) four creases do not fold with signs (N, 4) from flat.
+
+    Near the flat state rates c fulfil sum c_i u_i = 0 and sum of c_i c_k (u_i x u_k), i < k, = 0:
+    two lines in a plane, of which each is a motion. A crease has rate 0 in one of them only if two
+    others are in line, and fold alone.
+    """
+    axes = np.stack([np.cos(along), np.sin(along)], axis=1)
+    basis = np.linalg.svd(axes)[2][:, 2:]
+    cross = np.sin(along[:, None] - along[:, :, None])
+    form = basis @ (np.triu(cross, 1) / 2) @ basis.transpose(0, 2, 1)
+    values, vectors = np.linalg.eigh(form + form.transpose(0, 2, 1))
+    low, high = values[:, 0], values[:, 1]
+    size = np.sqrt(np.stack([np.maximum(high, 0), np.maximum(-low, 0)], axis=-1))
+    fits = np.zeros(len(along), np.bool_)
+    for side in (1.0, -1.0):
+        rates = (size * [1.0, side])[:, None] @ vectors.transpose(0, 2, 1) @ basis
+        rates = rates[:, 0] / np.maximum(np.abs(rates).max(axis=2), np.finfo(float).tiny)
+        unsure = (np.abs(rates) > exact) & (np.abs(rates) < UNSURE * exact)
+        moves = np.where(np.abs(rates) > exact, np.sign(rates), 0.0)
+        for turned in (moves, -moves):
+            fits |= ((turned == signs) | unsure).all(axis=1)
+    return ~fits & (low <= -exact) & (high >= exact)
 
 
 def why_still(pattern: CreasePattern, exact: float = EXACT) -> str:
@@ -93,6 +160,11 @@ def why_still(pattern: CreasePattern, exact: float = EXACT) -> str:
         return (
             f"two straight lines cross at vertex {rigid.crossing[0]}, and only one of them folds, "
             f"until it is folded flat; so at {_vertices(rigid.crossing)}"
+        )
+    if len(rigid.against):
+        return (
+            f"the letters at vertex {rigid.against[0]} do not let its creases fold together from "
+            f"flat; so at {_vertices(rigid.against)}"
         )
     return ""
 

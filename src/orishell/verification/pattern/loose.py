@@ -15,7 +15,6 @@ from orishell.motion.following.system import Closure
 from orishell.motion.parts import find_parts
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest, first_smallest
-from orishell.verification.pattern.vertices import shortest_creases
 
 WIDEST = 0.02
 """Hinges that give way by more than this share of the shortest crease are none."""
@@ -82,10 +81,13 @@ def find_loose(
     every = next((each for each in EVERY if count * (len(drives) / each - 1) <= WORK), EVERY[-1])
     asked = np.arange(every, len(drives) - 1, every)
     asked = asked[np.isfinite(folds[asked]).all(axis=1)]
+    if not len(asked):
+        return None
     closure, panels = Closure.of(pattern), RigidPanels(pattern)
     held = _driving(pattern, drives[asked], folds[asked])
     fixed = closure.edges == held
-    most = WIDEST * float(shortest_creases(pattern).min())
+    ends = pattern.vertices[pattern.edges[pattern.crease]]
+    most = WIDEST * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1).min())
     found: list[tuple[Parted, Array]] = []
     for number in followed(asked.tolist(), len(asked), progress, "placing panels"):
         start = folds[number][closure.edges]

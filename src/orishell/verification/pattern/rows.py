@@ -51,7 +51,7 @@ class Judged:
         motion = self.motion
         folds = self._folds(motion)
         yield replace(folds, finding=folds.finding + self._staying(motion))
-        yield from of_letters(self.pattern, len(motion.choices), self.choice)
+        yield from of_letters(self.pattern, motion.choices, self.choice)
         if motion.loose is not None or self._closes(motion, self.tolerance):
             yield self._freedom(motion)
             yield self._reaches(motion)
@@ -107,7 +107,8 @@ class Judged:
         half = motion.half_way
         at = f"at {in_degrees(motion.drives[half])} degrees"
         misses = motion.misses[half]
-        if misses.max(initial=0.0) * self.pattern.diagonal > motion.plays[half]:
+        torn = motion.plays[half] > misses.max(initial=0.0) * self.pattern.diagonal
+        if len(misses) and not (motion.holes and torn):
             worst = motion.vertices[first_largest(misses)]
             return f"vertices miss closing by {misses.max():.1g} rad {at}, most at vertex {worst}"
         return f"panels part by {self._length(motion.plays[half])} {at}, round a hole"
@@ -211,6 +212,8 @@ def of_vertices(pattern: CreasePattern, conditions: VertexConditions) -> Iterato
 def _flat_folded(conditions: VertexConditions) -> Row:
     """Kawasaki's and Maekawa's conditions."""
     count, faults = len(conditions.vertices), []
+    if not count:
+        return Row("says", "vertices", "no crease at any of them is to fold")
     worst = conditions.not_kawasaki
     if len(worst):
         miss = float(conditions.kawasaki[conditions.vertices == worst[0]][0])
@@ -293,14 +296,28 @@ def said_of_gap(loose: LooseMotion) -> dict[str, Any]:
     }
 
 
-def of_letters(pattern: CreasePattern, choices: int, taken: int = 1) -> Iterator[Row]:
-    """How many creases have no letter, and how many choices fold the sheet; 0 if not known."""
-    missing = int((pattern.crease & np.isnan(pattern.signs)).sum())
-    if missing:
-        more = " or more" if choices == MOST else ""
-        several = f"{choices}{more} choices fold it, of which number {taken} is taken"
-        choice = {0: "those found are one choice of several, perhaps", 1: "one choice folds it"}
-        yield Row("says", "letters", f"{missing} creases have none: {choice.get(choices, several)}")
+def of_letters(pattern: CreasePattern, choices: Sequence[str], taken: int = 1) -> Iterator[Row]:
+    """How many creases have no letter, and how many choices fold the sheet.
+
+    Choices have a letter for every edge; there are none if they are not known. Where some creases
+    of one stay flat, others may fold in their place, and not all are found.
+    """
+    unknown = pattern.crease & np.isnan(pattern.signs)
+    missing = int(unknown.sum())
+    if not missing:
+        return
+    count = len(choices)
+    creases = "1 crease has" if missing == 1 else f"{missing} creases have"
+    if not count:
+        said = "those found are one choice of several, perhaps"
+    else:
+        flat = any("F" in np.array(list(word))[unknown] for word in choices)
+        number = f"{count} or more" if count == MOST or flat else str(count)
+        over = "" if np.isin(pattern.letters, ["M", "V"]).any() else ", up to turning it over"
+        said = f"{number} choices fold it{over}, of which number {taken} is taken"
+        if number == "1":
+            said = f"one choice folds it{over}"
+    yield Row("says", "letters", f"{creases} none: {said}")
 
 
 def of_freedom(states: Sequence[Freedom], within: str = "") -> Row:

@@ -33,6 +33,7 @@ class StateFigures:
     bend: Array  # by how much out of it (F,)
     given: Array  # what given fold angles (E,) are off; NaN where there are none (radians)
     against: Integers  # creases that fold against their letters
+    sure: int  # how many with a letter fold one way or the other
     touching: Integers  # pairs (P, 2) of panels that touch; none are looked for if panels are bent
     overlap: float  # by how much any of these reach into each other at most (length)
 
@@ -72,7 +73,9 @@ def examine_states(read: ReadPattern, flat: CreasePattern, error: float) -> Iter
         number, edges = against[0]
         first, second = flat.edges[edges[0]].tolist()
         said = f"{len(edges)} creases fold against theirs in folded state {number}: edge"
-        yield Row("fails", "letters", f"{said} {first}-{second} for one")
+        mend = "exchange M and V: the letters are those of the other side"
+        whole = all(len(each.against) == each.sure for each in found)
+        yield Row("fails", "letters", f"{said} {first}-{second} for one", mend if whole else "")
     if all(max(each.shape.max(), each.bend.max()) <= error for each in found):
         yield _contact(found, error, many, read.unit)
     else:
@@ -124,7 +127,8 @@ def _examined(
     bend = np.abs(heights).max(axis=1)
     folds = folds_between(normals, flat.edges, flat.edge_faces, flat.crease, points)
     sure = (np.abs(folds) > limits) & (np.abs(folds) < np.pi - limits)
-    against = np.flatnonzero(sure & flat.crease & (np.nan_to_num(flat.signs) * folds < 0))
+    lettered = sure & flat.crease & (np.nan_to_num(flat.signs) != 0)
+    against = np.flatnonzero(lettered & (flat.signs * folds < 0))
     missing = np.full(len(folds), np.nan)
     turns = missing if given is None else turn_between(folds, given)
     touching, overlap = np.zeros((0, 2), np.int64), 0.0
@@ -135,7 +139,7 @@ def _examined(
         depths = overlap_depths(places, parts.faces, pairs)
         overlap = float(depths.max(initial=0.0))
         touching = parts.panels[pairs[descending(depths)]]
-    return StateFigures(shape, bend, turns, against, touching, overlap)
+    return StateFigures(shape, bend, turns, against, int(lettered.sum()), touching, overlap)
 
 
 def _sizes(flat: CreasePattern) -> Array:

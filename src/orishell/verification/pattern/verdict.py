@@ -10,6 +10,7 @@ import numpy as np
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import as_table, record
 from orishell.conventions.row import ORDER, Row
+from orishell.families.drawn.nearest import Nearby
 from orishell.families.recognised import Recognised, recognise
 from orishell.io import ReadPattern
 from orishell.motion.crease_pattern import CreasePattern
@@ -59,6 +60,12 @@ class PatternVerdict:
         """That of all states looked at; None if they differ, or no gap tells, or there are none."""
         motion = None if self.findings is None else self.findings.motion
         return motion.degrees_of_freedom if isinstance(motion, FoldingMotion) else None
+
+    @property
+    def nearby(self) -> Nearby | None:
+        """A sheet nearby that folds; None if there is no need, or none was found."""
+        motion = None if self.findings is None else self.findings.motion
+        return motion.nearby if isinstance(motion, FoldingMotion) else None
 
     def as_dict(self) -> dict[str, Any]:
         """The report that ``orishell check --json`` prints."""
