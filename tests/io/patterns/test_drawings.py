@@ -133,6 +133,29 @@ def test_creases_over_outlines_of_panels_keep_their_letters(tmp_path: Path) -> N
         assert not any("cut" in note for note in found.notes)
 
 
+@pytest.mark.parametrize(
+    "blue", ["#0066cc", "#1f77b4", "dodgerblue", "steelblue", "#0af", "navy", "hsl(240, 100%, 50%)"]
+)
+def test_what_people_call_blue_is_a_valley(blue: str, tmp_path: Path) -> None:
+    found = read_svg(tmp_path, SQUARE + CROSS.replace("#00f", blue))
+    assert letters(found) == WINDOW
+
+
+def test_a_letter_may_be_written_at_a_line(tmp_path: Path) -> None:
+    """As Rabbit Ear does; it counts for more than a colour."""
+    written = CROSS.replace('stroke="red"', 'stroke="#888" data-assignment="m"')
+    assert letters(read_svg(tmp_path, SQUARE + written)) == WINDOW
+
+
+def test_green_creases_are_said_to_be_cuts(tmp_path: Path) -> None:
+    green = '<path d="M2 0V4" stroke="green"/><path d="M3 0V4" stroke="red"/>'
+    with pytest.raises(InputError, match="cuts as <path> number 2") as caught:
+        read_svg(tmp_path, SQUARE + green)
+    assert "draw them red (mountain), blue (valley)" in caught.value.remedy
+    mended = read_svg(tmp_path, SQUARE + green.replace("green", "blue"))
+    assert letters(mended)["V"] == 1
+
+
 def test_auxiliary_lines_are_left_out_and_counted(tmp_path: Path) -> None:
     found = read_svg(
         tmp_path, SQUARE + CROSS + '<g id="AuxLines" stroke="lime"><path d="M0 0L4 4"/></g>'
@@ -162,6 +185,7 @@ def test_a_border_between_panels_is_a_cut_and_around_a_panel_a_hole(tmp_path: Pa
         (SQUARE + '<path d="M2 0V3" stroke="red"/>',
          r"number 2 at \(2, 3\), y downwards: a line ends"),
         (CROSS, "draw the border"),
+        ('<path d="M4 0H0V4" stroke="#000"/>' + CROSS, "ends of lines.*the rest of the border"),
         (SQUARE + '<path d="M0 0V4" stroke="#888"/>' + '<path d="M9 9h1v1h-1z" stroke="red"/>',
          "do not hang together.*2 pieces.*a file of its own"),
         (SQUARE + '<path d="M0 2Q2 3 4 2" stroke="red"/>', "path.*number 2.*curved"),

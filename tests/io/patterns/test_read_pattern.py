@@ -109,6 +109,16 @@ def test_frames_inherit_and_fold_angles_are_kept(tmp_path: Path) -> None:
     np.testing.assert_array_equal(state.positions, folded)
 
 
+@pytest.mark.parametrize("key", ["vertices_coords", "faces_vertices"])
+def test_frames_of_other_sheets_are_left_out_and_said(key: str, tmp_path: Path) -> None:
+    """Steps of a design, each a sheet of its own: the key frame is the pattern."""
+    keys, other = fold_of(miura()), fold_of(miura(2, 2))
+    keys["file_frames"] = [other if key == "vertices_coords" else {key: other[key]}]
+    found = read_pattern(fold_file(tmp_path, keys))
+    require_same(found.flat, miura())
+    assert "1 frame of other sheets: left out" in found.notes
+
+
 def test_letters_are_those_of_fold_angles_where_there_are_none(tmp_path: Path) -> None:
     pattern = miura()
     keys = fold_of(pattern)

@@ -13,11 +13,15 @@ import pytest
 
 from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
+from orishell.motion.following import follow
+from orishell.motion.following.placing import Placing
 from orishell.motion.grid import Grid
 from orishell.verification.pattern import FoldingMotion, PatternVerdict, Still, judge_pattern
 from patterns import (
     SAMPLES,
     egg_box,
+    fold_file,
+    fold_of,
     graded_miura,
     holed,
     huffman,
@@ -228,3 +232,42 @@ def test_panels_that_come_nearer_than_the_gap_are_named(tmp_path: Path) -> None:
     report = verdict.as_dict()["motion"]["hinge_gap"]
     assert report["near"] == list(motion.loose.near)
     assert report["clear_until_deg"] == 67.5
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e-4, 2e-2])
+def test_creases_that_are_out_of_line_beside_a_hole_are_judged(
+    offset: float, tmp_path: Path
+) -> None:
+    """A square frame folded in the middle: rigid only if both creases are in line.
+
+    Within the tolerance, a millionth of the diagonal of 141, they are.
+    """
+    frame = (
+        '<path d="M0 0H100V100H0Z" stroke="#000"/><path d="M30 30H70V70H30Z" stroke="#000"/>'
+        f'<path d="M50 0V30" stroke="red"/><path d="M{50 + offset} 70V100" stroke="red"/>'
+    )
+    path = tmp_path / "frame.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{frame}</svg>')
+    rows = said(judge_pattern(read_pattern(path)))
+    sign, finding = rows["folds"]
+    assert (sign == "holds") == (offset <= 1.41e-4)
+    assert ("a hole" in finding) == (offset != 1e-4)  # there hinges give way to the tolerance
+
+
+def test_letters_of_the_other_side_are_told(tmp_path: Path) -> None:
+    """All creases of a folded state are against theirs: seen from below."""
+    keys = fold_of(miura())
+    placed, _ = Placing(miura()).placed(follow(miura(), largest=1.0, states=2).folds[-1])
+    keys["file_frames"] = [{"frame_classes": ["foldedForm"], "vertices_coords": placed.tolist()}]
+    keys["file_frames"][0] |= {"frame_inherit": True, "frame_parent": 0}
+    path = fold_file(tmp_path, keys)
+    assert "letters" not in said(judge_pattern(read_pattern(path)))
+    swap = {"M": "V", "V": "M"}
+    keys["edges_assignment"] = [swap.get(each, each) for each in keys["edges_assignment"]]
+    (row,) = (
+        each
+        for each in judge_pattern(read_pattern(fold_file(tmp_path, keys))).rows
+        if each.subject == "letters"
+    )
+    assert row.sign == "fails"
+    assert "exchange M and V" in row.remedy

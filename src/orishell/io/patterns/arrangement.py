@@ -219,7 +219,8 @@ def _told_apart(graph: Graph, rings: Rings, notes: list[str]) -> tuple[Booleans,
         return panel, letters
     creases = np.bincount(rings.numbers, np.tile(~black, 2), count)
     neighbours = np.bincount(rings.numbers, np.tile(inner, 2), count)
-    hole = panel & (creases == 0) & (neighbours > 0)
+    sides = np.bincount(rings.numbers, np.ones(len(rings.numbers)), count)
+    hole = panel & (creases == 0) & (neighbours == sides)  # else it is a piece, parted by cuts
     if hole.any():
         notes.append(f"{counted(int(hole.sum()), 'panel')} between borders only: a hole")
     panel = panel & ~hole
