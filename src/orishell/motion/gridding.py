@@ -122,6 +122,7 @@ def _no_grid(what: str, got: str, *at: float) -> InputError:
         where=where,
         got=got,
         expected="rows and columns of quadrilaterals, four panels around every vertex inside",
+        remedy="fold it with orishell fold, which takes panels of any shape",
     )
 
 

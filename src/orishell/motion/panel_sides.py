@@ -68,6 +68,7 @@ def join_loops(
             f"edge {_pair(edges[edge])} has more than two panels",
             got="panels " + ", ".join(map(str, owners[face_edges == edge])),
             expected="one or two",
+            remedy="leave out the panels that are no part of one sheet",
         )
     crease = count == 2 if cut is None else (count == 2) & ~cut
     forward = sides[:, 0] == edges[face_edges, 0]

@@ -52,6 +52,7 @@ def require_apart(pattern: CreasePattern) -> None:
         raise InputError(
             f"panels {first} and {second} lie on each other",
             where=f"at ({inside[place, 0]:.6g}, {inside[place, 1]:.6g})",
+            remedy="remove what is there twice, or save the flat sheet, not a folded state",
         )
 
 
@@ -85,5 +86,6 @@ def _polygons(pattern: CreasePattern) -> np.ndarray:
         raise InputError(
             f"panel {panel} crosses itself",
             got="vertices " + ", ".join(map(str, pattern.faces[panel, : sizes[panel]])),
+            remedy="list its vertices in their order round it",
         )
     return panels

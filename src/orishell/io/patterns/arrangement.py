@@ -179,7 +179,9 @@ def _panels(graph: Graph, lines: Lines, notes: list[str]) -> tuple[CreasePattern
         )
     panel, letters = _told_apart(graph, rings, notes)
     if not panel.any():
-        raise InputError("the lines enclose no panel")
+        raise InputError(
+            "the lines enclose no panel", remedy="draw the border of the sheet as a closed outline"
+        )
     beside = panel[left] | panel[right]
     loops = loops_of(rings, graph.edges, np.flatnonzero(panel))
     used, numbers = np.unique(graph.edges[beside], return_inverse=True)

@@ -21,6 +21,7 @@ from orishell.numerics.arrays import Array
 MOST_BYTES = 200_000_000
 KINDS: Final[dict[float, str]] = {0: AUXILIARY, 1: "B", 2: "M", 3: "V", 4: AUXILIARY}
 """Auxiliary lines are 0 in ORIPA and 4 in Oriedita."""
+SAVE_AGAIN = "save it again as CP or FOLD, in ORIPA or Oriedita"
 
 
 def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
@@ -31,7 +32,9 @@ def read_cp_lines(path: Path) -> tuple[Lines, list[str]]:
     try:
         text = read_source_file(path, "file", MOST_BYTES).decode("utf-8-sig")
     except ValueError:
-        raise InputError("the file is not text", expected="five numbers a line") from None
+        raise InputError(
+            "the file is not text", expected="five numbers a line", remedy=SAVE_AGAIN
+        ) from None
     strokes = []
     for number, line in enumerate(text.splitlines(), start=1):
         words = line.split()
@@ -63,5 +66,6 @@ def _numbers(words: list[str], name: str, line: str) -> tuple[float, Array]:
             where=name,
             got=repr(line.strip()[:60]),
             expected="five numbers: kind, x and y of one end, x and y of the other",
+            remedy=SAVE_AGAIN,
         )
     return kind, np.array(ends).reshape(1, 2, 2)

@@ -54,6 +54,7 @@ def require_different(loops: Integers, where: str) -> None:
             where=f"{where}[{panel}]",
             got=str(loops[panel][loops[panel] >= 0].tolist())[:60],
             expected="different vertices",
+            remedy="a smaller weld" if "weld" in where else "list each of its vertices once",
         )
 
 

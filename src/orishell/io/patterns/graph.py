@@ -151,7 +151,9 @@ def prune(graph: Graph, lines: Lines, notes: list[str]) -> Graph:
     if loose.any():
         raise _gap(graph, lines)
     if not len(graph.edges):
-        raise InputError("the lines enclose no panel")
+        raise InputError(
+            "the lines enclose no panel", remedy="draw the border of the sheet as a closed outline"
+        )
     return graph
 
 

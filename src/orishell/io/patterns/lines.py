@@ -68,7 +68,11 @@ class Lines:
 def require_lines(lines: Lines) -> None:
     """Refuse a drawing without lines, with too many, or with coordinates that are none."""
     if not len(lines.ends):
-        raise InputError("the drawing has no lines", expected="creases and the sheet's border")
+        raise InputError(
+            "the drawing has no lines",
+            expected="creases and the sheet's border",
+            remedy="give them a stroke, and show the layer that they are on",
+        )
     if len(lines.ends) > MOST_LINES:
         raise InputError(
             "the drawing has too many lines",
