@@ -105,22 +105,25 @@ def _examined(
 
     The second is None where there are folded states beside the flat one, to be examined instead.
     """
-    from orishell.io import read_fold, read_pattern
+    from orishell.io import read_pattern
+    from orishell.io.fold_frames import read_frames
+    from orishell.io.fold_reader import fold_of_frames
     from orishell.verification import inspect_fold, require_tolerance
 
     require_tolerance(tolerance)
     if file.suffix.lower() in DRAWINGS or weld is not None:
-        pattern = read_pattern(file, weld=weld)
-        return None, _judged(pattern, tolerance, progress)
+        return None, _judged(read_pattern(file, weld=weld), tolerance, progress)
+    frames = None
     try:
-        states = read_fold(file)
-    except InputError:
-        return None, _judged(read_pattern(file), tolerance, progress)
+        frames = read_frames(file)
+        states = fold_of_frames(file, frames)
+    except InputError:  # what is wrong with it is said, if it is no pattern either
+        return None, _judged(read_pattern(file, frames=frames), tolerance, progress)
     inspection = inspect_fold(states, tolerance, progress)
     if inspection.folded and inspection.sheet.flat:
         return inspection, None
     try:
-        pattern = replace(read_pattern(file), states=())  # these are inspected
+        pattern = replace(read_pattern(file, frames=frames), states=())  # these are inspected
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
     return inspection, _judged(pattern, tolerance, progress)

@@ -1,36 +1,70 @@
-"""Panels of a FOLD file: four corners, and vertices on sides where hinges of others end."""
+"""Panels of a FOLD file, of any number of corners; or of four, and vertices on their sides."""
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.io.fold_frames import number_table, require_vertices
+from orishell.io.fold_frames import misfit, require_vertices, shown
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
+MOST_PLACES = 50_000_000
+"""Number of panels times the corners of the one that has most."""
 STRAIGHT = 1e-6
 """A side may turn by this sine at a vertex that lies on it."""
 
 
-def read_loops(value: Any, where: str, vertex_count: int) -> Integers:
+def read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
     """Vertices (F, K) around every panel, -1 behind the last.
 
     Raises InputError: Naming the first panel that does not fit.
     """
-    longest = max((len(row) for row in value if isinstance(row, list)), default=0) if value else 0
-    if longest <= 4 or not all(_is_loop(row) for row in value):
-        loops = number_table(value, where, "panel", widths=(4,), whole=True).astype(np.int64)
-    else:
-        loops = np.array([row + [-1] * (longest - len(row)) for row in value], np.int64)
-    require_vertices(loops, vertex_count, where, count=np.array([len(row) for row in value]))
+    if not isinstance(value, list):
+        raise misfit(value, where, "a list of panels")
+    if not value:
+        raise InputError("this list is empty", where=where)
+    for number, row in enumerate(value):
+        if not isinstance(row, list) or len(row) < 3 or any(type(each) is not int for each in row):
+            raise InputError(
+                f"panel {number} does not fit",
+                where=f"{where}[{number}]",
+                got=shown(row),
+                expected="3 or more whole numbers for each panel",
+            )
+    size = np.array([len(row) for row in value])
+    if len(value) * int(size.max()) > MOST_PLACES:
+        raise InputError("a panel has too many corners", where=where, got=str(size.max()))
+    there = np.arange(int(size.max())) < size[:, None]
+    loops = np.full(there.shape, -1)
+    try:
+        loops[there] = np.fromiter(chain.from_iterable(value), np.int64, int(size.sum()))
+    except OverflowError:
+        raise InputError("the numbers are too large", where=where) from None
+    require_vertices(loops, vertex_count, where, count=size)
+    require_different(loops, where)
     return loops
 
 
-def _is_loop(row: Any) -> bool:
-    return isinstance(row, list) and len(row) >= 4 and all(type(each) is int for each in row)
+def require_different(loops: Integers, where: str) -> None:
+    """Refuse a panel (F, K) with the same vertex twice.
+
+    Raises InputError: Naming the first.
+    """
+    ordered = np.sort(loops, axis=1)
+    twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
+    if twice.any():
+        panel = int(np.argmax(twice))
+        raise InputError(
+            f"panel {panel} repeats a corner",
+            where=f"{where}[{panel}]",
+            got=str(loops[panel][loops[panel] >= 0].tolist())[:60],
+            expected="different vertices",
+            remedy="a smaller weld" if "weld" in where else "list each of its vertices once",
+        )
 
 
 def find_corners(loops: Integers, positions: Array, where: str) -> Integers:
@@ -38,7 +72,7 @@ def find_corners(loops: Integers, positions: Array, where: str) -> Integers:
 
     Raises InputError: If a panel of more than four vertices has not four corners.
     """
-    if loops.shape[1] == 4:
+    if loops.shape[1] == 4 and (loops >= 0).all():
         return loops
     count = (loops >= 0).sum(axis=1)[:, None]
     place = np.arange(loops.shape[1])[None]

@@ -24,7 +24,7 @@ from orishell.io.fold_keys import (
     read_fold_angles,
     read_vertex_numbers,
 )
-from orishell.io.fold_polygons import find_corners, read_loops
+from orishell.io.fold_polygons import find_corners, read_polygons
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Integers
 
@@ -77,12 +77,16 @@ def read_fold(path: str | Path) -> FoldFile:
     """
     path = path_of(path, "read_fold: path")
     try:
-        return _read(path, read_frames(path))
+        return fold_of_frames(path, read_frames(path))
     except InputError as error:
         raise error.located(f"{path}:") from None
 
 
-def _read(path: Path, frames: Frames) -> FoldFile:
+def fold_of_frames(path: Path, frames: Frames) -> FoldFile:
+    """The same of what was read from a file.
+
+    Raises InputError: As :func:`read_fold`, without the file's name.
+    """
     coordinates = read_coordinates(frames)
     vertex_count = len(next(iter(coordinates.values())))
     faces = _faces(frames, coordinates, vertex_count)
@@ -124,7 +128,7 @@ def _faces(
                 + (", or frame_parent and frame_inherit: true" if number else ""),
             )
     key = "faces_vertices"
-    loops = frames.common(key, lambda value, where: read_loops(value, where, vertex_count))
+    loops = frames.common(key, lambda value, where: read_polygons(value, where, vertex_count))
     if loops is None:
         raise InputError("this key is missing in every frame", where=key)
     corners = find_corners(loops, next(iter(coordinates.values())), key)

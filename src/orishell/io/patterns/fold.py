@@ -19,10 +19,11 @@ from orishell.io.fold_keys import (
     read_fold_angles,
     read_vertex_numbers,
 )
+from orishell.io.fold_polygons import read_polygons, require_different
 from orishell.io.format import plain_line
 from orishell.io.patterns.apart import PiecesError, require_apart, require_one_piece
 from orishell.io.patterns.arrangement import arrange
-from orishell.io.patterns.fold_panels import read_polygons, require_different, sides_among
+from orishell.io.patterns.fold_panels import sides_among
 from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.layout import lay_out, letters_of_folds, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points

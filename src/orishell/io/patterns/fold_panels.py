@@ -2,60 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import chain
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import counted
-from orishell.io.fold_frames import misfit, require_vertices
-from orishell.io.patterns.rings import MOST_PLACES
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Integers
-
-
-def read_polygons(value: Any, where: str, vertex_count: int) -> Integers:
-    """Vertices (F, K) around every panel, -1 behind the last.
-
-    Raises InputError: Naming the first panel that does not fit.
-    """
-    if not isinstance(value, list) or not value:
-        raise misfit(value, where, "a list of panels")
-    for number, row in enumerate(value):
-        if not isinstance(row, list) or len(row) < 3 or any(type(each) is not int for each in row):
-            raise misfit(row, f"{where}[{number}]", "3 or more whole numbers for each panel")
-    size = np.array([len(row) for row in value])
-    if len(value) * int(size.max()) > MOST_PLACES:
-        raise InputError("a panel has too many corners", where=where, got=str(size.max()))
-    there = np.arange(int(size.max())) < size[:, None]
-    loops = np.full(there.shape, -1)
-    try:
-        loops[there] = np.fromiter(chain.from_iterable(value), np.int64, int(size.sum()))
-    except OverflowError:
-        raise InputError("a number is too large", where=where) from None
-    require_vertices(loops, vertex_count, where, count=size)
-    require_different(loops, where)
-    return loops
-
-
-def require_different(loops: Integers, where: str) -> None:
-    """Refuse a panel (F, K) with the same vertex twice.
-
-    Raises InputError: Naming the first.
-    """
-    ordered = np.sort(loops, axis=1)
-    twice = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
-    if twice.any():
-        panel = int(np.argmax(twice))
-        raise InputError(
-            f"panel {panel} repeats a corner",
-            where=f"{where}[{panel}]",
-            got=str(loops[panel][loops[panel] >= 0].tolist())[:60],
-            expected="different vertices",
-            remedy="a smaller weld" if "weld" in where else "list each of its vertices once",
-        )
 
 
 def sides_among(

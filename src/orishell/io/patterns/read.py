@@ -13,7 +13,7 @@ from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.source_file import require_source_file
 from orishell.curves.files import kind_of
-from orishell.io.fold_frames import MAX_BYTES, read_frames
+from orishell.io.fold_frames import MAX_BYTES, Frames, read_frames
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.cp import read_cp_lines
 from orishell.io.patterns.dxf import read_dxf_lines
@@ -38,6 +38,7 @@ def read_pattern(
     unit: str | None = None,
     scale: float = 1.0,
     weld: float | None = None,
+    frames: Frames | None = None,
 ) -> ReadPattern:
     """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG, DXF, CP or OBJ.
 
@@ -58,6 +59,8 @@ def read_pattern(
         Points nearer to each other than this are one, before ``scale`` (millimetres in an SVG
         file whose page has a physical size). None for 1e-5 of the diagonal in drawings, and for
         the vertices as they are in FOLD.
+    frames
+        What was read of a FOLD file before; None to read it.
 
     Raises
     ------
@@ -72,16 +75,16 @@ def read_pattern(
             raise InputError(f"{name} is no number above 0", got=repr(value))
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
-            found = _read(path, unit, weld)
+            found = _read(path, unit, weld, frames)
     except InputError as error:
         raise error.located(f"{path}:") from None
     return found.scaled(scale, unit)
 
 
-def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
+def _read(path: Path, unit: str | None, weld: float | None, frames: Frames | None) -> ReadPattern:
     ending = _require_kind(path)
     if ending == ".fold":
-        return read_fold_pattern(path, read_frames(path), weld)
+        return read_fold_pattern(path, frames or read_frames(path), weld)
     if ending == ".obj":
         return read_fold_pattern(path, read_obj_frames(path), weld)
     if ending == ".svg":

@@ -6,11 +6,9 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.io.fold_polygons import MOST_PLACES
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.components import find_components
-
-MOST_PLACES = 50_000_000
-"""Number of panels times the corners of the one that has most."""
 
 
 @record
