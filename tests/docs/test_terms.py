@@ -34,6 +34,7 @@ from orishell.shell.designed import design_of
 from orishell.solids.hinged.play import Play
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
+from orishell.structure.envelopes import Governing
 from orishell.structure.equilibrium import (
     CreaseMoment,
     Displacement,
@@ -45,7 +46,7 @@ from orishell.structure.equilibrium import (
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
-from orishell.structure.results import Analysis, Governing
+from orishell.structure.results import Analysis
 from orishell.structure.settings import StructureTable, Support
 from orishell.structure.utilisation import Utilisation
 from public_names import public_objects

@@ -187,7 +187,7 @@ def test_of_many_cases_those_that_govern_are_told_in_full() -> None:
         for number in range(24)
     )
     many = replace(report, cases=cases)
-    assert [case.name for case in many.told] == ["ULS 23"]
+    assert [case.name for case in many.reported_cases] == ["ULS 23"]
     assert [each.cases for each in many.envelopes] == [24]
     page = structure_page(many, title="tent", unit="m", png=b"")
     assert page.count("Reactions of supports") == 1

@@ -44,12 +44,12 @@ def summarize_structure(
     from orishell.structure.anchors import anchors_in_words
 
     yield from lines_of(Row(report.sign, "stands", report.in_words(), remedy))
-    for case in report.told:
+    for case in report.reported_cases:
         yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.told}.values():
+    for each in {case.name: case for case in report.reported_cases}.values():
         yield from _loads(each)
-    for case in report.told:
+    for case in report.reported_cases:
         if case.equilibrium is not None:
             yield f"case      {report.name_of(case)}"
             yield from _case(case, case.equilibrium, unit)
@@ -86,7 +86,7 @@ def _loads(case: CaseResult) -> Iterator[str]:
 
 
 def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
-    from orishell.structure.envelopes import STRENGTH
+    from orishell.structure.combinations import STRENGTH
 
     most = found.displacement
     yield (

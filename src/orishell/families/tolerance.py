@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Generic, Self, TypeVar
+from typing import Annotated, Generic, Self, TypeVar
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -12,10 +12,7 @@ from pydantic import Field, model_validator
 from orishell.conventions.record import record
 from orishell.conventions.table import Number, Table, misfit
 
-if TYPE_CHECKING:
-    from orishell.families.pattern import Pattern
-
-P = TypeVar("P", bound="Pattern")
+P = TypeVar("P", bound=Table)
 T = TypeVar("T")
 
 

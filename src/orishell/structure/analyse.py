@@ -22,9 +22,8 @@ from orishell.solids import BuiltPanels
 from orishell.structure.buckling import share_at_points, turned_by_load
 from orishell.structure.case import CaseResult
 from orishell.structure.changes import Figures
-from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.combinations import STRENGTH, Combination, LimitState
 from orishell.structure.crease_forces import hold_panels, moments, panel_loads
-from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import find_feet
 from orishell.structure.footings import to_nearest
@@ -88,7 +87,7 @@ def analyse(
         return _run(replace(model, cells=cells), told, last=last)
 
     found, cases, change, stopped = refined(model, run, progress)
-    model = found.told(change, stopped)
+    model = found.with_refinement(change, stopped)
     return Analysis(model, tuple(case.of(model) for case in cases))
 
 

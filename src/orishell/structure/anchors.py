@@ -9,10 +9,9 @@ shell (upwards) and H aside,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from operator import attrgetter
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,9 +20,8 @@ from orishell.conventions.record import record
 from orishell.deployment.report import DeploymentReport
 from orishell.motion.grid import Vertex
 from orishell.numerics.equals import SOLVED, first_largest, largest_of
-
-if TYPE_CHECKING:
-    from orishell.structure.results import Analysis
+from orishell.structure.case import CaseResult
+from orishell.structure.model import Model
 
 ASSUMED = 0.3
 """Coefficient of friction under ballast where a support has none of its own."""
@@ -63,14 +61,17 @@ class Anchor:
         return self.ballast.force / GRAVITY
 
 
-def find_anchors(report: Analysis) -> tuple[Anchor, ...]:
-    """What every support asks of the ground."""
-    if not report.balanced:
+def find_anchors(model: Model, balanced: Sequence[tuple[str, CaseResult]]) -> tuple[Anchor, ...]:
+    """What every support asks of the ground.
+
+    balanced: Cases in equilibrium, each with what it is called.
+    """
+    held = [case.equilibrium for _, case in balanced if case.equilibrium is not None]
+    if not held:
         return ()
-    model = report.model
-    names = [report.name_of(case) for _, case in report.balanced]
-    forces = np.stack([found.support_forces for found, _ in report.balanced])
-    loads = np.array([np.abs(case.forces).sum() for _, case in report.balanced])
+    names = [name for name, _ in balanced]
+    forces = np.stack([found.support_forces for found in held])
+    loads = np.array([np.abs(case.forces).sum() for _, case in balanced])
     least = ROUNDING * loads[:, None]
     up, aside = forces[..., 2], np.linalg.norm(forces[..., :2], axis=-1)
     up, aside = (np.where(np.abs(each) > least, each, 0.0) for each in (up, aside))
@@ -140,21 +141,23 @@ def anchors_in_words(anchors: tuple[Anchor, ...]) -> str:
     return "; ".join(words)
 
 
-def ground_warnings(report: Analysis) -> Iterator[str]:
+def ground_warnings(
+    model: Model, anchors: tuple[Anchor, ...], balanced: Sequence[tuple[str, CaseResult]]
+) -> Iterator[str]:
     """Which feet lift off the ground, which slip, and which supports have to hold down."""
     lifted: dict[Vertex, list[str]] = {}
-    for found, case in report.balanced:
-        for foot in found.feet:
+    for name, case in balanced:
+        for foot in () if case.equilibrium is None else case.equilibrium.feet:
             if foot.state == "lifted":
-                lifted.setdefault(foot.at, []).append(report.name_of(case))
+                lifted.setdefault(foot.at, []).append(name)
     if lifted:
         cases = list(dict.fromkeys(name for names in lifted.values() for name in names))
         yield (
             f"{_number(len(lifted), 'foot lifts', 'feet lift')} off the ground "
             f"({_several(map(_vertex, lifted))}), under {_several(cases)}: others bear their share"
         )
-    held = set(report.model.supported) - set(report.model.grounded)
-    pulled = [each for each in report.anchors if each.pull.force and each.at in held]
+    held = set(model.supported) - set(model.grounded)
+    pulled = [each for each in anchors if each.pull.force and each.at in held]
     if pulled:
         most = largest_of(pulled, lambda each: each.pull.force, SOLVED)
         yield (

@@ -10,16 +10,14 @@ from math import inf
 from orishell.conventions.record import record
 from orishell.conventions.row import Sign, worst
 from orishell.numerics.arrays import Array
-from orishell.structure.combinations import LimitState
-from orishell.structure.envelopes import STRENGTH
-from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.combinations import STRENGTH, LimitState
+from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model
 from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.verdict import (
     CARRIES,
-    COLLAPSED,
     Finding,
     against_equilibrium,
     against_motion,

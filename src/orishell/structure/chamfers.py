@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
+from orishell.motion.boards import Boards
 from orishell.motion.grid import Panel
+from orishell.numerics.arrays import Array
 from orishell.structure.mesh.strips import bending_left
-
-if TYPE_CHECKING:
-    from orishell.structure.model import Model
 
 MOST_THINNED = 0.1
 """Up to this share of the bending stiffness of a board chamfers may be left out: displacements and
@@ -28,15 +25,13 @@ class Thinned:
     panel: Panel  # the panel that has it
 
 
-def most_thinned(model: Model) -> Thinned | None:
-    """The board of which chamfers take most; None if none is chamfered."""
-    build, boards = model.design.panel, model.boards
-    if build is None or boards is None or build.construction != "bevel":
-        return None
-    flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices(), :2]
+def most_thinned(boards: Boards, flat: Array) -> tuple[float, int]:
+    """The largest share that chamfers take of a board, and its number.
+
+    flat: The corners of panels in the flat sheet (F, 4, 2).
+    """
     gone = 1.0 - bending_left(boards, flat)
-    first = int((gone >= gone.max() - EQUAL).argmax())
-    return Thinned(float(gone.max()), model.panel_at(first))
+    return float(gone.max()), int((gone >= gone.max() - EQUAL).argmax())
 
 
 def thinned_boards(thinned: Thinned) -> str:

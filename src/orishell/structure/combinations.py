@@ -20,6 +20,8 @@ from orishell.structure.load_settings import LOADS, Action, LoadCase
 
 LimitState = Literal["ULS", "EQU", "SLS"]
 """Strength and buckling; equilibrium: sliding, lifting off, tipping; displacements."""
+STRENGTH: tuple[LimitState | None, ...] = (None, "ULS")
+"""Cases that are judged by strength and buckling: those of no code, and ULS."""
 Expression = Literal["6.10", "6.10a/b"]
 """Of strength: one expression, or the two that together ask for less."""
 DIGITS = 12

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from orishell.conventions.record import record
 from orishell.numerics.equals import SOLVED, largest_of
+from orishell.structure.case import CaseResult
 from orishell.structure.combinations import LimitState
 from orishell.structure.stiffness import Stiffness
+from orishell.structure.utilisation import Limiting
 
-if TYPE_CHECKING:
-    from orishell.structure.case import CaseResult
-    from orishell.structure.results import Governing
-
-STRENGTH: tuple[LimitState | None, ...] = (None, "ULS")
-"""Cases that are judged by strength and buckling: those of no code, and ULS."""
 MANY = 12
 """With more cases than these, only those that govern are told in full."""
+
+
+@record
+class Governing:
+    """What is nearest to the end of what it bears, of all cases."""
+
+    part: Limiting  # what it is
+    # the load case, and the stiffness of its creases
+    case: str
+    creases: Stiffness
+    utilisation: float  # the share of what it bears
 
 
 @record
@@ -71,7 +77,7 @@ def _share(case: CaseResult) -> float:
     return _largest(case)[1] or 0.0
 
 
-def told(
+def reported_cases(
     cases: tuple[CaseResult, ...], found: Sequence[Envelope], governs: Governing | None
 ) -> tuple[CaseResult, ...]:
     """Of many cases those that govern, and those of no code; all cases if they are few."""

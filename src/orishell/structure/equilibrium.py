@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
@@ -29,8 +30,10 @@ from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
-from orishell.structure.utilisation import Utilisation, find_utilisation
-from orishell.structure.verdict import COLLAPSED
+from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
+
+COLLAPSED = 0.25
+"""A shell displaced by this share of its height is no longer the shell that was analysed."""
 
 
 @record
@@ -224,7 +227,33 @@ class Equilibrium:
     @cached_property
     def utilisation(self) -> Utilisation:
         """Of panels, membrane, creases and ties."""
-        return find_utilisation(self)
+        asked, film, alone = self.model.structure, self.membrane, self.lone_board
+        boards = 0.0 if alone is None else alone.size
+        creases = 0.0 if self.crease is None else self.crease.moment
+        return Utilisation(
+            panels=share_of(max(self.stress.size, boards), asked.strength),
+            membrane=None if film is None else share_of(film.size, asked.membrane_strength),
+            creases=share_of(creases, asked.crease_strength),
+            lines=share_of(self.lines.size, asked.line_strength),
+            arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
+            ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
+            buckling=None if self.buckling is None else 1 / self.buckling,
+        )
+
+    @property
+    def unknown(self) -> tuple[Limiting, ...]:
+        """What bears something, and nobody said how much it can."""
+        least = LEAST_LINE * conversion(self.model.site.unit, "m")
+        bears: dict[Limiting, bool] = {
+            "panels": True,
+            "membrane": self.membrane is not None and self.membrane.size > 0,
+            "creases": self.crease is not None,
+            "lines": self.lines.size > least,
+            "arms": self.arms is not None and self.arms.size > 0,
+            "ties": bool(self.tie_forces.any()),
+        }
+        shares = self.utilisation.shares
+        return tuple(part for part, any_ in bears.items() if any_ and shares[part] is None)
 
     @property
     def used(self) -> float:

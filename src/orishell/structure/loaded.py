@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
 
 from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
 from orishell.numerics.equals import SOLVED, largest_along_first
+from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import FORCES, worst_forces
 from orishell.structure.mesh.edge_forces import crease_sides
+from orishell.structure.model import Model
 
-if TYPE_CHECKING:
-    from orishell.structure.case import CaseResult
-    from orishell.structure.results import Analysis
+Named = Sequence[tuple[str, CaseResult]]
+"""Cases, each with what it is called."""
 
 
-def loaded_shell(analysis: Analysis) -> LoadedShell:
-    """The same as files and pages show it."""
-    model, section = analysis.model, analysis.model.section
-    facets = model.mesh.facets
+def loaded_shell(model: Model, cases: Named) -> LoadedShell:
+    """A model under its cases as files and pages show it."""
+    section, facets = model.section, model.mesh.facets
     count = len(facets.triangles)
     return LoadedShell(
         points=facets.points,
@@ -34,18 +34,18 @@ def loaded_shell(analysis: Analysis) -> LoadedShell:
         tie_stiffness=model.structure.tie_stiffness,
         strength=model.structure.strength,
         whole_boards=model.design.has_whole_boards,
-        cases=tuple(_loaded(analysis, case) for case in analysis.cases),
-        creases=_creases(analysis),
+        cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
+        creases=_creases(model, cases),
     )
 
 
-def _creases(analysis: Analysis) -> LoadedCreases | None:
+def _creases(model: Model, cases: Named) -> LoadedCreases | None:
     """The largest force along every crease, of all cases in balance; None without such a case."""
-    model, balanced = analysis.model, analysis.balanced
+    balanced = [(name, case.equilibrium) for name, case in cases if case.equilibrium is not None]
     if not balanced:
         return None
-    sizes, cases = worst_forces(model, [found.edges for found, _ in balanced])
-    names = [analysis.name_of(case) for _, case in balanced]
+    sizes, worst = worst_forces(model, [found.edges for _, found in balanced])
+    names = [name for name, _ in balanced]
     which = largest_along_first(sizes[:, : len(FORCES)].T, SOLVED)
     at = np.arange(len(which))
     row, column = np.divmod(crease_sides(model.grid)[1][..., 0], model.grid.columns - 1)
@@ -56,18 +56,18 @@ def _creases(analysis: Analysis) -> LoadedCreases | None:
         sizes=sizes[at, which],
         what=tuple(FORCES[k] if one else "" for k, one in zip(which, there, strict=True)),
         cases=tuple(
-            names[k] if one else "" for k, one in zip(cases[at, which], there, strict=True)
+            names[k] if one else "" for k, one in zip(worst[at, which], there, strict=True)
         ),
     )
 
 
-def _loaded(analysis: Analysis, case: CaseResult) -> LoadedCase:
+def _loaded(name: str, case: CaseResult, count: int) -> LoadedCase:
+    """A case of a mesh of so many triangles."""
     held = case.equilibrium
     shown = case.motion or held
     assert shown is not None
-    count = len(analysis.model.mesh.facets.triangles)
     return LoadedCase(
-        name=analysis.name_of(case),
+        name=name,
         sign=case.sign,
         balanced=case.motion is None,
         forces=case.forces,

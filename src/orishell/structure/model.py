@@ -59,7 +59,7 @@ class Model:
     change: Changes = Changes()  # by how much figures still change with the mesh
     stopped: Stop | None = None  # why cells are no finer although ``refine`` asks for it
 
-    def told(self, change: Changes, stopped: Stop | None) -> Model:
+    def with_refinement(self, change: Changes, stopped: Stop | None) -> Model:
         """The same with what refinement found; what was found of it is kept."""
         found = replace(self, change=change, stopped=stopped)
         named = {each.name for each in fields(self)}
@@ -194,7 +194,12 @@ class Model:
     @cached_property
     def thinned(self) -> Thinned | None:
         """The board of which chamfers take most; None if none is chamfered."""
-        return most_thinned(self)
+        build, boards = self.design.panel, self.boards
+        if build is None or boards is None or build.construction != "bevel":
+            return None
+        flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
+        share, panel = most_thinned(boards, flat)
+        return Thinned(share, self.panel_at(panel))
 
     @cached_property
     def exposure(self) -> Exposure:

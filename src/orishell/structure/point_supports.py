@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from orishell.conventions.quantities import plain
+from orishell.structure.case import CaseResult
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.model import Model
-
-if TYPE_CHECKING:
-    from orishell.structure.case import CaseResult
 
 LOCAL = 0.65
 """A mode is local to points that hold the shell if so much of its strain energy is in panels there:

@@ -16,14 +16,15 @@ from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
 from orishell.structure.case import CaseResult
 from orishell.structure.chamfers import thinned_in_words
 from orishell.structure.changes import refinement_warnings
-from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, few, told
+from orishell.structure.combinations import STRENGTH
+from orishell.structure.envelopes import Envelope, Governing, envelopes, few, reported_cases
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.model import Model
 from orishell.structure.plausibility import doubts, doubts_of_shell
 from orishell.structure.point_supports import warn_of_points
-from orishell.structure.stiffness import Stiffness, creases_in_words
-from orishell.structure.utilisation import GOVERNING, Limiting
+from orishell.structure.stiffness import creases_in_words
+from orishell.structure.utilisation import GOVERNING
 from orishell.structure.verdict import CARRIES, misleads
 from orishell.structure.whole_boards import arm_warnings
 
@@ -45,17 +46,6 @@ NOT_COVERED = (
     "exceptional snow, and drifts at obstacles and taller buildings",
     "the way from the pack to the target",
 )
-
-
-@record
-class Governing:
-    """What is nearest to the end of what it bears, of all cases."""
-
-    part: Limiting  # what it is
-    # the load case, and the stiffness of its creases
-    case: str
-    creases: Stiffness
-    utilisation: float  # the share of what it bears
 
 
 @record
@@ -82,10 +72,15 @@ class Analysis:
         """The cases in equilibrium, and what holds them."""
         return [(case.equilibrium, case) for case in self.cases if case.equilibrium is not None]
 
+    @property
+    def named_balanced(self) -> list[tuple[str, CaseResult]]:
+        """The cases in equilibrium, each with what it is called."""
+        return [(self.name_of(case), case) for _, case in self.balanced]
+
     @cached_property
     def anchors(self) -> tuple[Anchor, ...]:
         """What every support asks of the ground, by all cases in equilibrium."""
-        return find_anchors(self)
+        return find_anchors(self.model, self.named_balanced)
 
     @cached_property
     def ranked(self) -> tuple[CaseResult, ...]:
@@ -150,9 +145,9 @@ class Analysis:
         return tuple(envelopes(self.cases))
 
     @property
-    def told(self) -> tuple[CaseResult, ...]:
+    def reported_cases(self) -> tuple[CaseResult, ...]:
         """The cases that are told in full, the worst first: all, or of many those that govern."""
-        return told(self.ranked, self.envelopes, self.governs)
+        return reported_cases(self.ranked, self.envelopes, self.governs)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -160,7 +155,7 @@ class Analysis:
         return (*self._warnings(), *warn_of_points(self.model, self.cases))
 
     def _warnings(self) -> Iterator[str]:
-        yield from ground_warnings(self)
+        yield from ground_warnings(self.model, self.anchors, self.named_balanced)
         yield from refinement_warnings(self.model.change, self.model.stopped)
         yield from arm_warnings(self.model.structure, self.model.mesh)
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
@@ -194,4 +189,4 @@ class Analysis:
 
     def loaded(self) -> LoadedShell:
         """The same as files and pages show it."""
-        return loaded_shell(self)
+        return loaded_shell(self.model, [(self.name_of(case), case) for case in self.cases])

@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
-from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-
-if TYPE_CHECKING:
-    from orishell.structure.equilibrium import Equilibrium
 
 Limiting = Literal["panels", "membrane", "creases", "lines", "arms", "ties", "buckling"]
 """What may be at the end of what it bears."""
@@ -57,40 +53,6 @@ class Utilisation:
         return max(known)[1] if known else None
 
 
-def find_utilisation(found: Equilibrium) -> Utilisation:
-    """The share of its strength that every part of a shell in equilibrium bears."""
-    asked, crease, alone, film = (
-        found.model.structure,
-        found.crease,
-        found.lone_board,
-        found.membrane,
-    )
-    boards = 0.0 if alone is None else alone.size
-    return Utilisation(
-        panels=_share(max(found.stress.size, boards), asked.strength),
-        membrane=None if film is None else _share(film.size, asked.membrane_strength),
-        creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
-        lines=_share(found.lines.size, asked.line_strength),
-        arms=None if found.arms is None else _share(found.arms.size, asked.arm_strength),
-        ties=_share(found.ties[0].force if found.ties else 0.0, asked.tie_strength),
-        buckling=None if found.buckling is None else 1 / found.buckling,
-    )
-
-
-def find_unknown(found: Equilibrium) -> tuple[Limiting, ...]:
-    """What bears something, and nobody said how much it can."""
-    least = LEAST_LINE * conversion(found.model.site.unit, "m")
-    bears: dict[Limiting, bool] = {
-        "panels": True,
-        "membrane": found.membrane is not None and found.membrane.size > 0,
-        "creases": found.crease is not None,
-        "lines": found.lines.size > least,
-        "arms": found.arms is not None and found.arms.size > 0,
-        "ties": bool(found.tie_forces.any()),
-    }
-    shares = found.utilisation.shares
-    return tuple(part for part, any_ in bears.items() if any_ and shares[part] is None)
-
-
-def _share(found: float, strength: float | None) -> float | None:
+def share_of(found: float, strength: float | None) -> float | None:
+    """What is found, as a share of what is borne; None if that is not known."""
     return None if strength is None else found / strength

@@ -8,7 +8,7 @@ Otherwise nobody knows: then sign, field, words and exit status say that and no 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -17,12 +17,10 @@ from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
 from orishell.numerics.equals import SOLVED, classes
 from orishell.structure.chamfers import MOST_THINNED, thinned_boards
-from orishell.structure.utilisation import NAMED, find_unknown
-
-if TYPE_CHECKING:
-    from orishell.structure.crease_forces import AtCrease
-    from orishell.structure.equilibrium import Equilibrium
-    from orishell.structure.free_motion import FreeMotion
+from orishell.structure.crease_forces import AtCrease
+from orishell.structure.equilibrium import COLLAPSED, Equilibrium
+from orishell.structure.free_motion import FreeMotion
+from orishell.structure.utilisation import NAMED
 
 Kind = Literal[
     "moves",
@@ -37,8 +35,6 @@ Kind = Literal[
 """How a case fails, or may."""
 CARRIES: Mapping[Sign, bool | None] = {"fails": False, "warns": None, "holds": True}
 """Whether a shell carries its loads, by the sign of what was found; None if that is not known."""
-COLLAPSED = 0.25
-"""A shell displaced by this share of its height is no longer the shell that was analysed."""
 LARGE = 0.05
 """Displacements above this share of the shell's height are too large for linear theory: the thrust
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
@@ -121,7 +117,7 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
     """What is loaded, and it is not known whether it bears that."""
     model = found.model
     said = Quantities(model.site.unit)
-    unknown = find_unknown(found)
+    unknown = found.unknown
     if unknown:
         names = [NAMED.get(part, part) for part in unknown]
         text = f"is loaded in {' and '.join(names)}, whose strength is not given"

@@ -34,7 +34,13 @@ from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Booleans
 from orishell.solids.hinged.conditions import Vertices
-from orishell.solids.hinged.joints import Rows, find_joints, joint_rows, numbers_of_rows
+from orishell.solids.hinged.joints import (
+    Rows,
+    find_joints,
+    hinges_of,
+    joint_rows,
+    numbers_of_rows,
+)
 from orishell.solids.hinged.program import least_arms
 
 STRAIGHT = 1e-9
@@ -109,25 +115,6 @@ def _straight_columns(columns: Array, sums: Array, joined: Booleans) -> tuple[Ar
     rows = 0.5 * by_turns[:-1] * np.diff(sums)
     of_rows = np.repeat(rows[:, None], len(columns) + 1, axis=1)
     return of_rows, by_turns[:, None] * (first - sums[:, None]) * folds
-
-
-def hinges_of(
-    signs: CreaseValues, heights: CreaseValues, levels: Array, joints: Rows = ()
-) -> Hinges:
-    """Hinges at heights, with boards of thickness 1 at levels (rows-1, columns-1).
-
-    There are none, and no arms, in the rows of creases that are ``joints``.
-    """
-
-    def arms(sign: Array, height: Array, level: Array) -> Array:
-        off = np.where(sign > 0, height - level - 1.0, level - height)
-        return np.where(sign == 0, 0.0, off)
-
-    across, down = (levels[:, :-1], levels[:, 1:]), (levels[:-1], levels[1:])
-    of_rows = np.stack([arms(signs.row, heights.row, each) for each in down])
-    of_rows[:, list(joints)] = 0.0
-    of_columns = np.stack([arms(signs.column, heights.column, each) for each in across])
-    return Hinges(signs, heights, levels, 1.0, (of_rows, of_columns))
 
 
 def _scaled(unit: Hinges, thickness: float, knuckle: float, joints: Rows) -> Hinges:

@@ -20,6 +20,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges, Joints
 from orishell.motion.mechanism import panel_normals
 from orishell.motion.quads import lengths, units
@@ -137,3 +138,22 @@ def joint_openings(mechanism: Mechanism, boards: Boards) -> Array:
     above, below = edges(rows, 1), edges([row + 1 for row in rows], 3)
     along = above[..., 1, :] - above[..., 0, :]
     return lengths(np.cross(below.mean(axis=2) - above.mean(axis=2), units(along)))
+
+
+def hinges_of(
+    signs: CreaseValues, heights: CreaseValues, levels: Array, joints: Rows = ()
+) -> Hinges:
+    """Hinges at heights, with boards of thickness 1 at levels (rows-1, columns-1).
+
+    There are none, and no arms, in the rows of creases that are ``joints``.
+    """
+
+    def arms(sign: Array, height: Array, level: Array) -> Array:
+        off = np.where(sign > 0, height - level - 1.0, level - height)
+        return np.where(sign == 0, 0.0, off)
+
+    across, down = (levels[:, :-1], levels[:, 1:]), (levels[:-1], levels[1:])
+    of_rows = np.stack([arms(signs.row, heights.row, each) for each in down])
+    of_rows[:, list(joints)] = 0.0
+    of_columns = np.stack([arms(signs.column, heights.column, each) for each in across])
+    return Hinges(signs, heights, levels, 1.0, (of_rows, of_columns))

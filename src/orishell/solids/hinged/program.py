@@ -11,7 +11,7 @@ from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids.hinged.conditions import Vertices, crease_numbers
-from orishell.solids.hinged.joints import Rows
+from orishell.solids.hinged.joints import Rows, hinges_of
 
 MOST_PANELS = 5000
 """Sheets of more panels are refused: the program takes 2 s for 2500 panels, 20 s for these."""
@@ -35,8 +35,6 @@ def least_arms(vertices: Vertices, joints: Rows = ()) -> Hinges:
         If the sheet is too large for the program.
     """
     from scipy.optimize import linprog
-
-    from orishell.solids.hinged.heights import hinges_of
 
     rows, columns = vertices.shape
     grid = Grid(rows + 2, columns + 2)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.structure.case import CaseResult
+from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
-from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import CreaseMoment, Equilibrium
 from orishell.structure.utilisation import NAMED
 

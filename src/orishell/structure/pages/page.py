@@ -59,7 +59,7 @@ def structure_page(
             paragraph(STRESS_RULE, "soft"),
             *crease_notes(),
             *_envelopes(report),
-            *(part for case in report.told for part in _case(case, report, said)),
+            *(part for case in report.reported_cases for part in _case(case, report, said)),
             heading(2, "What is not covered"),
             bullets(report.not_covered),
         ],
@@ -83,7 +83,7 @@ def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
     yield paragraph(f"{governs[0].upper()}{governs[1:]}.", "lead")
     rows = [
         (report.name_of(case), CARRIES[case.carries], case.in_words(), case.sign)
-        for case in report.told
+        for case in report.reported_cases
     ]
     yield table(
         ("load case", "carries", "the shell"),
@@ -97,7 +97,7 @@ CARRIES = {True: "yes", False: "no", None: "not known"}
 
 def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
     """What loads each case, and what bears it; loads are the same for all stiffnesses."""
-    names = dict.fromkeys(case.name for case in report.told)
+    names = dict.fromkeys(case.name for case in report.reported_cases)
     for name in names:
         same = [case for case in report.cases if case.name == name]
         rows = [
