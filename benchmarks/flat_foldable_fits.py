@@ -17,7 +17,7 @@ import numpy as np
 from orishell.design import MeshSurface, PiecedSurface
 from orishell.design_file.surface import SurfaceTable
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
+from orishell.families.flat_foldable.fit.initial_guesses import Task, fit_sheet
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 SURFACES: dict[str, dict[str, Any]] = runpy.run_path(str(EXAMPLES / "surfaces.py"))["SURFACES"]

@@ -272,7 +272,10 @@ def draw_layers(path: Path) -> None:
             PanelSpec(thickness=3.2, construction="sandwich", membrane=0.2),
             ("pattern.svg", "pattern-top.svg"),
         ),
-        (PanelSpec().having(thickness=3.2, construction="bevel"), ("pattern-panels.svg",)),
+        (
+            PanelSpec().replace_unchecked(thickness=3.2, construction="bevel"),
+            ("pattern-panels.svg",),
+        ),
     ):
         document = document_of_motion(
             FoldingMotion(sheet, 2),

@@ -94,8 +94,8 @@ def load(shell: Shell, ground: float, creases: float = inf, cells: int = 4) -> B
     """
     assert shell.file.structure is not None
     snow = Snow(ground=ground, shape="cylinder") if ground else None
-    asked = shell.file.structure.having(
-        cases=(LoadCase(name="winter", self_weight=True).having(snow=snow),),
+    asked = shell.file.structure.replace_unchecked(
+        cases=(LoadCase(name="winter", self_weight=True).replace_unchecked(snow=snow),),
         crease_stiffness=(creases, creases),
         cells=cells,
     )

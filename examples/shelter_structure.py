@@ -79,9 +79,9 @@ def design(panel: Panel | None = None) -> Shell:
     """The shelter of boards or of other panels, without the proof that none meet."""
     file = read_design_file(Path(__file__).with_suffix(".toml"))
     if panel is not None:
-        workshop = file.workshop.having(areal_density=panel.areal_density)
+        workshop = file.workshop.replace_unchecked(areal_density=panel.areal_density)
         assert file.structure is not None
-        structure = file.structure.having(
+        structure = file.structure.replace_unchecked(
             modulus=panel.modulus,
             strength=panel.strength,
             thickness=panel.thickness,
@@ -95,7 +95,9 @@ def design(panel: Panel | None = None) -> Shell:
 def with_creases(shell: Shell, stiffness: float = inf, cells: int = 4) -> Analysis:
     """A shell with creases of one stiffness (N m per metre and radian)."""
     assert shell.file.structure is not None
-    structure = shell.file.structure.having(crease_stiffness=(stiffness,) * 2, cells=cells)
+    structure = shell.file.structure.replace_unchecked(
+        crease_stiffness=(stiffness,) * 2, cells=cells
+    )
     return analyse_structure(shell, structure)
 
 
@@ -104,15 +106,19 @@ def on_the_ground(shell: Shell, friction: float) -> Analysis:
     assert shell.file.structure is not None
     snow = LoadCase(name="snow", combine={"dead": 1.35, "snowed": 1.5})
     loads = [
-        case.having(name="snowed", snow=case.snow.having(arrangement="undrifted"))
+        case.replace_unchecked(
+            name="snowed", snow=case.snow.replace_unchecked(arrangement="undrifted")
+        )
         if case.snow
         else case
         for case in shell.file.structure.cases
     ]
-    structure = shell.file.structure.having(
+    structure = shell.file.structure.replace_unchecked(
         cases=(*(case for case in loads if case.name != "winter"), snow),
         crease_stiffness=(inf, inf),
-        supports=(Support(at="feet", kind="friction", friction=1.0).having(friction=friction),),
+        supports=(
+            Support(at="feet", kind="friction", friction=1.0).replace_unchecked(friction=friction),
+        ),
     )
     return analyse_structure(shell, structure)
 

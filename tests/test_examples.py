@@ -286,7 +286,7 @@ def test_shelter_of_boards(
     # With shorter set-backs a larger one, as the design file says.
     sheet = shell.design.mechanism
     assert shell.design.panel is not None
-    build = shell.design.panel.having(largest_setback=Setback(length=0.05))
+    build = shell.design.panel.replace_unchecked(largest_setback=Setback(length=0.05))
     assert (build.height, build.gap) == (0.005, 0.004)
     box = find_pack(sheet, drive_for_height(sheet, build), 5, 0.010).box
     assert [box.length, box.width, box.height] == pytest.approx([3.2, 2.2, 1.3], abs=0.05)

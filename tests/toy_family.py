@@ -49,7 +49,7 @@ class Miura:
         return self
 
     @property
-    def still(self) -> Miura:
+    def least_turning(self) -> Miura:
         return self
 
     @property

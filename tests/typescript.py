@@ -90,7 +90,7 @@ def _is_record(kind: Any) -> bool:
 
 
 def _has_written_fields(kind: Any) -> bool:
-    return dataclasses.is_dataclass(kind) or hasattr(kind, "WRITTEN")
+    return dataclasses.is_dataclass(kind) or hasattr(kind, "REPORTED")
 
 
 def _fields(record: type) -> tuple[dict[str, Any], set[str]]:

@@ -23,7 +23,7 @@ def field_notes(thing: type) -> dict[str, str]:
     for each in reversed(thing.__mro__):
         if each.__module__.startswith("orishell"):
             notes |= _own_notes(each)
-    for name in getattr(thing, "WRITTEN", ()):
+    for name in getattr(thing, "REPORTED", ()):
         part, _, rest = name.partition(".")
         if rest:
             notes[name] = field_notes(get_type_hints(thing)[part]).get(rest, "")

@@ -29,11 +29,11 @@ def look(seed: int) -> Counter[str]:
     sheet, concave = random_sheet(seed)
     flat = sheet.positions(0.0).reshape(-1, 3)
     faces = Layout.of(sheet).faces
-    found = find_first_contact(sheet.still, END, 1e-9 * diagonal(sheet.positions(0.0)))
+    found = find_first_contact(sheet.least_turning, END, 1e-9 * diagonal(sheet.positions(0.0)))
     met = found.contact
     clear = END if met is None else met.clear_until
     drives = np.linspace(0.0, clear, STATES + 1)[1:]
-    for drive, points in zip(drives, sheet.still.positions(drives), strict=True):
+    for drive, points in zip(drives, sheet.least_turning.positions(drives), strict=True):
         pairs = panels_through(points.reshape(-1, 3), flat, faces)
         assert not len(pairs), f"proved at {np.rad2deg(drive)} degrees, and meet: {pairs}"
     told = Counter({"sheets": 1, "concave": concave > 0, "meet": met is not None})

@@ -36,8 +36,8 @@ class Unbounded:
         return getattr(self.sheet, name)
 
     @property
-    def still(self) -> Unbounded:
-        return Unbounded(self.sheet.still, self.value)
+    def least_turning(self) -> Unbounded:
+        return Unbounded(self.sheet.least_turning, self.value)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         along, down = (each.copy() for each in self.sheet.edge_accelerations(start, stop))

@@ -55,7 +55,7 @@ PRELOADED = (
     "matplotlib.backends.backend_agg",
 )
 """What a process would import else; each file's process has it from the one it is forked from."""
-WRITTEN, MADE = 12, 1 if THOROUGH else 3
+REPORTED, MADE = 12, 1 if THOROUGH else 3
 """One of so many files is designed and written by the command, and of so many without writing, as
 its pictures take the most time; the others are read."""
 WARNINGS = re.compile(r"^orishell: warning: .*\n", re.MULTILINE)
@@ -322,7 +322,7 @@ def main(directory: str, first: str, last: str) -> None:
 
 def to_do(number: int) -> str:
     """What is done with a file, if it can be read."""
-    return "written" if number % WRITTEN == 0 else "made" if number % MADE == 0 else "read"
+    return "written" if number % REPORTED == 0 else "made" if number % MADE == 0 else "read"
 
 
 def make(path: Path, out: Path, done: str) -> NoReturn:

@@ -138,7 +138,7 @@ def test_every_key(tmp_path: Path) -> None:
         tie_strength=5000,
         cells=2,
         refine=0.02,
-    ).having(crease_stiffness=(5, math.inf))
+    ).replace_unchecked(crease_stiffness=(5, math.inf))
     assert [case.name for case in found.analysed] == ["all"]
 
 

@@ -140,7 +140,7 @@ def test_f_and_g_as_written_are_the_same_shell(pattern: Pattern) -> None:
         for name in "fg"
     )
     keys = {key.removeprefix("pattern."): each for key, each in written.items() if "pattern" in key}
-    again = pattern.having(**keys).design(f, g).mechanism
+    again = pattern.replace_unchecked(**keys).design(f, g).mechanism
     drive = again.target_drive
     assert drive == design.mechanism.target_drive
     assert (again.positions(drive) == design.mechanism.positions(drive)).all()

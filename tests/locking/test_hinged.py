@@ -164,8 +164,8 @@ def test_the_proof_takes_few_more_looks_than_that_of_panels(size: int) -> None:
     tolerance, end = TOLERANCE * diagonal(sheet.positions(0.0)), sheet.end_drive * (1 - 1e-6)
     built = build_panels(design_of(sheet, 0.004, 4e-4), end)
     bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
-    found = find_first_hinged_contact(sheet.still, end, tolerance, bodies)
-    panels = find_first_contact(sheet.still, end, tolerance)
+    found = find_first_hinged_contact(sheet.least_turning, end, tolerance, bodies)
+    panels = find_first_contact(sheet.least_turning, end, tolerance)
     assert found.contact is None
     assert panels.contact is None
     assert found.proof.tests < 4 * panels.proof.tests

@@ -60,7 +60,7 @@ def test_boards_with_cut_corners(
 ) -> None:
     """Also where two corners of an outline nearly coincide, as after a cut of 1e-9."""
     flat, grid, folds = sheet(3, 3, 1.5)
-    build = PanelSpec().having(
+    build = PanelSpec().replace_unchecked(
         thickness=thickness,
         construction=construction,
         membrane=0.1 * thickness * (construction == "sandwich"),

@@ -150,7 +150,7 @@ def test_scale_equivariance(name: str) -> None:
 @pytest.mark.parametrize("ranges", [1, 3, 20, 512])
 def test_edges_swing_no_faster_than_their_bounds(name: str, ranges: int) -> None:
     mechanism = sheet(name)
-    for each in (mechanism, mechanism.still):
+    for each in (mechanism, mechanism.least_turning):
         shares_of_bounds(each, 9, ranges)
 
 
@@ -170,7 +170,7 @@ def test_fold_angles_are_below_pi_before_the_end(name: str) -> None:
 @every
 def test_still_is_the_same_sheet(name: str) -> None:
     mechanism = sheet(name)
-    still, size = mechanism.still, diagonal(mechanism.positions(0.0))
+    still, size = mechanism.least_turning, diagonal(mechanism.positions(0.0))
     assert (still.grid, still.target_drive) == (mechanism.grid, mechanism.target_drive)
     for share in (0.0, 0.3, 0.8, 1.0):
         drive = share * mechanism.target_drive

@@ -17,7 +17,7 @@ from orishell.plot.hinge_section import folded
 from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
 
 SANDWICH = PanelSpec(thickness=0.03, membrane=0.002, gap=0.004)
-BEVEL = PanelSpec().having(thickness=0.03, construction="bevel")
+BEVEL = PanelSpec().replace_unchecked(thickness=0.03, construction="bevel")
 FIGURES = ("figure1", "figure2")
 
 

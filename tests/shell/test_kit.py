@@ -159,7 +159,7 @@ def test_a_scale_of_too_many_pages_is_refused() -> None:
     shell = shell_of("canopy")
     document = replace(shell.document, states=states_of(shell.motion))
     with pytest.raises(InputError, match="more than 400 pages") as caught:
-        make_card_model(document, shell.file.workshop.having(paper_scale=0.5))
+        make_card_model(document, shell.file.workshop.replace_unchecked(paper_scale=0.5))
     assert "got 0.5" in str(caught.value)
 
 

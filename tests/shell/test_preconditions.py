@@ -41,7 +41,7 @@ Array = np.ndarray
 def test_a_concave_panel_passes_through_none_that_is_opposite() -> None:
     """Panels 0 and 4 share a vertex, where 0 leaves its sector: they meet at 128.6 degrees."""
     file = HERE / "concave_pattern.toml"
-    sheet = designed(read_design_file(file)).mechanism.still
+    sheet = designed(read_design_file(file)).mechanism.least_turning
     flat, faces = sheet.positions(0.0).reshape(-1, 3), Layout.of(sheet).faces
     low, high = 0.0, np.deg2rad(140)
     for _ in range(30):  # the tests' own intersection

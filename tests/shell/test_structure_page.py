@@ -152,7 +152,7 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
-    plain = STRUCTURE.having(
+    plain = STRUCTURE.replace_unchecked(
         strength=None, crease_strength=None, line_strength=None, tie_strength=None
     )
     text = words(page(analysed(plain)))
@@ -201,7 +201,7 @@ def test_files_are_the_same_each_time_and_hold_each_other(tmp_path: Path) -> Non
 def test_large_displacements_have_a_picture_of_load_against_displacement(tmp_path: Path) -> None:
     """With all points of the paths, and linear theory beside them; without them there is none."""
     way = LoadPath("carries", 1.0, (0.0, 0.5, 1.0), (0.0, 0.01, 0.03), 0.02, 1.4)
-    followed = analysed(STRUCTURE.having(nonlinear=True))
+    followed = analysed(STRUCTURE.replace_unchecked(nonlinear=True))
     cases = tuple(
         each
         if each.equilibrium is None

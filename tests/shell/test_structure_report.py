@@ -128,7 +128,7 @@ def test_what_governs(report: Analysis) -> None:
 
 
 def test_a_strength_that_is_not_known_governs_nothing() -> None:
-    bare = STRUCTURE.having(
+    bare = STRUCTURE.replace_unchecked(
         strength=None, crease_strength=None, line_strength=None, tie_strength=None
     )
     found = analysed(bare)
@@ -197,9 +197,9 @@ def test_what_bears_too_much(change: Callable[[Equilibrium], Equilibrium], says:
 def test_coefficients_of_no_code_are_named() -> None:
     wind = STRUCTURE.cases[3].wind
     assert wind is not None
-    gusts = wind.having(coefficients=NO_CODE)
+    gusts = wind.replace_unchecked(coefficients=NO_CODE)
     cases = (*STRUCTURE.cases[:3], LoadCase(name="wind", wind=gusts))
-    asked = STRUCTURE.having(cases=cases)
+    asked = STRUCTURE.replace_unchecked(cases=cases)
     found = analysed(asked)
     assert found.cases[1].loads[0].rule.endswith("of no code")
     assert any("wind are of no code" in text for text in found.warnings)
@@ -207,7 +207,7 @@ def test_coefficients_of_no_code_are_named() -> None:
 
 def test_a_sound_structure_is_warned_of_nothing() -> None:
     dead = LoadCase(name="wind", self_weight=True)
-    found = analysed(STRUCTURE.having(cases=(*STRUCTURE.cases[:3], dead)))
+    found = analysed(STRUCTURE.replace_unchecked(cases=(*STRUCTURE.cases[:3], dead)))
     stands, case = found.balanced[-1]
     sound = replace(stands, displacements=0.1 * stands.displacements, buckling_factors=(4.0,))
     found = replace(found, cases=(replace(case, equilibrium=sound),))

@@ -152,7 +152,7 @@ def test_changes_are_of_the_same_file() -> None:
     assert hash(file.workshop) == hash(Workshop(stock=(6.0, 4.0)))
     # What is put in the place of a value is not the file's.
     again = check_design({**small(), "workshop": {"stock": [6.0, 4.0]}}, Path("small.toml"))
-    _ = again.workshop.having(stock=None).stock
+    _ = again.workshop.replace_unchecked(stock=None).stock
     assert "workshop.stock" in again.keys.unused()
 
 
@@ -197,5 +197,5 @@ def test_a_table_by_itself_notes_nothing() -> None:
     class Some(Table):
         number: int = 1
 
-    assert Some(number=2).having(number=3).number == 3
+    assert Some(number=2).replace_unchecked(number=3).number == 3
     assert Some(number=2).noting(set()).number == 2

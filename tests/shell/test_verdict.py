@@ -149,7 +149,7 @@ def test_a_shell_carries_what_it_bears_without_sinking(
     found, model = standing.equilibrium, report.structure.model
     assert found.lone_board is not None
     largest = max(found.stress.size, found.lone_board.size)
-    asked = model.structure.having(
+    asked = model.structure.replace_unchecked(
         strength=largest / used,
         membrane_strength=1e12,
         crease_strength=1e9,

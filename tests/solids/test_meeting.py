@@ -73,7 +73,7 @@ def test_play_is_that_of_the_boards_as_they_are(
     """Boards that no gap sets back touch, to 1e-12 of their thickness; others are as far apart."""
     size = float(np.linalg.norm(np.ptp(request.feasible().mechanism.positions(0.0), axis=(0, 1))))
     thickness = share * size / 10
-    build = PanelSpec().having(
+    build = PanelSpec().replace_unchecked(
         largest_setback=Setback(share=0.9),
         thickness=thickness,
         construction=construction,

@@ -140,7 +140,7 @@ def test_a_panel_that_vanishes_is_named() -> None:
     flat, grid = square()
     folds = CreaseValues(row=np.full((1, 2), 2.8), column=np.full((2, 1), 2.8))
     with pytest.raises(DesignError, match=r"leave nothing of a panel, of panel \[0, 0\]"):
-        build_boards(flat, grid, PanelSpec().having(thickness=0.4), folds)
+        build_boards(flat, grid, PanelSpec().replace_unchecked(thickness=0.4), folds)
 
 
 def test_no_board_lies_where_a_crease_folds_flat() -> None:

@@ -70,7 +70,7 @@ def test_a_stop_that_is_found_is_the_least_that_works(
 ) -> None:
     mechanism = request.feasible().mechanism
     edge = float(np.median(lengths(np.diff(mechanism.positions(0.0), axis=0))))
-    build = PanelSpec().having(
+    build = PanelSpec().replace_unchecked(
         thickness=size * edge,
         membrane=0.1 * size * edge,
         gap=gap * size * edge,
@@ -211,7 +211,9 @@ def test_boards_too_thick_for_any_stop_are_refused(figure: int) -> None:
     made = shell(figure, PanelSpec(thickness=works, membrane=0.002))
     assert made.lock.cause == "flaps"
     assert (
-        find_thickness_limit(made.design.mechanism, PanelSpec().having(thickness=works)).thickness
+        find_thickness_limit(
+            made.design.mechanism, PanelSpec().replace_unchecked(thickness=works)
+        ).thickness
         >= works
     )
 

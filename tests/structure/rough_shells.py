@@ -73,7 +73,7 @@ class Rough(NamedTuple):
             cases=(self.case,),
         )
         ties = tuple(feet_ties(design.mechanism, feet.rows)) if self.tied else ()
-        asked = structure.having(
+        asked = structure.replace_unchecked(
             tie_stiffness=self.tie_stiffness,
             crease_stiffness=(self.stiffness, self.stiffness),
         )

@@ -20,9 +20,9 @@ from orishell.structure.settings import Structure, Support
 from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-SMOOTH = Support(at="feet", kind="pinned").having(kind="friction")
+SMOOTH = Support(at="feet", kind="pinned").replace_unchecked(kind="friction")
 """Ground that only pushes."""
-NOTHING = LoadCase(name="none", self_weight=True).having(self_weight=False)
+NOTHING = LoadCase(name="none", self_weight=True).replace_unchecked(self_weight=False)
 WIND = Wind(
     speed=10,
     terrain="II",
@@ -89,7 +89,9 @@ def test_reactions_balance_loads(
     shell: tuple[str, int, int], stiffness: tuple[float, float], support: Support, tied: bool
 ) -> None:
     """To 1e-12 of them; found on four kernels of OpenBLAS: 1e-15."""
-    structure = STRUCTURE.having(supports=(support,), crease_stiffness=stiffness, cells=1)
+    structure = STRUCTURE.replace_unchecked(
+        supports=(support,), crease_stiffness=stiffness, cells=1
+    )
     found = analysed(structure, shell, tied=tied)
     for case in found.cases:
         if case.equilibrium is not None:
@@ -111,7 +113,7 @@ def test_reactions_balance_loads(
 
 def test_wind_pushes_aside_what_nothing_holds() -> None:
     sliding = (Support(at="feet", kind="sliding"),)
-    found = analysed(STRUCTURE.having(supports=sliding, cases=(CASES[2],), cells=1))
+    found = analysed(STRUCTURE.replace_unchecked(supports=sliding, cases=(CASES[2],), cells=1))
     motion = {case.name: case.motion for case in found.cases}["wind"]
     assert motion is not None
     assert not motion.folding
@@ -119,7 +121,7 @@ def test_wind_pushes_aside_what_nothing_holds() -> None:
 
 def test_a_case_without_loads_is_one() -> None:
     cases = (NOTHING, LoadCase(name="dead", self_weight=True))
-    found = analysed(STRUCTURE.having(cases=cases, cells=1))
+    found = analysed(STRUCTURE.replace_unchecked(cases=cases, cells=1))
     nothing = found.cases[0].equilibrium
     assert nothing is not None
     assert nothing.buckling is None
@@ -138,7 +140,7 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     assert feet is not None
     ties = tuple(feet_ties(design.mechanism, feet.rows))
     cases = (LoadCase(name="all", self_weight=True, snow=Snow(ground=500.0)),)
-    structure = STRUCTURE.having(supports=(support,), cases=cases, tie_stiffness=1e6)
+    structure = STRUCTURE.replace_unchecked(supports=(support,), cases=cases, tie_stiffness=1e6)
     found = analyse(design, structure, Site("m", feet, ties, 1.9))
     points = found.model.mesh.facets.points
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
@@ -167,7 +169,7 @@ def test_forces_of_a_shell_without_conditions_are_superposed() -> None:
     assert feet is not None
 
     def moved(*cases: LoadCase) -> np.ndarray:
-        structure = STRUCTURE.having(cases=cases, crease_stiffness=(20.0, 20.0))
+        structure = STRUCTURE.replace_unchecked(cases=cases, crease_stiffness=(20.0, 20.0))
         site = Site("m", feet, (), 1.9)
         found = analyse(pattern.design(file.f, file.g), structure, site)
         return np.stack([stands.displacements for stands, _ in found.balanced])

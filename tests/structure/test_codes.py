@@ -148,11 +148,11 @@ def test_air_rubs_behind_four_heights() -> None:
     """Along a tent of 12 m, 1.5 m high: 4 h = 6 m is less than 2 b = 8 m, so half is swept."""
     exposure = folded([0, 1.5, 0], length=12)
     still = vault(direction_deg=90.0, vault=None, coefficients=((0.0, 0.0), (180.0, 0.0)))
-    found = load(exposure, wind=still.having(friction=0.04))
+    found = load(exposure, wind=still.replace_unchecked(friction=0.04))
     area = 6 * 2 * 2.5
     np.testing.assert_allclose(found.force, [0, PEAK * 0.04 * area, 0], rtol=1e-4, atol=1e-9)
     # A tent of 3 m is too short for it.
-    short = load(folded([0, 1.5, 0]), wind=still.having(friction=0.04))
+    short = load(folded([0, 1.5, 0]), wind=still.replace_unchecked(friction=0.04))
     np.testing.assert_array_equal(short.force, [0, 0, 0])
 
 

@@ -26,7 +26,7 @@ FOUR = (
     DEAD,
     SNOW,
     LoadCase(name="across", wind=ACROSS),
-    LoadCase(name="along", wind=ACROSS.having(direction_deg=0.0)),
+    LoadCase(name="along", wind=ACROSS.replace_unchecked(direction_deg=0.0)),
 )
 DESIGN = """
 [shell]
@@ -112,7 +112,7 @@ def test_arrangements_of_snow_are_alternatives() -> None:
 
     For each factor of own weight: nothing, 3 snows, 2 winds, 6 pairs of them that lead in turn: 18.
     """
-    snow = SNOW.having(snow=Snow(ground=500, shape="cylinder"))
+    snow = SNOW.replace_unchecked(snow=Snow(ground=500, shape="cylinder"))
     found = combine((FOUR[0], snow, *FOUR[2:]), Factors(), "6.10")
     count = Counter(case.limit_state for case in found)
     assert count == {"ULS": 36, "EQU": 36, "SLS": 18 + 5}

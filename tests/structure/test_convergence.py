@@ -27,7 +27,7 @@ RIGID = (np.inf, np.inf)
 PINNED = (Support(at="feet", kind="pinned"),)
 STRUCTURE = Structure(
     modulus=8e9, poisson=0.3, supports=PINNED, cases=CASES, thickness=0.01
-).having(crease_stiffness=RIGID)
+).replace_unchecked(crease_stiffness=RIGID)
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
@@ -37,7 +37,7 @@ def analysed(cells: int, share: float = 0.0) -> Analysis:
     design = file.pattern.sized(7, 9).model_copy(update={"flap": 0}).design(file.f, file.g)
     feet = find_feet(design)
     assert feet is not None
-    asked = STRUCTURE.having(cells=cells, refine=share)
+    asked = STRUCTURE.replace_unchecked(cells=cells, refine=share)
     return analyse(design, asked, Site("m", feet, (), 6.0))
 
 
@@ -83,7 +83,7 @@ def test_cells_become_finer_until_figures_change_little() -> None:
         assert 0 <= share <= 1
         said.append(what)
 
-    asked = replace(model, structure=STRUCTURE.having(cells=3, refine=0.02))
+    asked = replace(model, structure=STRUCTURE.replace_unchecked(cells=3, refine=0.02))
     found, cases, change, stopped = refine.refined(asked, run, watch)
     assert found.cells == 8
     assert (len(cases), stopped) == (1, None)
@@ -114,7 +114,7 @@ def stresses(path: Path, cells: int, structure: Structure, **pattern: object) ->
     design = file.pattern.model_copy(update={"flap": 0, **pattern}).design(file.f, file.g)
     feet = find_feet(design)
     assert feet is not None
-    found = analyse(design, structure.having(cells=cells), Site("m", feet, (), 6.0))
+    found = analyse(design, structure.replace_unchecked(cells=cells), Site("m", feet, (), 6.0))
     return [balanced.stress.size for balanced, _ in found.balanced]
 
 
@@ -122,7 +122,7 @@ def stresses(path: Path, cells: int, structure: Structure, **pattern: object) ->
 def test_stress_does_not_grow_with_finer_cells() -> None:
     """Figure 2's shell, pinned at points, under snow: within 10 %, 0.2 % seen."""
     snow = (LoadCase(name="snow", snow=Snow(ground=850)),)
-    asked = STRUCTURE.having(cases=snow)
+    asked = STRUCTURE.replace_unchecked(cases=snow)
     figure = EXAMPLES / "figure2.toml"
     (coarse,), (fine,) = (stresses(figure, cells, asked, rows=7, columns=9) for cells in (4, 8))
     assert fine == pytest.approx(coarse, rel=0.1)
@@ -159,7 +159,9 @@ def test_stress_of_a_bus_shelter_settles(
     """
     (tmp_path / "bus.toml").write_text(BUS_SHELTER)
     cases = (LoadCase(name="snow", snow=Snow(ground=850)),)
-    asked = STRUCTURE.having(cases=cases, thickness=0.012, crease_stiffness=(0.0, np.inf))
+    asked = STRUCTURE.replace_unchecked(
+        cases=cases, thickness=0.012, crease_stiffness=(0.0, np.inf)
+    )
     found = np.array([stresses(tmp_path / "bus.toml", cells, asked) for cells in (4, 8, 16)])
     record_property("stresses", found.tolist())
     assert (found.max(axis=0) < 1.15 * found.min(axis=0)).all(), found

@@ -94,7 +94,7 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
         supports=(PINNED,),
         cases=(),
         thickness=0.01,
-    ).having(supports=(PINNED.having(kind="friction"),))
+    ).replace_unchecked(supports=(PINNED.replace_unchecked(kind="friction"),))
     model = Model(design, structure, Site("m", feet, ties, 1.0), 2)
     sprung = model.factorised(0.0)
     count = len(ties) + len(model.flaps)

@@ -58,7 +58,7 @@ def held(analysis: Analysis) -> Equilibrium:
 def linear(followed: Analysis) -> Equilibrium:
     """The same by linear theory."""
     model = followed.model
-    structure = model.structure.having(nonlinear=False)
+    structure = model.structure.replace_unchecked(nonlinear=False)
     return held(analyse(model.design, structure, model.site))
 
 
@@ -184,7 +184,7 @@ def test_a_shell_that_buckles_and_holds() -> None:
         nonlinear=True,
         supports=(Support(at="feet", kind="pinned"),),
         cases=(LoadCase(name="own weight", self_weight=True),),
-    ).having(crease_stiffness=(np.inf, np.inf))
+    ).replace_unchecked(crease_stiffness=(np.inf, np.inf))
     found = held(analyse(design, structure, Site("m", feet, (), 15.54)))
     assert found.path is not None
     assert found.path.carries

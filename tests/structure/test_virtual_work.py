@@ -68,7 +68,7 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         cases=(LoadCase(name="own weight", self_weight=True),),
         thickness=0.05,
         crease_stiffness=(0.0, 0.0),
-    ).having(supports=(PINNED.having(kind="friction"),))
+    ).replace_unchecked(supports=(PINNED.replace_unchecked(kind="friction"),))
     ties = tuple(feet_ties(sheet, feet.rows)) if tied else ()
     model = Model(design, structure, Site("m", feet, ties, MASS), 2)
     sprung = model.factorised(0.0)

@@ -137,7 +137,7 @@ def test_a_hinge_at_a_wrong_height_closes_the_motion(seed: int) -> None:
 def shelter(pieces: int | str = "whole") -> Design:
     file = read_design_file(EXAMPLES / "shelter_hinged.toml")
     assert file.panel is not None
-    panel = file.panel.having(pieces=pieces, largest_arm="any")
+    panel = file.panel.replace_unchecked(pieces=pieces, largest_arm="any")
     design = file.pattern.design(file.f, file.g)
     assert isinstance(design.mechanism, Straightened)
     mechanism = design.mechanism.straightened()
@@ -427,10 +427,10 @@ def test_hinges_in_the_middle_of_edges_are_creases(creases: float) -> None:
     """
     whole, sheet = flattened(0.02)
     feet = find_feet(sheet)
-    asked = STRUCTURE.having(crease_stiffness=(creases, creases))
+    asked = STRUCTURE.replace_unchecked(crease_stiffness=(creases, creases))
 
     def work(design: Design, thickness: float | None, cells: int) -> float:
-        structure = asked.having(thickness=thickness)
+        structure = asked.replace_unchecked(thickness=thickness)
         model = Model(design, structure, Site("m", feet, (), 12.0), cells)
         if design.hinges is not None:  # hinges along the whole of creases
             sheet = design.mechanism
@@ -514,7 +514,9 @@ def test_whole_boards_balance_their_loads(support: Support, arms: float | None) 
         LoadCase(name="wind", self_weight=True, wind=wind),
         LoadCase(name="point", self_weight=True, points=(at,)),
     )
-    structure = STRUCTURE.having(supports=(support,), cases=cases, cells=3, arm_modulus=arms)
+    structure = STRUCTURE.replace_unchecked(
+        supports=(support,), cases=cases, cells=3, arm_modulus=arms
+    )
     found = analyse(design, structure, site)
     assert any("taken as rigid" in each for each in found.warnings) == (arms is None)
     held = [case for case in found.cases if case.equilibrium is not None]
@@ -552,5 +554,5 @@ def test_weight_is_that_of_the_boards() -> None:
 def test_what_is_not_analysed_is_refused(key: str, value: bool | int) -> None:
     design, site = strip_of_shelter()
     with pytest.raises(InputError) as caught:
-        analyse(design, STRUCTURE.having(**{key: value}), site)
+        analyse(design, STRUCTURE.replace_unchecked(**{key: value}), site)
     assert caught.value.keys == (f"structure.{key}",)

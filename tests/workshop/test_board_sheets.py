@@ -73,7 +73,7 @@ def test_names_of_files() -> None:
         "pattern-bottom.svg",
     ]
     assert names(boarded_document("bevel"), plain) == ["pattern.svg", "pattern-panels.svg"]
-    large = STOCK.having(stock=(1000.0, 700.0))
+    large = STOCK.replace_unchecked(stock=(1000.0, 700.0))
     assert names(boarded_document(), large) == [
         "pattern.svg",
         "pattern-back.svg",
@@ -314,4 +314,4 @@ def test_layers_of_the_paper_model_have_its_scale() -> None:
 
 def test_a_board_larger_than_the_stock_is_refused() -> None:
     with pytest.raises(InputError, match="stock"):
-        list(draw_boards(boarded_document(), STOCK.having(stock=(60.0, 60.0))))
+        list(draw_boards(boarded_document(), STOCK.replace_unchecked(stock=(60.0, 60.0))))

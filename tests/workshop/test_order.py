@@ -188,10 +188,10 @@ def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> No
     width, length = refused.value.needed
     assert length == 2000.0
     assert f"at least {width:g} x 2000" in str(refused.value)
-    assert lay_out(document, narrow.having(roll=(width, length))).sheets >= 1
+    assert lay_out(document, narrow.replace_unchecked(roll=(width, length))).sheets >= 1
     with pytest.raises(OversizeError):
-        require_stock(document, narrow.having(roll=(0.98 * width, length)))
-    turned = narrow.having(roll=(2000.0, 12.0))
+        require_stock(document, narrow.replace_unchecked(roll=(0.98 * width, length)))
+    turned = narrow.replace_unchecked(roll=(2000.0, 12.0))
     with pytest.raises(OversizeError) as refused:
         require_stock(document, turned)
     assert refused.value.needed == (length, width)

@@ -140,7 +140,7 @@ def test_ties_are_listed_as_they_are_cut(tmp_path: Path) -> None:
     assert [float(row["length_m"]) for row in rows] == [3.0, 1.5, 3.0]
     assert [row["coil"] for row in rows] == ["1", "1", "2"]
     with pytest.raises(InputError, match=r"tie_stock: a tie is longer .* at least 3.2"):
-        table(document, tmp_path, workshop.having(tie_stock=3.0))
+        table(document, tmp_path, workshop.replace_unchecked(tie_stock=3.0))
 
 
 def test_forces_are_matched_by_their_panels(tmp_path: Path) -> None:

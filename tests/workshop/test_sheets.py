@@ -72,7 +72,7 @@ def assert_cuttable(drawing: Drawing, workshop: Workshop) -> None:
 @pytest.mark.parametrize("family", list(FAMILIES))
 def test_parts_lie_on_the_stock_and_map_names_them(family: str, joint: JointKind) -> None:
     document = demo_document(family)
-    workshop = stock_for(family).having(joint=joint)
+    workshop = stock_for(family).replace_unchecked(joint=joint)
     layout = lay_out(document, workshop)
     first, *sheets = draw_sheets(document, workshop)
     assert len(sheets) == layout.sheets > 1
@@ -187,12 +187,12 @@ def test_a_layout_is_made_once_for_a_flat_sheet_and_its_stock() -> None:
     document, workshop = demo_document(), Workshop(stock=(10.0, 8.0))
     layout = lay_out(document, workshop)
     assert len(layout.parts) > 1
-    drawn_otherwise = workshop.having(labels="both", creases="dashes")
+    drawn_otherwise = workshop.replace_unchecked(labels="both", creases="dashes")
     assert lay_out(replace(document, states=(), title="other"), drawn_otherwise) is layout
     assert document.flat is not None
     larger = lay_out(replace(document, flat=document.flat * 1.01), workshop)
     assert larger.parts[0].outlines[0].max() > layout.parts[0].outlines[0].max()
-    assert lay_out(document, workshop.having(joint="strips")) is not layout
+    assert lay_out(document, workshop.replace_unchecked(joint="strips")) is not layout
 
 
 def test_drawings_do_not_depend_on_the_hash_seed() -> None:
@@ -228,8 +228,8 @@ HOLED = {"relief_hole": 0.05 * MEAN, "corner_gap": 0.02 * MEAN}
 @pytest.mark.parametrize(
     ("document", "workshop"),
     [
-        (demo_document(), Workshop().having(**HOLED)),
-        (demo_document(), stock_for("parallel-repeating").having(**HOLED)),
+        (demo_document(), Workshop().replace_unchecked(**HOLED)),
+        (demo_document(), stock_for("parallel-repeating").replace_unchecked(**HOLED)),
         (slit_document(), Workshop()),
     ],
     ids=["whole", "on stock", "slit"],
@@ -238,7 +238,7 @@ def test_lengths_are_those_of_what_is_drawn(
     document: Document, workshop: Workshop, creases: CreaseStyle
 ) -> None:
     """The machine goes along outlines, slits, holes and dashes, as far as they are drawn."""
-    workshop = workshop.having(creases=creases)
+    workshop = workshop.replace_unchecked(creases=creases)
     sheets = draw_sheets(document, workshop)
     sheets = sheets[len(sheets) > 1 :]  # without the map
     lines = [line for sheet in sheets for line in sheet.lines]

@@ -91,11 +91,11 @@ _KNOWN: dict[Any, dict[str, Written]] = {}
 def written_fields(kind: Any) -> dict[str, Written]:
     """What files say of a record, by their keys.
 
-    All its public fields, or those fields and properties that its ``WRITTEN`` names: "part.name"
+    All its public fields, or those fields and properties that its ``REPORTED`` names: "part.name"
     for one of a part, under the key "name".
     """
     if kind not in _KNOWN:
-        names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
+        names = getattr(kind, "REPORTED", None) or [each.name for each in fields(kind)]
         found = (_written(kind, name) for name in names if not name.startswith("_"))
         _KNOWN[kind] = {each.name.rpartition(".")[2] + "_deg" * each.angle: each for each in found}
     return _KNOWN[kind]
@@ -130,7 +130,7 @@ def as_table(thing: Any) -> Any:
             return [as_table(each) for each in thing]
         case Mapping():
             return {key: as_table(each) for key, each in thing.items()}
-        case _ if is_dataclass(thing) or hasattr(thing, "WRITTEN"):
+        case _ if is_dataclass(thing) or hasattr(thing, "REPORTED"):
             return {key: as_table(read_key(thing, key)) for key in written_fields(type(thing))}
     return thing
 

@@ -71,7 +71,7 @@ class Table(BaseModel):
                 place.note(name)
             return super().__getattribute__(name)
 
-    def having(self, **values: Any) -> Self:
+    def replace_unchecked(self, **values: Any) -> Self:
         """The table with other values, which nobody checks, and which are not those of a file."""
         assert values.keys() <= type(self).model_fields.keys()
         made = self.model_copy(update=values)

@@ -29,7 +29,7 @@ LEVEL = 1e-6
 class Feet:
     """What a locked shell stands on, flaps left out."""
 
-    WRITTEN = ("rows", "z", "uneven", "level", "points")
+    REPORTED = ("rows", "z", "uneven", "level", "points")
 
     rows: tuple[int, int]  # the rows of vertices that are its feet, the lowest towards each end
     z: float  # height of the lowest of their vertices

@@ -24,7 +24,7 @@ PACKS = 9
 class Pack:
     """The state of a motion that fits into the smallest box, panels with their thickness."""
 
-    WRITTEN = ("drive", "length", "width", "height", "layers")
+    REPORTED = ("drive", "length", "width", "height", "layers")
 
     drive: Angle  # its drive angle
     box: Box  # turned as it may be

@@ -33,7 +33,7 @@ def choose_pieces(mechanism: Mechanism, build: PanelSpec, end: float) -> Rows:
     tried: list[Rows] = ["whole", *reversed(numbers_of_rows(mechanism.grid.rows - 1))]
     for pieces in tried:
         try:
-            volume = _packed_volume(mechanism, build.having(pieces=pieces), end)
+            volume = _packed_volume(mechanism, build.replace_unchecked(pieces=pieces), end)
         except DesignError as error:
             refused = error
             continue

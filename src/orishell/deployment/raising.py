@@ -35,7 +35,7 @@ AT_REST = 1e-10
 class Stage:
     """A state on the way, and what moves the shell on from there."""
 
-    WRITTEN = ("drive", "work", "force", "people", "lift", "lifting_people")
+    REPORTED = ("drive", "work", "force", "people", "lift", "lifting_people")
 
     drive: Angle
     work: float  # what it takes to get there (force times metres)
@@ -61,7 +61,7 @@ class Stage:
 class Raising:
     """The way of a shell from flat or packed to its target, by its own weight."""
 
-    WRITTEN = ("row", "person", "stages")
+    REPORTED = ("row", "person", "stages")
 
     row: int  # the row of vertices that is highest at the target: where it is lifted
     person: float  # what one person is taken to pull or lift (N)

@@ -67,7 +67,7 @@ class ColumnDistances(Protocol):
 class Tie:
     """A cable between two vertices of one column, taut at the target."""
 
-    WRITTEN = ("ends", "length", "flat", "packed", "grows", "slack", "fails_at")
+    REPORTED = ("ends", "length", "flat", "packed", "grows", "slack", "fails_at")
 
     ends: VertexPair  # its vertices by row and column of the whole grid
     # their distance at the target, in the flat sheet, and at the end of the motion (length)

@@ -54,7 +54,7 @@ STATIONARY = 1e-6
 class OwnWeight:
     """A shell under its own weight, from flat to packed, without ties and flaps clipped on."""
 
-    WRITTEN = (
+    REPORTED = (
         "force_unit",
         "total",
         "at_feet",

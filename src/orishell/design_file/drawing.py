@@ -94,7 +94,7 @@ class DrawingTable(Table):
         """The table with the sheet itself, in ``unit``, in place of its file's name."""
         if self.file is None:
             return self.model_dump(exclude_unset=True)
-        made = self.having(scale=1.0)._made(directory, unit)
+        made = self.replace_unchecked(scale=1.0)._made(directory, unit)
         table = self.model_dump(exclude_unset=True, include={"scale"})
         return {**table, **table_of(made)}
 

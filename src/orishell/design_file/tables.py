@@ -133,9 +133,9 @@ def weighed(
         return panel, workshop
     density = materials()[table.material].density
     if panel is not None:
-        return panel.having(density=panel.density or density), workshop
+        return panel.replace_unchecked(density=panel.density or density), workshop
     thickness = (table.thickness or 0.0) * conversion(unit, "m")
-    return None, workshop.having(areal_density=density * thickness)
+    return None, workshop.replace_unchecked(areal_density=density * thickness)
 
 
 def _require_one_name_each(structure: Structure) -> None:

@@ -53,7 +53,7 @@ class Distances:
 class Deviation:
     """Distances between a shell and a surface, both ways (length)."""
 
-    WRITTEN = (
+    REPORTED = (
         "max",
         "rms",
         "mean",

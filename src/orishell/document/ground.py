@@ -47,7 +47,7 @@ class SweptGround:
     stays where it is at the target.
     """
 
-    WRITTEN = (
+    REPORTED = (
         "outline", "width", "depth", "area", "height", "highest_at", "below", "lowest_at",
         "margin", "states",
     )  # fmt: skip
@@ -75,7 +75,7 @@ class SweptGround:
 class GroundPlan:
     """A plan of the feet of a shell at its target."""
 
-    WRITTEN = ("corner", "feet", "outline", "swept")
+    REPORTED = ("corner", "feet", "outline", "swept")
 
     corner: tuple[float, float]  # the corner in world coordinates, x and y
     feet: tuple[GroundFoot, ...]

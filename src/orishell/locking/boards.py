@@ -111,7 +111,7 @@ def prove_boards(
 
     Raises DesignError if nothing is left of a panel.
     """
-    mechanism, flat = design.mechanism.still, points_of(design.mechanism, 0.0)
+    mechanism, flat = design.mechanism.least_turning, points_of(design.mechanism, 0.0)
     built = build_panels(design, end)
     settled, hinges = built.settled(), built.boards.hinges
     if hinges is not None:  # boards of two pieces are looked at where they are joined

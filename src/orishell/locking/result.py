@@ -71,7 +71,7 @@ def _called(panel: Panel, side: str) -> str:
 class Lock:
     """How a motion ends."""
 
-    WRITTEN = (
+    REPORTED = (
         "drive",
         "cause",
         "target_drive",

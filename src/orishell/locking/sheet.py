@@ -46,7 +46,7 @@ class Sheet:
     @classmethod
     def of(cls, design: Design) -> Sheet:
         """The folding sheet of a design, flaps that are clipped on left out."""
-        mechanism = design.mechanism.still
+        mechanism = design.mechanism.least_turning
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
         target, build, layout = mechanism.target_drive, design.panel, Layout.of(mechanism)

@@ -33,7 +33,7 @@ Lines = Literal["rows", "columns"]
 class FreedomOfSheet:
     """How many motions a sheet has, and what folds by itself."""
 
-    WRITTEN = ("one_motion", "nearly", "lines", "parts", "states", "largest_zero", "least_other")
+    REPORTED = ("one_motion", "nearly", "lines", "parts", "states", "largest_zero", "least_other")
 
     # degrees of freedom: the least of the states that were looked at, of the piece that has most;
     # None if no gap tells them

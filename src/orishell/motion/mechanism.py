@@ -55,7 +55,7 @@ class Mechanism(Protocol):
         """
 
     @property
-    def still(self) -> Mechanism:
+    def least_turning(self) -> Mechanism:
         """The same sheet, turning as little as possible while it folds: for the proof of contact.
 
         Contact does not depend on how the sheet turns as a whole, and less turning needs fewer

@@ -45,9 +45,9 @@ class SheetPiece:
         return SheetPiece(self.whole.with_stop(stop), self.rows)
 
     @property
-    def still(self) -> Mechanism:
+    def least_turning(self) -> Mechanism:
         """The same rows of the sheet that turns as little as possible."""
-        return SheetPiece(self.whole.still, self.rows)
+        return SheetPiece(self.whole.least_turning, self.rows)
 
     @property
     def target_drive(self) -> float:

@@ -160,7 +160,7 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
     try:
         if panel.pieces == "auto":
             end = drive_at_fold(mechanism, design.largest_fold)
-            panel = panel.having(pieces=choose_pieces(mechanism, panel, end))
+            panel = panel.replace_unchecked(pieces=choose_pieces(mechanism, panel, end))
         hinges = find_hinges(mechanism, panel)
     except DesignError as error:
         if error.keys == ("panel.construction",):
@@ -220,7 +220,10 @@ def _require_thickness(design: Design) -> None:
     if build.thickness <= limit.thickness:
         return
     place = f"at the target, {limit.crease}"
-    if not limit.thickness and find_thickness_limit(sheet, build.having(gap=0.0)).thickness:
+    if (
+        not limit.thickness
+        and find_thickness_limit(sheet, build.replace_unchecked(gap=0.0)).thickness
+    ):
         raise wide_gap(build, place, lambda other: find_thickness_limit(sheet, other).thickness)
     earlier = [Remedy({"panel.stop_deg": "auto"})] if limit.on_flap else []
     raise DesignError(

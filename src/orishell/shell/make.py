@@ -38,7 +38,7 @@ from orishell.shell.remedies import with_remedies
 from orishell.shell.report import Report, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
-from orishell.shell.stronger import Stronger, find_stronger
+from orishell.shell.thickness_remedy import Stronger, find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
 from orishell.structure.analyse import analyse

@@ -40,7 +40,7 @@ class Trial:
 class Choice:
     """The design with the fewest panels, and the others that were looked at."""
 
-    WRITTEN = (
+    REPORTED = (
         "tolerance", "limits.panel_min", "panel_max", "limits.least_share",
         "limits.steepest_chamfer_deg", "trial.rows", "trial.columns", "trial.panels",
         "trial.error", "trial.shortest", "trial.longest", "designs_tried", "tradeoff",

@@ -168,11 +168,11 @@ def _limits(file: DesignFile, tolerance: Tolerance) -> Tolerance:
     if panel is not None and panel.is_solid:
         return tolerance
     if panel is not None and workshop.roll is not None:
-        workshop = workshop.having(stock=workshop.roll)
+        workshop = workshop.replace_unchecked(stock=workshop.roll)
     if workshop.stock is None:
         return tolerance
     longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
-    return tolerance.having(panel_max=min(tolerance.panel_max, longest))
+    return tolerance.replace_unchecked(panel_max=min(tolerance.panel_max, longest))
 
 
 def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:

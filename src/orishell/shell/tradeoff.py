@@ -53,7 +53,7 @@ def find_tradeoff(
     be.
     """
     limits = file.tolerance or Tolerance.model_construct(surface=math.inf)
-    free = limits.having(surface=math.inf)
+    free = limits.replace_unchecked(surface=math.inf)
     own = file.pattern if size is None else file.pattern.sized(*size)
     pattern = own.variants(file.f, free).telling[0]
     left_open = pattern.model_fields_set - file.pattern.model_fields_set

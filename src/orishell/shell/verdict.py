@@ -17,7 +17,7 @@ from orishell.locking.report import HingedReport
 from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
-from orishell.shell.stronger import Stronger
+from orishell.shell.thickness_remedy import Stronger
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order import order_in_words
 

@@ -103,7 +103,7 @@ def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) 
 
     def widest_with(least: float) -> float | None:
         def works(gap: float) -> bool:
-            return limit(build.having(gap=gap)) > least
+            return limit(build.replace_unchecked(gap=gap)) > least
 
         return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
 
@@ -175,7 +175,7 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
 def _no_room(mechanism: Mechanism, build: PanelSpec) -> DesignError:
     """The refusal of boards on flaps that have no room for them, whatever their stop is."""
     most = largest_thickness(mechanism, build)
-    if not most and largest_thickness(mechanism, build.having(gap=0.0)):
+    if not most and largest_thickness(mechanism, build.replace_unchecked(gap=0.0)):
         return wide_gap(build, "at a flap", partial(largest_thickness, mechanism))
     bare = [Remedy({"panel.stop_deg": 0.0})] if build.construction == "sandwich" else []
     return DesignError(

@@ -43,7 +43,7 @@ class Worst:
 class Anchor:
     """What a supported vertex asks of the ground, of all cases in equilibrium."""
 
-    WRITTEN = ("at", "push", "pull", "sideways", "ballast", "ballast_mass", "friction", "assumed")
+    REPORTED = ("at", "push", "pull", "sideways", "ballast", "ballast_mass", "friction", "assumed")
 
     at: Vertex  # the vertex
     push: Worst  # down on the ground

@@ -19,7 +19,7 @@ def alternatives(case: LoadCase) -> Alternatives:
     for (snowing, snow), (blowing, wind) in product(snows, winds):
         words = [each for each in (snowing, blowing) if each]
         name = ", ".join([case.name, *words])
-        found.append((" ".join(words), case.having(name=name, snow=snow, wind=wind)))
+        found.append((" ".join(words), case.replace_unchecked(name=name, snow=snow, wind=wind)))
     return tuple(found)
 
 
@@ -51,5 +51,5 @@ def arranged(cases: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
             words = [each for each, _ in parts if each]
             factors = zip((each.name for _, each in parts), case.combine.values(), strict=True)
             name = ", ".join([case.name, *words])
-            found.append(case.having(name=name, combine=dict(factors)))
+            found.append(case.replace_unchecked(name=name, combine=dict(factors)))
     return tuple(found)

@@ -29,7 +29,7 @@ from orishell.structure.verdict import (
 class CaseResult:
     """A load case with one stiffness of creases."""
 
-    WRITTEN = (
+    REPORTED = (
         "name", "limit_state", "creases", "carries", "findings", "loads", "load", "equilibrium",
     )  # fmt: skip
 

@@ -87,7 +87,7 @@ class Stress:
 class Equilibrium:
     """A shell in equilibrium with its loads."""
 
-    WRITTEN = (
+    REPORTED = (
         "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
         "crease", "creases", "lines", "stress", "beside", "lone_board", "membrane", "arms",
         "panel_residual", "utilisation",

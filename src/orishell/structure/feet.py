@@ -22,7 +22,7 @@ AT_LIMIT = 1e-6
 class Foot:
     """A foot on the ground, which pushes and rubs, and does not pull."""
 
-    WRITTEN = ("at", "state", "slip", "slipped", "gap", "used")
+    REPORTED = ("at", "state", "slip", "slipped", "gap", "used")
 
     at: Vertex  # the vertex
     state: Literal["sticks", "slips", "lifted"]  # what it does

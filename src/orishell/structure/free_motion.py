@@ -161,8 +161,10 @@ def _enough_friction(structure: Factorised, loads: Array, size: float) -> float 
 def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
     """The shell with those things that it lacks and that may hold it."""
     asked, site = model.structure, model.site
-    pinned = tuple(each.having(kind="pinned", friction=0.0) for each in asked.supports)
-    tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
+    pinned = tuple(each.replace_unchecked(kind="pinned", friction=0.0) for each in asked.supports)
+    tried: dict[Remedy, Model] = {
+        "pinned": replace(model, structure=asked.replace_unchecked(supports=pinned))
+    }
     if site.feet is not None and not site.ties:
         columns = np.arange(model.grid.columns)[model.sheet.inner_columns] + model.before
         if site.feet.points:

@@ -16,7 +16,7 @@ buckles into another shape, and nothing holds it there; where it could not be fo
 class LoadPath:
     """Load against displacement."""
 
-    WRITTEN = (
+    REPORTED = (
         "carries", "ending", "reached", "factors", "displacements", "linear_displacement",
         "linear_buckling",
     )  # fmt: skip

@@ -60,7 +60,7 @@ class Snow(Table):
         own = SHAPES[self.shape]
         if self.arrangement is not None or not own:
             return (self,)
-        return tuple(self.having(arrangement=each) for each in own)
+        return tuple(self.replace_unchecked(arrangement=each) for each in own)
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -124,7 +124,7 @@ class Wind(Table):
     @property
     def arrangements(self) -> tuple[Self, ...]:
         """The wind with each pressure inside."""
-        return tuple(self.having(internal=(each,)) for each in self.internal) or (self,)
+        return tuple(self.replace_unchecked(internal=(each,)) for each in self.internal) or (self,)
 
     @model_validator(mode="after")
     def _check(self) -> Self:

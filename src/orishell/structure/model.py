@@ -41,7 +41,7 @@ from orishell.structure.whole_boards import corners_at_vertices, plates_of
 class Model:
     """What is analysed."""
 
-    WRITTEN = (
+    REPORTED = (
         "nodes", "triangles", "freedoms", "cells", "change", "stopped", "mass", "height",
         "thickness", "structure.material", "structure.modulus", "structure.poisson",
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",

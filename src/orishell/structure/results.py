@@ -52,7 +52,7 @@ NOT_COVERED = (
 class Analysis:
     """The shell as a structure."""
 
-    WRITTEN = (
+    REPORTED = (
         "carries", "model", "cases", "governs", "envelopes", "anchors", "warnings", "not_covered",
     )  # fmt: skip
 

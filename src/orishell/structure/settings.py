@@ -77,7 +77,7 @@ else:
 class Support(Table):
     """What holds some vertices."""
 
-    WRITTEN: ClassVar = ("at", "kind", "friction", "edges", "patch")
+    REPORTED: ClassVar = ("at", "kind", "friction", "edges", "patch")
 
     # the rows that are feet, the first and last columns, or vertices
     at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
@@ -186,7 +186,9 @@ class StructureTable(Table):
             "strength": made.strength * area,
         }
         given = {key for key in known if key in self.model_fields_set}
-        return self.having(**{key: each for key, each in known.items() if key not in given})
+        return self.replace_unchecked(
+            **{key: each for key, each in known.items() if key not in given}
+        )
 
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:
         """The structure under load cases; its modulus is known."""

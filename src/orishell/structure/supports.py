@@ -14,7 +14,7 @@ from orishell.structure.footings import edge_nodes, patch_nodes
 from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.settings import Support, SupportKind
 
-HELD: dict[SupportKind, range] = {
+RESTRAINED: dict[SupportKind, range] = {
     "pinned": range(3),
     "fixed": range(6),
     "sliding": range(2, 3),
@@ -98,13 +98,13 @@ def find_supports(
             friction.append(np.full(len(vertices), support.friction))
         nodes = _nodes(support, mesh, grid, vertices, f"[structure] supports[{number}]")
         apart.add(number, vertices, nodes)
-        if len(HELD[support.kind]) >= len("xyz"):
+        if len(RESTRAINED[support.kind]) >= len("xyz"):
             whole[nodes] = True
         alone = len(nodes) == len(vertices)
         (points if alone else broad).append(vertices)
         if alone and support.patch:
             lost.append(support.patch)
-        axes = np.array(HELD[support.kind], np.int64)
+        axes = np.array(RESTRAINED[support.kind], np.int64)
         held.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
     areas = mesh.facets.areas()
     still = whole[mesh.facets.triangles].all(axis=1)

@@ -30,7 +30,7 @@ LEAST_LINE = 100.0
 class Utilisation:
     """Shares of what is borne, by what can be borne."""
 
-    WRITTEN = ("panels", "membrane", "creases", "lines", "arms", "ties", "buckling", "governs")
+    REPORTED = ("panels", "membrane", "creases", "lines", "arms", "ties", "buckling", "governs")
 
     # of their strength; None where that is not known
     panels: float | None

@@ -81,7 +81,7 @@ def on_its_roll(document: Document, workshop: Workshop) -> Workshop:
     """The settings by which the flat sheet is laid out: rolls are the stock of a membrane."""
     if workshop.roll is None or not has_membrane(document):
         return workshop
-    return workshop.having(stock=workshop.roll)
+    return workshop.replace_unchecked(stock=workshop.roll)
 
 
 def require_stock(document: Document, workshop: Workshop) -> None:

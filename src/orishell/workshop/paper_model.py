@@ -53,7 +53,9 @@ class PaperModel:
 
 def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     """The paper model of a sheet, whose creases are scored."""
-    workshop = workshop.having(creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
+    workshop = workshop.replace_unchecked(
+        creases="score", corner_gap="auto", relief_hole=0.0, stock=None
+    )
     document = with_clipped(document)
     require_drawable(document)
     part = with_glue_areas(document, whole_sheet(document))
@@ -69,7 +71,7 @@ def make_board_models(
     """Paper models of the membrane's back and of all layers of boards, and their files' endings."""
     if document.boards is None:
         return
-    workshop = workshop.having(paper_scale=scale, stock=None)
+    workshop = workshop.replace_unchecked(paper_scale=scale, stock=None)
     everything = with_clipped(document)
     if (document.boards.sides < 0).any():
         back, title = back_of(everything, whole_sheet(everything)), f"{sheet_title(document)}, back"

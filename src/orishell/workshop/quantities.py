@@ -152,7 +152,7 @@ class CreaseLength:
 class Quantities:
     """Totals of the sheet and its clipped boards; lengths and areas in the document's unit."""
 
-    WRITTEN = (
+    REPORTED = (
         *("panels", "clipped", "area", "crease_length", "outline_length", "stock"),
         *("mass_kg", "built", "carried_by", "order"),
     )

@@ -213,7 +213,7 @@ class Workshop(Table):
             load_palette(path)
         except InputError as error:
             raise error.at_key("workshop.palette") from None
-        return self.having(palette=path)
+        return self.replace_unchecked(palette=path)
 
 
 DEFAULT = Workshop()

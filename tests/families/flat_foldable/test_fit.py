@@ -11,8 +11,8 @@ from orishell.conventions.errors import DesignError
 from orishell.deployment.feet import find_feet, stand
 from orishell.design import MeshSurface, Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.initial_guesses import Task, fit_sheet
 from orishell.families.flat_foldable.fit.residuals import Problem, Weights
-from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
 from orishell.families.flat_foldable.fit.unknowns import Unknowns
 from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.locking import find_lock

@@ -75,7 +75,7 @@ def test_large_sheets_close_and_lock_in_every_row() -> None:
 def test_bounds_hold_with_a_stop_and_beyond_the_target(stop: float, ranges: int) -> None:
     sheet = with_flap_columns(random_net(6, 5, 3), **TURNED).with_stop(stop)
     assert sheet.target_drive < sheet.end_drive
-    for each in (sheet, sheet.still):
+    for each in (sheet, sheet.least_turning):
         shares_of_bounds(each, 9, ranges, each.end_drive)
 
 

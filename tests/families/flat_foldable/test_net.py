@@ -177,7 +177,7 @@ def test_a_net_of_one_number_each_is_a_miura_sheet() -> None:
 def test_bounds_hold_up_to_the_flat_stack() -> None:
     for mixed in (False, True):
         sheet = flat_foldable(random_net(7, 6, 8, mixed=mixed), **TURNED)
-        for each in (sheet, sheet.still):
+        for each in (sheet, sheet.least_turning):
             shares_of_bounds(each, 24, 60, end=each.end_drive)
 
 

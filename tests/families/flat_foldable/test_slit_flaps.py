@@ -19,7 +19,7 @@ from orishell.document.from_design import document_of_design
 from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.design import mechanism_of
-from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
+from orishell.families.flat_foldable.fit.initial_guesses import Task, fit_sheet
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.io import document_of_fold, read_fold, write_fold
@@ -115,7 +115,7 @@ def test_flaps_lie_flat_and_count_counter_clockwise() -> None:
 @pytest.mark.parametrize("number", [0, 20, 250, 400, 511])
 def test_vectors_swing_no_faster_than_the_sums_of_bounds(number: int) -> None:
     # Second differences in a range of the drive, between vertices of every two panels.
-    for sheet in (sheet_of(3), sheet_of(3).still, sheet_of(3, stop=0.1)):
+    for sheet in (sheet_of(3), sheet_of(3).least_turning, sheet_of(3, stop=0.1)):
         h = 0.5 * sheet.end_drive / RANGES
         middle = (number + 0.5) * sheet.end_drive / RANGES
         ends = np.array([middle - h]), np.array([middle + h])

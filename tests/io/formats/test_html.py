@@ -302,7 +302,7 @@ def parts_of(view: bytes) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     "build",
     [
         PanelSpec(thickness=0.1, membrane=0.005),
-        PanelSpec().having(thickness=0.1, construction="bevel"),
+        PanelSpec().replace_unchecked(thickness=0.1, construction="bevel"),
     ],
 )
 def test_thickness_is_switched_off_and_on(

@@ -118,10 +118,10 @@ def test_a_sheet_that_does_not_fold_flat_is_refused() -> None:
 def test_arms_that_are_too_long_are_refused_with_the_arm_that_is_needed() -> None:
     sheet = flat_foldable(miura_net(6, 4))
     with pytest.raises(DesignError, match=r"arms of 0.06 are needed, 6 times") as caught:
-        find_hinges(sheet, BUILD.having(largest_arm=0.05))
+        find_hinges(sheet, BUILD.replace_unchecked(largest_arm=0.05))
     for remedy in caught.value.candidates:
         changes = {key.removeprefix("panel."): value for key, value in remedy.changes.items()}
-        find_hinges(sheet, BUILD.having(**{"largest_arm": 0.05, **changes}))
+        find_hinges(sheet, BUILD.replace_unchecked(**{"largest_arm": 0.05, **changes}))
 
 
 def test_the_program_is_refused_a_sheet_that_is_too_large() -> None:

@@ -68,7 +68,7 @@ def fittings() -> Fittings:
 def hinged(seed: int, **hinge: object) -> tuple[Mechanism, Hinges, PanelSpec, float]:
     sheet = random_sheet(seed)
     size = diagonal(sheet.positions(0.0))
-    spec = HingeSpec().having(**hinge)
+    spec = HingeSpec().replace_unchecked(**hinge)
     build = PanelSpec(thickness=1e-3 * size, construction="hinged", hinge=spec)
     return sheet, find_hinges(sheet, build), build, size
 
@@ -81,7 +81,7 @@ def panels_of(sheet: Mechanism) -> Array:
 def test_knuckles_stand_off_all_faces_and_loops_stay_closed(seed: int) -> None:
     sheet, thin, build, size = hinged(seed)
     knuckle = 7e-4 * size
-    build = build.having(hinge=HingeSpec(knuckle=knuckle))
+    build = build.replace_unchecked(hinge=HingeSpec(knuckle=knuckle))
     hinges = find_hinges(sheet, build)
     for sign, arms in zip((hinges.signs.row, hinges.signs.column), hinges.arms, strict=True):
         assert arms[:, sign != 0].min() >= knuckle * (1 - 1e-9)
@@ -267,7 +267,7 @@ def test_arms_are_drawn_apart_with_their_holes_inside() -> None:
 
 def test_fins_as_thick_as_leaves_are_wide_are_blocks_without_feet() -> None:
     sheet, hinges, build, _ = hinged(0)
-    thick = build.having(arm_width=build.hinge.leaf_on(build.thickness))
+    thick = build.replace_unchecked(arm_width=build.hinge.leaf_on(build.thickness))
     found, thin = (fit_hinges(panels_of(sheet), hinges, each) for each in (thick, build))
     assert found.arms
     assert not any(arm.foot or arm.in_foot for arm in found.arms)
@@ -277,7 +277,9 @@ def test_fins_as_thick_as_leaves_are_wide_are_blocks_without_feet() -> None:
     assert np.array_equal(found.holes()[0], thin.holes()[0])
     document = shell().document
     assert document.panel is not None
-    drawing = draw_arms(replace(document, panel=document.panel.having(arm_width=0.04)), Workshop())
+    drawing = draw_arms(
+        replace(document, panel=document.panel.replace_unchecked(arm_width=0.04)), Workshop()
+    )
     assert drawing is not None
     assert not any(line.layer == "ENGRAVE" for line in drawing.lines)
 
@@ -287,7 +289,7 @@ def test_leaves_may_take_half_of_the_way_across() -> None:
     panels = panels_of(sheet)
 
     def with_leaf(width: float) -> Fittings:
-        return fit_hinges(panels, hinges, build.having(hinge=HingeSpec(leaf=width)))
+        return fit_hinges(panels, hinges, build.replace_unchecked(hinge=HingeSpec(leaf=width)))
 
     with pytest.raises(DesignError) as refusal:
         with_leaf(size)

@@ -119,7 +119,7 @@ def test_the_joints_of_the_report_are_those_of_the_boards() -> None:
     plane.
     """
     sheet, gap = flat_foldable(miura_net(5, 4)), 0.004
-    build = BUILD.having(pieces=3, gap=gap)
+    build = BUILD.replace_unchecked(pieces=3, gap=gap)
     hinges = find_hinges(sheet, build)
     built = build_panels(boarded(sheet, build, hinges), sheet.end_drive)
     fold = np.abs(sheet.fold_angles(sheet.target_drive).row[2])
@@ -132,7 +132,7 @@ def test_the_joints_of_the_report_are_those_of_the_boards() -> None:
 def test_arms_are_those_of_a_piece_alone(rows: int, pieces: int) -> None:
     """Rows of Miura-ori alternate: arms of as many thicknesses as the piece has row creases."""
     sheet = flat_foldable(miura_net(rows - 1, 4))
-    hinges = find_hinges(sheet, BUILD.having(pieces=pieces))
+    hinges = find_hinges(sheet, BUILD.replace_unchecked(pieces=pieces))
     sizes = [each.stop - each.start for each in hinges.pieces]
     assert sum(sizes) == rows
     assert max(sizes) - min(sizes) <= 1
@@ -162,7 +162,7 @@ def test_rows_are_parted_evenly() -> None:
 def test_pieces_are_clear_on_their_way_and_where_they_are_joined(seed: int) -> None:
     """manifold3d in five states of the proved path, and all boards at the target."""
     sheet, build, hinges, size = in_pieces(seed)
-    build = build.having(gap=1e-4 * size)
+    build = build.replace_unchecked(gap=1e-4 * size)
     lock = find_lock(boarded(sheet, build, hinges))
     assert lock.built is not None
     boards = lock.built.boards
@@ -175,7 +175,7 @@ def test_pieces_are_clear_on_their_way_and_where_they_are_joined(seed: int) -> N
 def test_boards_that_reach_into_another_piece_are_refused() -> None:
     """Without being cut back they do, by about what they would be cut back."""
     sheet = flat_foldable(miura_net(5, 4))
-    build = BUILD.having(pieces=3, gap=0.001)
+    build = BUILD.replace_unchecked(pieces=3, gap=0.001)
     hinges = find_hinges(sheet, build)
     assert hinges.joints is not None
     wrong = replace(hinges, joints=replace(hinges.joints, cuts=0.0 * hinges.joints.cuts))
@@ -190,7 +190,7 @@ def test_drawn_apart_pieces_are_rigid_and_clear_of_each_other_in_the_pack() -> N
     target; folded flat no two pieces are in one place.
     """
     sheet = flat_foldable(miura_net(7, 6))
-    build = BUILD.having(pieces=4)
+    build = BUILD.replace_unchecked(pieces=4)
     hinges = find_hinges(sheet, build)
     for drive in np.linspace(0.0, sheet.end_drive, 9):
         state = sheet.positions(drive)
@@ -265,9 +265,9 @@ def test_auto_takes_the_smallest_pack_whose_arms_may_be() -> None:
     design = designed(read_design_file(SHELTER))
     sheet, end = design.mechanism, design.mechanism.end_drive
     assert choose_pieces(sheet, BUILD, end) == 2
-    assert choose_pieces(sheet, BUILD.having(largest_arm=0.01), end) == 2
+    assert choose_pieces(sheet, BUILD.replace_unchecked(largest_arm=0.01), end) == 2
     with pytest.raises(DesignError, match=r"arms of 0\.01 are needed"):
-        choose_pieces(sheet, BUILD.having(largest_arm=0.009), end)
+        choose_pieces(sheet, BUILD.replace_unchecked(largest_arm=0.009), end)
 
 
 def test_tables_name_joints_and_pieces(tmp_path: Path) -> None:

@@ -148,7 +148,7 @@ def levelled(sheet: DrawnSheet) -> DrawnSheet:
 
     If its first and last rows can then be its lowest, they are at one height: it stands on them.
     """
-    still = sheet.still
+    still = sheet.least_turning
     shell = still.positions(still.target_drive)
     along, _, normal = axes_of(shell)
     ends = np.cross(along, (shell[0] - shell[-1]).mean(axis=0))

@@ -49,7 +49,7 @@ class DrawnSheet(FlapFree):
         return Grid(*self.flat.shape[1:3])
 
     @property
-    def still(self) -> DrawnSheet:
+    def least_turning(self) -> DrawnSheet:
         """The sheet whose middle crease stays where it is."""
         return DrawnSheet(self.flat, self.drive, self.fold, np.zeros(3), self.place)
 

@@ -67,7 +67,7 @@ class FlatFoldable(FlapFree):
         return describe(self.sheet)
 
     @property
-    def still(self) -> FlatFoldable:
+    def least_turning(self) -> FlatFoldable:
         """The sheet whose middle crease stays where it is."""
         return FlatFoldable(self.sheet, self.heading, place=self.place)
 

@@ -43,12 +43,12 @@ def graded_net(
     column_lengths
         Lengths of edges down the middle column, border to border.
     """
-    tangents = np.tan(0.5 * _gone_through(folds, rows))
-    angles = _gone_through(sectors, columns)
+    tangents = np.tan(0.5 * _cycled(folds, rows))
+    angles = _cycled(sectors, columns)
     x = tangents * alternating(rows)
     y = tangents[rows // 2] * np.cos(angles) * alternating(columns)
-    along = _gone_through(row_lengths, columns + 1)
-    down = _gone_through(column_lengths, rows + 1)
+    along = _cycled(row_lengths, columns + 1)
+    down = _cycled(column_lengths, rows + 1)
     net = Net(
         x=x[:, None],
         y=y[:, None],
@@ -129,5 +129,5 @@ class NamedSheet:
         )
 
 
-def _gone_through(values: Sequence[float], count: int) -> Array:
+def _cycled(values: Sequence[float], count: int) -> Array:
     return np.resize(np.asarray(values, dtype=np.float64), count)

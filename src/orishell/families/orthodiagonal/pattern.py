@@ -143,7 +143,7 @@ class OrthodiagonalPattern(Pattern):
         return design_sweep(
             surface,
             SWEEPS,
-            lambda f, g, along: self.having(heading_deg=heading(along)).design(f, g),
+            lambda f, g, along: self.replace_unchecked(heading_deg=heading(along)).design(f, g),
             lambda along: {"pattern.heading_deg": heading(along)},
         )
 

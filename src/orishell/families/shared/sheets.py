@@ -130,7 +130,7 @@ class FlapSheet:
         return {}
 
     @property
-    def still(self) -> Self:
+    def least_turning(self) -> Self:
         """The sheet itself."""
         return self
 

@@ -11,7 +11,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import counted
 from orishell.conventions.record import record
 from orishell.curves.joining import FAR_APART, UNASKED, WIDEST
-from orishell.io.patterns.apart import PiecesError, require_one_piece
+from orishell.io.patterns.connectivity import PiecesError, require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import (
     GapError,

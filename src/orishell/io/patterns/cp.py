@@ -13,8 +13,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.source_file import read_source_file
+from orishell.io.patterns.line_styles import AUXILIARY
 from orishell.io.patterns.lines import Lines
-from orishell.io.patterns.looks import AUXILIARY
 from orishell.io.patterns.strokes import Stroke, lines_of
 from orishell.numerics.arrays import Array
 

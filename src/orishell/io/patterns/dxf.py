@@ -11,8 +11,8 @@ from orishell.curves.dxf.entities import draw_entity
 from orishell.curves.dxf.planes import require_one_plane
 from orishell.curves.dxf.read import read_entities
 from orishell.curves.dxf.selection import visible_curves
+from orishell.io.patterns.line_styles import IGNORED, letter_of_colour, letter_of_layer
 from orishell.io.patterns.lines import Lines
-from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer
 from orishell.io.patterns.strokes import Stroke, lines_of, straight_ends
 
 if TYPE_CHECKING:

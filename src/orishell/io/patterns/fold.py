@@ -21,12 +21,12 @@ from orishell.io.fold_keys import (
 )
 from orishell.io.fold_polygons import read_polygons, require_different
 from orishell.io.format import plain_line
-from orishell.io.patterns.apart import PiecesError, require_apart, require_one_piece
 from orishell.io.patterns.arrangement import arrange
+from orishell.io.patterns.connectivity import PiecesError, require_apart, require_one_piece
 from orishell.io.patterns.fold_panels import sides_among
-from orishell.io.patterns.found import PatternState, ReadPattern
 from orishell.io.patterns.layout import lay_out, letters_of_folds, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points
+from orishell.io.patterns.pattern_file import PatternState, ReadPattern
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.panel_sides import join_loops, sides_of
 from orishell.numerics.arrays import Array, Integers

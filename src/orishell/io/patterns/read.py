@@ -18,9 +18,9 @@ from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.cp import read_cp_lines
 from orishell.io.patterns.dxf import read_dxf_lines
 from orishell.io.patterns.fold import read_fold_pattern
-from orishell.io.patterns.found import ReadPattern
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.obj import read_obj_frames
+from orishell.io.patterns.pattern_file import ReadPattern
 from orishell.io.patterns.svg import read_svg_lines
 
 ENDINGS = (".fold", ".svg", ".dxf", ".cp", ".obj")

@@ -9,8 +9,8 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.curves.pieces import Arc, Piece
+from orishell.io.patterns.line_styles import AUXILIARY
 from orishell.io.patterns.lines import Lines
-from orishell.io.patterns.looks import AUXILIARY
 from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array
 

@@ -13,8 +13,13 @@ from orishell.curves.svg.styles import UNPAINTED, inherited, read_styled
 from orishell.curves.svg.tree import NUMBER, Element
 from orishell.curves.svg.walk import Context, Walk, has_physical_size, name_of
 from orishell.io.fold_keys import LETTERS
+from orishell.io.patterns.line_styles import (
+    IGNORED,
+    letter_of_colour,
+    letter_of_layer,
+    parse_colour,
+)
 from orishell.io.patterns.lines import Lines
-from orishell.io.patterns.looks import IGNORED, letter_of_colour, letter_of_layer, parse_colour
 from orishell.io.patterns.strokes import Stroke, lines_of, straight_ends
 from orishell.motion.crease_pattern import SENSE
 from orishell.numerics.arrays import Array

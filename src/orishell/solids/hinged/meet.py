@@ -57,7 +57,7 @@ def meet_target(
     lengths = np.concatenate(list(free.values()))
     cuts = np.cumsum([len(each) for each in free.values()])[:-1]
 
-    def having(lengths: Array) -> Mechanism:
+    def with_lengths(lengths: Array) -> Mechanism:
         return mechanism.with_lengths(dict(zip(free, np.split(lengths, cuts), strict=True)))
 
     shell = mechanism.positions(mechanism.target_drive)
@@ -65,7 +65,7 @@ def meet_target(
     for k, length in enumerate(lengths):
         longer = lengths.copy()
         longer[k] += STEP * length
-        other = having(longer)
+        other = with_lengths(longer)
         moves[k] = (other.positions(other.target_drive) - shell) / STEP
     moves[len(lengths) :] = np.eye(3)[:, None, None]
     meant = shell if meant is None else meant
@@ -74,7 +74,7 @@ def meet_target(
     sunk = (hinges.lowest(shell) - meant[..., 2])[row, column]
     change = _least(*_squares(moves, off, panel_normals(shell)), moves[:, row, column, 2].T, -sunk)
     change *= _share(np.einsum("k,kijx->ijx", change, moves), shell)
-    fitted = having(lengths * (1 + change[:-3]))
+    fitted = with_lengths(lengths * (1 + change[:-3]))
     if isinstance(fitted, Straightened):
         fitted = fitted.straightened()
     return fitted, replace(hinges, place=hinges.place + change[-3:])

@@ -24,7 +24,7 @@ else:
 class Load:
     """What one kind of load adds to a case."""
 
-    WRITTEN = ("case", "factor", "kind", "pressure", "rule", "force")
+    REPORTED = ("case", "factor", "kind", "pressure", "rule", "force")
 
     case: str  # the case that has it: another one where that is combined
     factor: float  # by which it is combined
@@ -58,7 +58,7 @@ KINDS: dict[str, str] = {}
 Effects = TypeVar("Effects", bound=Callable[..., Effect])
 
 
-def called(words: str) -> Callable[[Effects], Effects]:
+def load(words: str) -> Callable[[Effects], Effects]:
     """Register what the load of a function's name does, and what it is called."""
 
     def register(effect: Effects) -> Effects:

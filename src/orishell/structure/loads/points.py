@@ -8,11 +8,11 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.structure.load_settings import PointLoad
-from orishell.structure.loads.cases import Effect, called
+from orishell.structure.loads.cases import Effect, load
 from orishell.structure.loads.exposure import Exposure
 
 
-@called("forces at points")
+@load("forces at points")
 def points(exposure: Exposure, asked: Sequence[PointLoad]) -> Effect:
     """At single vertices.
 

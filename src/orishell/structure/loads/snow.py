@@ -14,7 +14,7 @@ from orishell.conventions.quantities import plain
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
 from orishell.structure.load_settings import Snow
-from orishell.structure.loads.cases import Effect, called
+from orishell.structure.loads.cases import Effect, load
 from orishell.structure.loads.exposure import UP, Exposure
 
 LYING = 0.8
@@ -29,7 +29,7 @@ SLIDES = (
 )
 
 
-@called("snow")
+@load("snow")
 def snow(exposure: Exposure, asked: Snow) -> Effect:
     """Down on the plan of panels.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from orishell.conventions.quantities import GRAVITY
-from orishell.structure.loads.cases import Effect, called
+from orishell.structure.loads.cases import Effect, load
 from orishell.structure.loads.exposure import UP, Exposure
 
 
-@called("own weight")
+@load("own weight")
 def self_weight(exposure: Exposure, _: bool) -> Effect:
     """Down on panels, and on the nodes that flaps hang on."""
     panels = exposure.on_corners(exposure.areal_mass[:, None] * UP)
@@ -15,7 +15,7 @@ def self_weight(exposure: Exposure, _: bool) -> Effect:
     return Effect(forces, None, f"mass of panels times {GRAVITY:g} m/s2")
 
 
-@called("pressure")
+@load("pressure")
 def pressure(exposure: Exposure, size: float) -> Effect:
     """Square on the outer face."""
     forces = exposure.on_corners(-size * exposure.outer())

@@ -16,7 +16,7 @@ from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import conversion, plain
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.load_settings import Terrain, Wind, Zone
-from orishell.structure.loads.cases import Effect, called
+from orishell.structure.loads.cases import Effect, load
 from orishell.structure.loads.exposure import Exposure
 
 TERRAINS: dict[Terrain, tuple[float, float]] = {
@@ -54,7 +54,7 @@ ALONG = np.sqrt(0.5)
 """Zones of vaults are for wind across them, up to 45 degrees; the cosine of that."""
 
 
-@called("wind")
+@load("wind")
 def wind(exposure: Exposure, asked: Wind) -> Effect:
     """Square on panels, and along them.
 

@@ -11,7 +11,7 @@ from orishell.structure.model import Model
 from orishell.structure.settings import Support
 from orishell.structure.stiffness import Stiffness
 
-HELD = {
+RESTRAINED = {
     "pinned": "held in place",
     "fixed": "held in place, and all panels there clamped",
     "sliding": "held up only",
@@ -113,7 +113,7 @@ def _place(support: Support, said: Quantities) -> str:
 
 
 def _held(support: Support) -> str:
-    words = HELD[support.kind]
+    words = RESTRAINED[support.kind]
     return f"{words} {figure(support.friction)}" if support.kind == "friction" else words
 
 

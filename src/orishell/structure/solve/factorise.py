@@ -20,7 +20,7 @@ LOOSE, LOOSEST = 3e-14, 3
 by which that is found."""
 SWINGING = 400
 """At most so many vertices have springs."""
-HELD = 1e-9
+RESTRAINED = 1e-9
 """A motion of the whole that moves supported vertices by less than this share is free."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
@@ -121,7 +121,7 @@ def _rigid_motions(mesh: SheetMesh, free: Integers, supported: Integers) -> Arra
         motions[mesh.translations(), 3 + axis] = np.cross(unit, away) / size
         motions[mesh.rotations()[..., axis], 3 + axis] = 1 / size
     _, sizes, ways = np.linalg.svd(motions[supported], full_matrices=True)
-    held = int((sizes > HELD * sizes.max(initial=0.0)).sum())
+    held = int((sizes > RESTRAINED * sizes.max(initial=0.0)).sum())
     return np.linalg.qr(motions[free] @ ways[held:].T)[0]
 
 

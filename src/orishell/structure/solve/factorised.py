@@ -171,7 +171,7 @@ class Factorised:
             Displacements (n,), gaps (M,) and forces (M,) of the rows, and what panels and hinges
             take (D,): that of all steps one by one, as displacements of all together are rounded.
         """
-        law, rest = self.law(active), loads
+        law, rest = self.reaction_operator(active), loads
         moved, gaps, forces = np.zeros(len(loads)), *np.zeros((2, len(active)))
         taken = np.zeros(self.every_row.shape[1])
         for _ in range(STEPS):
@@ -184,7 +184,7 @@ class Factorised:
             rest = loads - (taken + self.pulls(forces))[self.free]
         return moved, gaps, forces, taken
 
-    def law(self, active: Booleans) -> Array:
+    def reaction_operator(self, active: Booleans) -> Array:
         """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
 
         active: Which rows act (M,).

@@ -258,7 +258,7 @@ def _in_closed_form(
         return replace(found, nearby=replace(moved, vertices=nearby))
     size = TOUCHING * diagonal(sheet.positions(0.0))
     until = min(CLEAR_UNTIL, end)
-    proof = find_first_contact(sheet.still, until, size, progress=progress)
+    proof = find_first_contact(sheet.least_turning, until, size, progress=progress)
     return replace(
         found,
         proof=_by_number(proof, grid),

@@ -41,7 +41,7 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
         scale = page_scale(placed, workshop.paper)
     else:
         scale = tile_sheet(placed, workshop.paper_scale, workshop.paper).scale
-    drawn = workshop.having(
+    drawn = workshop.replace_unchecked(
         dash="auto",
         corner_gap="auto",
         relief_hole=0.0,

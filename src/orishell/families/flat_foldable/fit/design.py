@@ -16,8 +16,8 @@ from orishell.curves.memo import remembered
 from orishell.design import Design, PiecedSurface
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.initial_guesses import Fit, Task
 from orishell.families.flat_foldable.fit.memory import recall_fit
-from orishell.families.flat_foldable.fit.starts import Fit, Task
 from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT
 from orishell.families.flat_foldable.ground import Ground, grounded
 from orishell.families.flat_foldable.lists import describe

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from orishell.conventions.memory import MEMORY, key_of
 from orishell.conventions.progress import Progress
-from orishell.families.flat_foldable.fit.course import THOROUGH
+from orishell.families.flat_foldable.fit.continuation import THOROUGH
 from orishell.families.flat_foldable.fit.figures import measure
+from orishell.families.flat_foldable.fit.initial_guesses import SECTOR, Fit, Start, Task, fit_sheet
 from orishell.families.flat_foldable.fit.residuals import Problem
-from orishell.families.flat_foldable.fit.starts import SECTOR, Fit, Start, Task, fit_sheet
 from orishell.families.flat_foldable.fit.unknowns import OFFSET, Unknowns
 from orishell.numerics.arrays import Array
 

@@ -16,7 +16,7 @@ from orishell.families.flat_foldable.fit.conditions import (
     corner_numbers,
     edge_numbers,
 )
-from orishell.families.flat_foldable.fit.home import homes
+from orishell.families.flat_foldable.fit.targets import homes
 from orishell.families.flat_foldable.fit.unknowns import OFFSET, Placed, Unknowns
 from orishell.motion.quads import dots, lengths, units
 from orishell.numerics.arrays import Array, Integers

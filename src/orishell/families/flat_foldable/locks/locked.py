@@ -58,9 +58,9 @@ class Locked:
         return replace(self, stop=stop)
 
     @property
-    def still(self) -> Self:
+    def least_turning(self) -> Self:
         """The sheet whose middle crease stays where it is."""
-        return replace(self, bare=self.bare.still)
+        return replace(self, bare=self.bare.least_turning)
 
     @property
     def target_drive(self) -> float:

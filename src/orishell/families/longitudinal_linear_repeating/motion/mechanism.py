@@ -95,7 +95,7 @@ class LongitudinalLinearRepeating:
         return self
 
     @property
-    def still(self) -> LongitudinalLinearRepeating:
+    def least_turning(self) -> LongitudinalLinearRepeating:
         """The sheet whose middle panel does not turn."""
         return replace(self, pose=Pose())
 

@@ -8,8 +8,8 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.descent import descend
 from orishell.families.flat_foldable.fit.figures import Reached, measure
+from orishell.families.flat_foldable.fit.levenberg_marquardt import descend
 from orishell.families.flat_foldable.fit.residuals import Fitted, Problem, Weights
 from orishell.families.flat_foldable.fit.unknowns import OFFSET, Unknowns
 

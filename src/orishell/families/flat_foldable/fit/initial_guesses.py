@@ -11,7 +11,7 @@ from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import record
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.course import FAST, THOROUGH, Course, follow
+from orishell.families.flat_foldable.fit.continuation import FAST, THOROUGH, Course, follow
 from orishell.families.flat_foldable.fit.figures import Reached
 from orishell.families.flat_foldable.fit.residuals import Fitted
 from orishell.families.flat_foldable.fit.unknowns import Unknowns

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from orishell.io.patterns.looks import AUXILIARY, IGNORED, letter_of_layer
+from orishell.io.patterns.line_styles import AUXILIARY, IGNORED, letter_of_layer
 
 
 @pytest.mark.parametrize(
