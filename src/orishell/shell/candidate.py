@@ -30,8 +30,8 @@ from orishell.shell.turn_search import TurnChoice, choose_turn
 from orishell.workshop.masses import mass_of_hinges
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
-"""What becomes of a shell whose panels meet before its target: it is refused, or made and said to
-clash; or nobody looks, for sheets of hundreds of thousands of panels."""
+"""If panels collide before the target: refuse the shell, allow it and say so, or do not check, for
+sheets of hundreds of thousands of panels."""
 
 
 @record

@@ -9,28 +9,25 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.arguments import checked
-from orishell.conventions.errors import DesignError, InputError, printable
+from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.progress import Progress, followed, no_progress
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.deployment import Site
-from orishell.deployment.report import with_ground, with_measures
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
-from orishell.document import Document, DocumentTie, FirstContact
-from orishell.document.from_design import document_of_motion
+from orishell.document import Document, FirstContact
 from orishell.document.sizes import BoxReport, SheetReport
-from orishell.families.registry import AUTO
 from orishell.locking import Lock
 from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, area_of, extents
-from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.motion.layout import Layout, points_of
 from orishell.shell.build_warnings import warn_of_building
-from orishell.shell.candidate import ClashPolicy, find_candidate
-from orishell.shell.cutting import asks_for_cutting, find_cutting, warn_of_cutting
+from orishell.shell.candidate import ClashPolicy
+from orishell.shell.cutting import warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
-from orishell.shell.families import choose_family
+from orishell.shell.facts import Facts, find_facts
 from orishell.shell.fit.built_size import triangles_of
 from orishell.shell.one_motion import find_joining, warn_of_freedom
 from orishell.shell.piece_warnings import warn_of_joints
@@ -40,18 +37,8 @@ from orishell.shell.size_trials import Choice
 from orishell.shell.steps import MEASURES, Clock, Step, require_steps
 from orishell.shell.thickness_remedy import Stronger, find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
-from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE, find_verdict
-from orishell.structure.analyse import analyse
-from orishell.structure.anchors import with_anchors
+from orishell.shell.verdict import find_verdict
 from orishell.structure.results import Analysis
-from orishell.verification.residuals import (
-    AssignmentCheck,
-    Residuals,
-    measure_residuals,
-    measure_with_flaps,
-    require_verified,
-)
-from orishell.workshop.quantities import measure_quantities
 
 
 @record
@@ -93,7 +80,7 @@ def design_shell(
     path
         The design file.
     clash
-        What becomes of a shell whose panels meet.
+        If panels collide: refuse, allow, or do not check.
     """
     return make_shell(read_design_file(path), progress, clash=clash)
 
@@ -110,7 +97,7 @@ def make_shell(
     Parameters
     ----------
     clash
-        What becomes of a shell whose panels meet.
+        If panels collide: refuse, allow, or do not check.
     skip
         What is not found out of it; its report says so where a reader might think it was.
 
@@ -173,98 +160,10 @@ def _step_by_step(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
     clock = Clock()
-    families = None
-    if file.family == AUTO:
-        found, families = choose_family(file, progress)
-        clock.lap("family")
-    else:
-        found = find_candidate(file, progress, clash, skip, clock)
-    file, design, lock, motion = found.file, found.design, found.lock, found.motion
-    feet, site, deviation = found.feet, found.site, found.deviation
-    residuals, assignment = _verified(motion, progress, "verification" not in skip)
-    clock.lap("fold")
-    deployment = with_measures(
-        found.deployment,
-        design,
-        lock,
-        site,
-        packed="pack" not in skip,
-        weighed="weight" not in skip,
-    )
-    document = _document(file, design, lock, motion)
-    deployment = with_ground(deployment, design, lock, site, document)
-    ties = tuple(DocumentTie(tie.ends, tie.length, tie.slack is True) for tie in deployment.ties)
-    document = replace(document, ties=ties, ground=deployment.ground)
-    quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
-    cutting = None
-    if "cutting" not in skip:
-        cutting = find_cutting(design, file.workshop, feet, progress)
-    analysis = None
-    if "structure" not in skip and file.structure is not None:
-        analysis = analyse(design, file.structure, site, progress, built=lock.built)
-        document = replace(document, loaded=analysis.loaded())
-        deployment = with_anchors(deployment, analysis.anchors)
-        document = replace(document, ground=deployment.ground)
-        clock.lap("structure")
-    unknown = {
-        "whether panels stay rigid": residuals is None,
-        CONTACT: clash == "unexamined",
-        "how clipped flaps are brought to their place": design.clipped is not None,
-        "the ground that is needed on the way": deployment.lacks_ground,
-        "distance from the surface": deviation is not None and deviation.surface is None,
-        CUTTING: cutting is None and asks_for_cutting(file.workshop),
-        STOCK: quantities.stock is None,
-        STRUCTURE: analysis is None and file.structure is not None,
-    }
-    width, height, _ = extents(points_of(design.mechanism, 0.0))
-    opened = _box(replace(document, clipped=()))
-    report = Report(
-        family=file.family,
-        unit=file.unit,
-        rows=file.pattern.rows,
-        columns=file.pattern.columns,
-        parameters=design.parameters,
-        families=families,
-        by_curves=design.by_curves,
-        turned=found.turned,
-        chosen=found.choice,
-        fitted=found.fitted,
-        feasible=None if clash == "unexamined" else lock.reaches_target,
-        degrees_of_freedom=found.freedom.count,
-        freedom=found.freedom,
-        warnings=(
-            *file.notes,
-            *design.warnings,
-            *lock.warnings,
-            *warn_of_freedom(found.freedom),
-            *warn_of_building(design, lock, feet, file.unit, file.workshop),
-            *warn_of_joints(design, lock, file.unit),
-            *warn_of_deployment(
-                file,
-                design,
-                lock,
-                deployment,
-                mended="remedies" not in skip,
-                one=found.freedom.one_motion,
-            ),
-            *warn_of_cutting(design, cutting, file.unit),
-            *(() if analysis is None else analysis.warnings),
-        ),
-        residuals=residuals,
-        assignment=describe_assignment(design, assignment),
-        lock=lock,
-        not_checked=tuple(words for words, missing in unknown.items() if missing),
-        stands=feet,
-        deviation=deviation,
-        sheet=SheetReport(width, height, area_of(design.mechanism)),
-        deployed=opened,
-        outside=_box(document) if document.clipped else opened,
-        deployment=deployment,
-        cutting=cutting,
-        panel=describe_panels(design, lock),
-        structure=analysis,
-        quantities=quantities,
-    )
+    facts = find_facts(file, progress, clash, skip, clock)
+    found, analysis = facts.found, facts.analysis
+    file, design, lock = found.file, found.design, found.lock
+    report = _report(facts, proved=clash != "unexamined", mended="remedies" not in skip)
     stronger = Stronger()
     if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
         stronger = find_stronger(file, analysis, _analysed, progress)
@@ -277,14 +176,20 @@ def _step_by_step(
     two = find_two_thicknesses(file, trial, progress)
     verdict = find_verdict(report, stronger, file.workshop.stock, joining, two)
     report = replace(report, verdict=verdict)
-    document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
+    document = replace(
+        facts.drawn,
+        ground=report.deployment.ground,
+        loaded=None if analysis is None else analysis.loaded(),
+        contact=_first_contact(design, lock),
+        report=report.as_dict(),
+    )
     return Shell(
         file=file,
         design=design,
         lock=lock,
-        site=site,
-        motion=motion,
-        deviation=None if deviation is None else deviation.surface,
+        site=found.site,
+        motion=found.motion,
+        deviation=None if found.deviation is None else found.deviation.surface,
         choice=found.choice,
         document=document,
         report=report,
@@ -292,34 +197,61 @@ def _step_by_step(
     )
 
 
-def _verified(
-    motion: FoldingMotion, progress: Progress, asked: bool
-) -> tuple[Residuals | None, AssignmentCheck | None]:
-    """How exactly all states fold, if that is asked for; refused if that is wrong."""
-    if not asked:
-        return None, None
-    if isinstance(motion.mechanism, LaidOut):
-        drives = followed(motion.drives, len(motion), progress, "verifying")
-        residuals, assignment = measure_with_flaps(motion.mechanism, drives)
-    else:
-        states = followed(motion, len(motion), progress, "verifying")
-        residuals, assignment = measure_residuals(states, motion.flat)
-    require_verified(residuals, assignment)
-    return residuals, assignment
+def _report(facts: Facts, *, proved: bool, mended: bool) -> Report:
+    """What ``report.json`` says of a shell, but for the verdict.
 
-
-def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotion) -> Document:
-    size, built = f"{file.pattern.rows} x {file.pattern.columns}", lock.built
-    return document_of_motion(
-        motion,
-        file.unit,
-        title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
-        curves=design.targets,
-        origin=design.origin,
-        clipped=design.clipped,
-        panel=design.panel,
-        boards=None if built is None else built.boards,
-        flaps=None if built is None else built.flaps,
+    proved: Whether anybody looked if panels meet. mended: Whether warnings offer what was tried.
+    """
+    found, analysis = facts.found, facts.analysis
+    file, design, lock = found.file, found.design, found.lock
+    width, height, _ = extents(points_of(design.mechanism, 0.0))
+    opened = _box(replace(facts.drawn, clipped=()))
+    return Report(
+        family=file.family,
+        unit=file.unit,
+        rows=file.pattern.rows,
+        columns=file.pattern.columns,
+        parameters=design.parameters,
+        families=facts.families,
+        by_curves=design.by_curves,
+        turned=found.turned,
+        chosen=found.choice,
+        fitted=found.fitted,
+        feasible=lock.reaches_target if proved else None,
+        degrees_of_freedom=found.freedom.count,
+        freedom=found.freedom,
+        warnings=(
+            *file.notes,
+            *design.warnings,
+            *lock.warnings,
+            *warn_of_freedom(found.freedom),
+            *warn_of_building(design, lock, found.feet, file.unit, file.workshop),
+            *warn_of_joints(design, lock, file.unit),
+            *warn_of_deployment(
+                file,
+                design,
+                lock,
+                facts.deployment,
+                mended=mended,
+                one=found.freedom.one_motion,
+            ),
+            *warn_of_cutting(design, facts.cutting, file.unit),
+            *(() if analysis is None else analysis.warnings),
+        ),
+        residuals=facts.residuals,
+        assignment=describe_assignment(design, facts.assignment),
+        lock=lock,
+        not_checked=facts.not_checked,
+        stands=found.feet,
+        deviation=found.deviation,
+        sheet=SheetReport(width, height, area_of(design.mechanism)),
+        deployed=opened,
+        outside=_box(facts.drawn) if facts.drawn.clipped else opened,
+        deployment=facts.deployment,
+        cutting=facts.cutting,
+        panel=describe_panels(design, lock),
+        structure=analysis,
+        quantities=facts.quantities,
     )
 
 

@@ -292,8 +292,8 @@ def _hinges(report: Report) -> Iterator[Row]:
     yield Row(
         "says",
         "play",
-        "hinges 1 mm (rms) out of place leave the boards about a vertex open by up to "
-        f"{plain(play.target.loop, 2)} mm at the target{end}",
+        "1 mm (rms) of hinge error opens up to "
+        f"{plain(play.target.loop, 2)} mm at a vertex at the target{end}",
     )
 
 

@@ -242,7 +242,7 @@ class Equilibrium:
 
     @property
     def unknown(self) -> tuple[Limiting, ...]:
-        """What bears something, and nobody said how much it can."""
+        """Loaded parts without a given strength."""
         least = LEAST_LINE * conversion(self.model.site.unit, "m")
         bears: dict[Limiting, bool] = {
             "panels": True,

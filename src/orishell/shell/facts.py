@@ -1,0 +1,146 @@
+"""What is found of a shell: everything that its report and its files are written from."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from orishell.conventions.errors import printable
+from orishell.conventions.progress import Progress, followed
+from orishell.conventions.record import record
+from orishell.deployment.cutting.report import CuttingReport
+from orishell.deployment.report import DeploymentReport, with_ground, with_measures
+from orishell.design_file import DesignFile
+from orishell.document import Document, DocumentTie
+from orishell.document.from_design import document_of_motion
+from orishell.families.registry import AUTO
+from orishell.motion import FoldingMotion
+from orishell.motion.layout import LaidOut
+from orishell.shell.candidate import Candidate, ClashPolicy, find_candidate
+from orishell.shell.cutting import asks_for_cutting, find_cutting
+from orishell.shell.families import FamilyChoice, choose_family
+from orishell.shell.steps import Clock, Step
+from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE
+from orishell.structure.analyse import analyse
+from orishell.structure.anchors import with_anchors
+from orishell.structure.results import Analysis
+from orishell.verification.residuals import (
+    AssignmentCheck,
+    Residuals,
+    measure_residuals,
+    measure_with_flaps,
+    require_verified,
+)
+from orishell.workshop.quantities import Quantities, measure_quantities
+
+
+@record
+class Facts:
+    """What was found of a shell."""
+
+    found: Candidate  # its design, lock and motion, and where it stands
+    families: FamilyChoice | None  # what each family makes of the target, if one was to be chosen
+    residuals: Residuals | None  # how exactly it folds; None if that was not asked for
+    assignment: AssignmentCheck | None  # mountains and valleys in its states; None likewise
+    deployment: DeploymentReport  # how it is held, packed and raised, and what the ground bears
+    drawn: Document  # its shape in all states, with boards and ties
+    quantities: Quantities  # what it is made of
+    cutting: CuttingReport | None  # what errors of cutting do to it; None if that was not asked for
+    analysis: Analysis | None  # what it bears; None if it was not analysed
+    not_checked: tuple[str, ...]  # what nobody looked at, in words
+
+
+def find_facts(
+    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step], clock: Clock
+) -> Facts:
+    """Design a shell and measure it.
+
+    Raises InputError or DesignError as :func:`orishell.shell.make_shell` does.
+    """
+    families = None
+    if file.family == AUTO:
+        found, families = choose_family(file, progress)
+        clock.lap("family")
+    else:
+        found = find_candidate(file, progress, clash, skip, clock)
+    file, design, lock, site = found.file, found.design, found.lock, found.site
+    residuals, assignment = _verified(found.motion, progress, "verification" not in skip)
+    clock.lap("fold")
+    deployment = with_measures(
+        found.deployment,
+        design,
+        lock,
+        site,
+        packed="pack" not in skip,
+        weighed="weight" not in skip,
+    )
+    drawn = _drawn(found, deployment)
+    deployment = with_ground(deployment, design, lock, site, drawn)
+    quantities = measure_quantities(drawn, file.workshop, nested="stock" not in skip)
+    cutting = None
+    if "cutting" not in skip:
+        cutting = find_cutting(design, file.workshop, found.feet, progress)
+    analysis = None
+    if "structure" not in skip and file.structure is not None:
+        analysis = analyse(design, file.structure, site, progress, built=lock.built)
+        deployment = with_anchors(deployment, analysis.anchors)
+        clock.lap("structure")
+    deviation = found.deviation
+    unknown = {
+        "whether panels stay rigid": residuals is None,
+        CONTACT: clash == "unexamined",
+        "how clipped flaps are brought to their place": design.clipped is not None,
+        "the ground that is needed on the way": deployment.lacks_ground,
+        "distance from the surface": deviation is not None and deviation.surface is None,
+        CUTTING: cutting is None and asks_for_cutting(file.workshop),
+        STOCK: quantities.stock is None,
+        STRUCTURE: analysis is None and file.structure is not None,
+    }
+    return Facts(
+        found=found,
+        families=families,
+        residuals=residuals,
+        assignment=assignment,
+        deployment=deployment,
+        drawn=drawn,
+        quantities=quantities,
+        cutting=cutting,
+        analysis=analysis,
+        not_checked=tuple(words for words, missing in unknown.items() if missing),
+    )
+
+
+def _verified(
+    motion: FoldingMotion, progress: Progress, asked: bool
+) -> tuple[Residuals | None, AssignmentCheck | None]:
+    """How exactly all states fold, if that is asked for; refused if that is wrong."""
+    if not asked:
+        return None, None
+    if isinstance(motion.mechanism, LaidOut):
+        drives = followed(motion.drives, len(motion), progress, "verifying")
+        residuals, assignment = measure_with_flaps(motion.mechanism, drives)
+    else:
+        states = followed(motion, len(motion), progress, "verifying")
+        residuals, assignment = measure_residuals(states, motion.flat)
+    require_verified(residuals, assignment)
+    return residuals, assignment
+
+
+def _drawn(found: Candidate, deployment: DeploymentReport) -> Document:
+    """The shape of a shell in all its states."""
+    file, design, built = found.file, found.design, found.lock.built
+    size = f"{file.pattern.rows} x {file.pattern.columns}"
+    return replace(
+        document_of_motion(
+            found.motion,
+            file.unit,
+            title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
+            curves=design.targets,
+            origin=design.origin,
+            clipped=design.clipped,
+            panel=design.panel,
+            boards=None if built is None else built.boards,
+            flaps=None if built is None else built.flaps,
+        ),
+        ties=tuple(DocumentTie(tie.ends, tie.length, tie.slack is True) for tie in deployment.ties),
+    )
