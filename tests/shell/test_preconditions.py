@@ -138,13 +138,15 @@ def test_ties_that_stop_a_shell_short_are_refused_and_others_offered() -> None:
 
 @thorough
 def test_ties_that_are_offered_are_slack_in_two_hundred_states() -> None:
+    """Along the motion that was designed; of this sheet, which has nine, that is no proof."""
     file = read_design_file(HERE / "short_ties.toml")
     ties = [[[1, column], [9, column]] for column in range(11)]
     found = find_candidate(file.changed({"deployment.ties": ties}), no_progress)
-    assert len(found.deployment.ties) == 11
+    assert [tie.slack for tie in found.deployment.ties] == [None] * 11
+    assert found.freedom.count == 9
     mechanism, limit = found.design.mechanism, found.lock.closes_to
     states = mechanism.positions(np.linspace(mechanism.target_drive, limit, 200))
-    for tie in found.deployment.ties:
+    for tie in find_ties(mechanism, [((1, column), (9, column)) for column in range(11)], limit):
         assert tie.slack
         one, other = (states[:, row, column] for row, column in tie.ends)
         apart = np.linalg.norm(one - other, axis=-1)
