@@ -115,6 +115,40 @@ def test_what_may_be_meant_to_be_apart_is_not_joined_unasked(apart: float) -> No
         assert len(arrange(lines).pattern.faces) == 3
 
 
+def miura_vertex(first: tuple[float, float], second: tuple[float, float]) -> Lines:
+    """Four creases that fold at the middle of a square of 1; two of them end somewhat elsewhere."""
+    tips = np.array([[0.588163, 0.0], [1.0, 0.681985], [0.5, 1.0], [0.0, 0.588163]])
+    middle = np.array([[0.5, 0.5], [0.5, 0.5], first, second])
+    ends = np.stack([middle, tips], axis=1)
+    return lines_of(np.concatenate([border(), ends]), [*"BBBB", *"VVMV"])
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ((0.50164, 0.501342), (0.5, 0.5)),  # one end is beside a line, 0.0002 from the corner
+        ((0.50164, 0.501342), (0.501606, 0.501436)),  # two are nearer to each other than to it
+        ((0.501743, 0.50106), (0.501743, 0.50106)),  # two meet beside it, and touch nothing
+    ],
+)
+def test_ends_are_joined_to_the_point_that_they_belong_to(
+    first: tuple[float, float], second: tuple[float, float]
+) -> None:
+    """Not to a line beside it, where an edge as short as the gap is left, nor only to each other,
+    where creases bend, which never fold."""
+    found = arrange(miura_vertex(first, second))
+    assert (len(found.pattern.faces), len(found.pattern.inner)) == (4, 1)
+    assert "joined" in found.notes[-1]
+
+
+def test_a_crease_that_bends_is_left_as_it_is() -> None:
+    """It is drawn so: no tolerance makes anything else of it."""
+    bent = np.array([[[0.4, 0.0], [0.45, 0.5]], [[0.45, 0.5], [0.4, 1.0]]])
+    found = arrange(lines_of(np.concatenate([border(), bent]), [*"BBBB", "V", "V"]))
+    assert (len(found.pattern.faces), len(found.pattern.inner)) == (2, 1)
+    assert not found.notes
+
+
 @pytest.mark.parametrize("length", [1e-3, 0.1])
 def test_a_mountain_and_a_valley_that_overlap(length: float) -> None:
     """By a little their ends are one; by more it is said how long they lie on each other."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import counted
 from orishell.conventions.record import record
-from orishell.curves.joining import FAR_APART, UNASKED, WIDEST
+from orishell.curves.joining import FAR_APART, STEP, UNASKED, WIDEST
 from orishell.io.patterns.connectivity import PiecesError, require_one_piece
 from orishell.io.patterns.crossings import split_lines
 from orishell.io.patterns.graph import (
@@ -31,6 +32,11 @@ from orishell.numerics.equals import first_smallest
 
 SHORT = 0.02
 """An edge is short below this share of the median one."""
+
+BENT = 1e-3
+"""Creases that turn by less at a point are in line there (radians)."""
+LADDER = 5_000
+"""Of drawings with more lines no tolerances are tried but the one that the widest gap asks for."""
 
 
 @record
@@ -66,47 +72,73 @@ def arrange(lines: Lines, weld: float | None = None) -> Arranged:
         piece; with the tolerance that helps, which has been tried.
     """
     require_lines(lines)
-    if weld is not None:
-        return _arranged(lines, weld)
-    least = WELD * lines.diagonal
+    tolerance = WELD * lines.diagonal if weld is None else weld
     try:
-        found = _arranged(lines, least)
+        found = _arranged(lines, tolerance)
     except GapError as error:
-        return _joined(lines, least, error)
-    return _with_short_edge(found, lines, least)
+        wider = _wider(lines, tolerance, error.gap)
+        if wider is None:
+            raise
+        tolerance, joined = wider
+        if weld is not None or not _joins_ends_only(joined, lines, tolerance):
+            error.remedy = f"weld = {tolerance:g} joins them"
+            error.changes = {"weld": tolerance}
+            raise
+        found = joined
+    if weld is not None or not _bends(found.pattern):
+        return _with_notes(found, lines, tolerance)
+    # Creases that bend never fold: lines may miss each other there.
+    wider = _wider(lines, tolerance, np.inf, lambda each: _bends(each.pattern) == 0)
+    if wider is not None:
+        better, joined = wider
+        if _joins_ends_only(joined, lines, better):
+            return _with_notes(joined, lines, better)
+        note = f"creases bend where no other begins: with weld = {better:g} none does"
+        found = replace(found, notes=(*found.notes, note))
+    return _with_notes(found, lines, tolerance)
 
 
-def _joined(lines: Lines, weld: float, error: GapError) -> Arranged:
-    """The pattern with the first tolerance beyond one that makes any, if it joins only ends.
+def _bends(pattern: CreasePattern) -> int:
+    """At how many inner vertices two creases meet that are not in line, and no other."""
+    creases, _ = pattern.fans
+    two = (creases >= 0).sum(axis=1) == 2
+    return int((np.abs(pattern.sectors[two, 0] - np.pi) > BENT).sum()) if two.any() else 0
 
-    Raises GapError: The one given, with that tolerance as its remedy if it might join more.
+
+def _wider(
+    lines: Lines,
+    weld: float,
+    gap: float,
+    wanted: Callable[[Arranged], bool] = lambda _: True,
+) -> tuple[float, Arranged] | None:
+    """The first wider tolerance with a pattern that is wanted, and that; None if there is none.
+
+    If there is one that leaves no edges as short as itself the first such one is taken: ends are
+    otherwise joined to lines beside the point that they belong to. ``gap`` is tried, too.
     """
-    wider, gap = weld, error.gap
-    while True:
-        wider = float(f"{max(2 * wider, 1.05 * gap if np.isfinite(gap) else 0.0):.2g}")
-        if wider > WIDEST * lines.diagonal:
-            raise error
-        try:
-            found = _arranged(lines, wider)
-            break
-        except GapError as another:
-            gap = another.gap
-        except InputError:
-            raise error from None
-    if wider <= UNASKED * lines.diagonal and _joins_ends_only(found, lines, weld, wider):
-        note = f"ends up to {found.bridged:.2g} apart were joined (weld = {wider:g})"
-        return replace(found, notes=(*found.notes, note))
-    error.remedy = f"weld = {wider:g} joins them"
-    error.changes = {"weld": wider}
-    raise error
+    most = WIDEST * lines.diagonal
+    steps = int(np.log(most / weld) / np.log(STEP**2)) + 1 if 0 < weld < most else 0
+    ladder = (
+        [weld * STEP ** (2 * k) for k in range(1, steps + 1)] if len(lines.ends) <= LADDER else []
+    )
+    first: tuple[float, Arranged] | None = None
+    for tried in sorted({float(f"{each:.2g}") for each in (1.05 * gap, *ladder)}):
+        made = _made(lines, tried, weld)
+        if made is None or not wanted(made[1]):
+            continue
+        if made[1].shortest >= FAR_APART * tried:
+            return made
+        first = first or made
+    return first
 
 
-def _joins_ends_only(found: Arranged, lines: Lines, weld: float, wider: float) -> bool:
-    """Whether all edges are long beside a wider tolerance, and no lines came onto each other."""
+def _joins_ends_only(found: Arranged, lines: Lines, wider: float) -> bool:
+    """Whether a wider tolerance is small beside all edges, and brings no lines onto each other."""
+    weld = WELD * lines.diagonal
+    if wider > UNASKED * lines.diagonal or found.shortest < FAR_APART * wider:
+        return False
     lengths = np.hypot(*(lines.ends[:, 1] - lines.ends[:, 0]).T)
     if ((lengths > weld) & (lengths <= wider)).any():
-        return False
-    if found.shortest < FAR_APART * wider:
         return False
     lines = lines.chosen(lengths > weld)
     before, after = (
@@ -115,35 +147,34 @@ def _joins_ends_only(found: Arranged, lines: Lines, weld: float, wider: float) -
     return bool((after - before).max() < FAR_APART * wider)
 
 
-def _tried(lines: Lines, weld: float, gap: float) -> float | None:
-    """A tolerance that closes a gap and makes a pattern; None if none does."""
-    wider = float(f"{1.05 * gap:.2g}")
-    if not weld < wider <= WIDEST * lines.diagonal:
-        return None
-    try:
-        _arranged(lines, wider)
-    except InputError:
-        return None
-    return wider
-
-
-def _with_short_edge(found: Arranged, lines: Lines, weld: float) -> Arranged:
-    """The same with a note if an edge is so short that its ends may be meant to be one."""
-    pattern = found.pattern
-    ends = pattern.vertices[pattern.edges]
+def _with_notes(found: Arranged, lines: Lines, weld: float) -> Arranged:
+    """A pattern with notes on ends that were joined, and on an edge that is as short as a gap."""
+    if weld > WELD * lines.diagonal and found.bridged > 0:
+        note = f"ends up to {found.bridged:.2g} apart were joined (weld = {weld:g})"
+        found = replace(found, notes=(*found.notes, note))
+    ends = found.pattern.vertices[found.pattern.edges]
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     shortest = first_smallest(lengths)
-    length = float(lengths[shortest])
-    wider = None
+    length, wider = float(lengths[shortest]), None
     if length < SHORT * np.median(lengths):
-        wider = _tried(lines, weld, length)
+        wider = _made(lines, float(f"{1.05 * length:.2g}"), weld)
     if wider is None:
         return found
     note = (
         f"an edge at {lines.at(ends[shortest].mean(axis=0))} is only {length:.3g} long: with "
-        f"weld = {wider:g} its ends are one"
+        f"weld = {wider[0]:g} its ends are one"
     )
     return replace(found, notes=(*found.notes, note))
+
+
+def _made(lines: Lines, weld: float, least: float) -> tuple[float, Arranged] | None:
+    """A tolerance above the least one and the pattern that it makes; None if it makes none."""
+    if not least < weld <= WIDEST * lines.diagonal:
+        return None
+    try:
+        return weld, _arranged(lines, weld)
+    except InputError:
+        return None
 
 
 def _arranged(lines: Lines, weld: float) -> Arranged:

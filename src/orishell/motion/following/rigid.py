@@ -158,8 +158,8 @@ def why_still(pattern: CreasePattern, exact: float = EXACT) -> str:
         )
     if len(rigid.crossing):
         return (
-            f"two straight lines cross at vertex {rigid.crossing[0]}, and only one of them folds, "
-            f"until it is folded flat; so at {_vertices(rigid.crossing)}"
+            f"two straight lines cross at vertex {rigid.crossing[0]}, and only one of them folds; "
+            f"so at {_vertices(rigid.crossing)}"
         )
     if len(rigid.against):
         return (

@@ -13,6 +13,7 @@ from orishell.motion.following.dofs import Freedom, find_freedom
 from orishell.motion.following.hinge_gaps import Parted, RigidPanels
 from orishell.motion.following.system import Closure
 from orishell.motion.parts import find_parts
+from orishell.motion.quads import dots, units
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest, first_smallest
 
@@ -20,6 +21,10 @@ WIDEST = 0.02
 """Hinges that give way by more than this share of the shortest crease are none."""
 WORK = 15_000
 """Panels of all states together: of larger sheets fewer states are looked at, at least three."""
+LEAST = 0.1
+"""A state is one of the motion if all creases fold by this share of what they fold in it."""
+NEARLY_FLAT = 0.1
+"""Creases that lack less to 180 degrees are folded flat, to either side (radians)."""
 LARGEST = 20_000
 """Panels of the largest sheets that are looked at: work grows faster than they do."""
 EVERY = (1, 2, 3, 4, 6)
@@ -93,7 +98,9 @@ def find_loose(
         start = folds[number][closure.edges]
         closed, _ = corrected(closure, start, np.zeros_like(start), fixed)
         state = panels.placed(closure.on_edges(closed), held)
-        if state is None or state.gap > most or (closed * start < 0).any():
+        if state is None or state.gap > most:
+            break
+        if not _alike(_fold_angles(state, pattern)[closure.edges], start):
             break
         found.append((state, closed))
     if not found:
@@ -110,6 +117,32 @@ def find_loose(
         clear=clear,
         near=near,
     )
+
+
+def _fold_angles(state: Parted, pattern: CreasePattern) -> Array:
+    """Fold angles (E,) of all creases between panels as they are placed, 0 at the border."""
+    there = (pattern.faces >= 0)[..., None]
+    around = np.where(there, state.corners, state.corners[:, :1]) - state.corners[:, :1]
+    normals = units(np.cross(around, np.roll(around, -1, axis=1)).sum(axis=1))
+    creases = np.flatnonzero(pattern.crease)
+    left, right = pattern.edge_faces[creases].T
+    ends = [
+        state.corners[left, (pattern.faces[left] == pattern.edges[creases, k, None]).argmax(axis=1)]
+        for k in (0, 1)
+    ]
+    sine = dots(np.cross(normals[right], normals[left]), units(ends[1] - ends[0]))
+    found = np.zeros(len(pattern.edges))
+    found[creases] = np.arctan2(sine, dots(normals[left], normals[right]))
+    return found
+
+
+def _alike(folds: Array, meant: Array) -> bool:
+    """Whether all creases fold as they are meant to: not to the other side, nor hardly.
+
+    Near 180 degrees the sides are not told apart.
+    """
+    flat = np.abs(folds) > np.pi - NEARLY_FLAT
+    return bool((flat | (folds * np.sign(meant) >= LEAST * np.abs(meant))).all())
 
 
 def _driving(pattern: CreasePattern, drives: Array, folds: Array) -> int:
