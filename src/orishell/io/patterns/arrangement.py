@@ -128,7 +128,7 @@ def _tried(lines: Lines, weld: float, gap: float) -> float | None:
 
 
 def _with_short_edge(found: Arranged, lines: Lines, weld: float) -> Arranged:
-    """The same with a note if an edge is so short that its ends may be meant to be one."""
+    """The pattern with a note if an edge is so short that its ends may be meant to be one."""
     pattern = found.pattern
     ends = pattern.vertices[pattern.edges]
     lengths = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
