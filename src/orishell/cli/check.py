@@ -41,7 +41,7 @@ DRAWINGS = (".svg", ".dxf", ".cp", ".obj")
 LARGE = 5000
 """Of sheets with more edges what is known is said before their motion is found."""
 TOLERANCE = 1e-6
-"""The same as :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
+"""The value of :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
 
 
 def check(

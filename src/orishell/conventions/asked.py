@@ -56,7 +56,7 @@ class Asked:
         self.asked: set[str] = set()
 
     def forgetting(self, table: str) -> Asked:
-        """The same keys, as if nothing had been asked for in a table.
+        """The keys, as if nothing had been asked for in a table.
 
         Parameters
         ----------

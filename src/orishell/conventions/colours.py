@@ -47,7 +47,7 @@ DARK: Mapping[str, str] = {
     "warns": "#f2c063",
     "holds": "#6fc7c3",
 }
-"""The same on dark ground."""
+"""Colour of every meaning on dark ground, as "#rrggbb"."""
 
 DISTANCE_MAP = (
     "#0b4f6c",
@@ -90,7 +90,7 @@ def rgb(meaning: str) -> tuple[float, float, float]:
 
 
 def linear_rgb(meaning: str) -> tuple[float, float, float]:
-    """The same as amounts of light, by the curve of sRGB (IEC 61966-2-1).
+    """Red, green and blue of a meaning as amounts of light, by the curve of sRGB (IEC 61966-2-1).
 
     Parameters
     ----------

@@ -80,7 +80,7 @@ class Table(BaseModel):
         return made
 
     def noting(self, asked: set[str]) -> Self:
-        """The same table, which notes in another set what it is asked for."""
+        """The table, which notes in another set what it is asked for."""
         made = self.model_copy()
         if PLACE in vars(made):
             vars(made)[PLACE] = Place(vars(made)[PLACE].keys, asked)

@@ -92,7 +92,7 @@ class Curve:
         return curvature
 
     def reversed(self) -> Self:
-        """The same points, run through from stop to start."""
+        """The curve, run through from stop to start."""
         total = self.start + self.stop
         breaks = tuple(total - t for t in self.breaks[::-1])
         ends = np.array([self.start, *self.breaks, self.stop])

@@ -136,7 +136,7 @@ def _nodes(marks: Marks, least: float, place: Place) -> _Nodes:
 
 
 def _joined(nodes: _Nodes, join: float) -> _Nodes:
-    """The same with one point for those that are nearer than ``join`` and have one piece each."""
+    """The nodes, with one for those that are nearer than ``join`` and have one piece each."""
     loose = np.flatnonzero(nodes.degree == 1)
     if len(loose) <= 2:
         return nodes

@@ -71,7 +71,7 @@ class Chain:
     notes: tuple[str, ...] = ()  # what is to be said of how it was read
 
     def reversed(self) -> Chain:
-        """The same points, from the last to the first."""
+        """The chain, from its last point to its first."""
         turned = tuple(piece.reversed() for piece in self.pieces[::-1])
         return replace(self, pieces=turned, joints=self.joints[::-1])
 

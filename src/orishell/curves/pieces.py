@@ -59,7 +59,7 @@ class Bezier:
         return Bezier(np.concatenate([plane, weight], axis=1))
 
     def reversed(self) -> Bezier:
-        """The same points, from the last to the first."""
+        """The curve, from its last point to its first."""
         return Bezier(self.control[::-1])
 
 
@@ -84,7 +84,7 @@ class Arc:
         return Arc(centre, self.axes @ affine.matrix, self.start, self.sweep)
 
     def reversed(self) -> Arc:
-        """The same points, from the last to the first."""
+        """The arc, from its last point to its first."""
         return Arc(self.centre, self.axes, self.start + self.sweep, -self.sweep)
 
 

@@ -108,7 +108,7 @@ class _Parts:
         return proved
 
     def bend_little(self, x: Array, y: Array, turn: float) -> Booleans:
-        """The same from bounds (S,) of second derivatives alone: quick, and often enough."""
+        """Which parts are tame by bounds (S,) of second derivatives alone: quick, often enough."""
         half = 0.5 * (self.high - self.low)
         proved = np.ones(len(self.low), dtype=np.bool_)
         for tangent in (self.leaving, self.arriving):

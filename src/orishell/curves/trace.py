@@ -65,7 +65,7 @@ class Trace:
         return np.flatnonzero(np.abs(self.heading - self.arriving) > KINK)
 
     def reversed(self) -> Trace:
-        """The same points, run through from the last to the first."""
+        """The trace, run through from the last sample to the first."""
         start, stop = self.curve.start, self.curve.stop
         inner = (start + stop) - self.t[-2:0:-1]
         return Trace(

@@ -179,7 +179,7 @@ def _look(standing: Standing, occupied: Occupied, start: Array, stop: Array) -> 
 
 
 def _looked(standing: Standing, occupied: Occupied, start: Array, stop: Array) -> Iterator[_Looked]:
-    """The same for some of them at a time."""
+    """What is seen in ranges (S,), some of them at a time."""
     batch = max(1, NUMBERS // (3 * occupied.count) - 1)
     for part in (slice(k, k + batch) for k in range(0, len(start), batch)):
         drives, numbers = np.unique(np.concatenate([start[part], stop[part]]), return_inverse=True)

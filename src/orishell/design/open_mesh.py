@@ -141,7 +141,7 @@ def _sharpest(points: Array) -> Integers:
 
 
 def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Integers]:
-    """The same with every vertex once, without vertices left.
+    """The mesh with every vertex once, without vertices that no triangle has.
 
     And without triangles that have lost a side, or that are there repeatedly. Neighbours are sought
     in a tree, so that none are parted by rounding.

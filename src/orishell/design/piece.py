@@ -70,7 +70,7 @@ class Piece:
         return 0.5 * (top + bottom), 0.5 * (left + right)
 
     def turned(self) -> Piece:
-        """The same with its right side as the top."""
+        """The piece with its right side as the top."""
         top, right, bottom, left = self.sides
         return replace(self, sides=(right, bottom, left, top))
 

@@ -121,7 +121,7 @@ class DesignFile:
         return self._with(values, self.keys)
 
     def tried(self, values: Mapping[str, Any]) -> DesignFile:
-        """The same for a trial: what that is asked for is not asked of this file.
+        """The design file changed for a trial: what that is asked for is not asked of this file.
 
         Parameters
         ----------

@@ -203,7 +203,7 @@ class Pattern(Table):
         return knobs_of(cls)
 
     def sized(self, rows: int, columns: int) -> Self:
-        """The same pattern with other numbers of rows and columns."""
+        """The pattern with other numbers of rows and columns."""
         return self.model_copy(update={"rows": rows, "columns": columns})
 
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:

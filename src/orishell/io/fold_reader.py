@@ -83,7 +83,7 @@ def read_fold(path: str | Path) -> FoldFile:
 
 
 def fold_of_frames(path: Path, frames: Frames) -> FoldFile:
-    """The same of what was read from a file.
+    """Check what was read from a FOLD file whose faces have four corners.
 
     Raises InputError: As :func:`read_fold`, without the file's name.
     """

@@ -34,7 +34,7 @@ class Drawing:
 
     @property
     def pattern(self) -> CreasePattern:
-        """The same as panels and edges, each with its letter."""
+        """The sheet as panels and edges, each with its letter."""
         grid = Grid(*self.flat.shape[:2])
         signs = self.signs.on_edges(np.nan)
         letters = np.where(signs > 0, "V", np.where(signs < 0, "M", np.where(signs == 0, "F", "U")))

@@ -40,7 +40,7 @@ class Straightened(Protocol):
     """A mechanism whose columns may be straight but for the digits of the curves it follows."""
 
     def straightened(self) -> Mechanism:
-        """The same with columns that are straight to the last digit, where they nearly are."""
+        """The mechanism with columns that are straight to the last digit, where they nearly are."""
 
 
 @runtime_checkable
@@ -55,7 +55,7 @@ class FreeLengths(Protocol):
         """The lengths that are free, by name."""
 
     def with_lengths(self, lengths: Mapping[str, Array]) -> Mechanism:
-        """The same with other lengths of the same names."""
+        """The mechanism with other lengths of the same names."""
 
     def described_lengths(self) -> Mapping[str, Any]:
         """What the report of a design says of them, beside what does not change with them."""

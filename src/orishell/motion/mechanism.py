@@ -56,7 +56,7 @@ class Mechanism(Protocol):
 
     @property
     def least_turning(self) -> Mechanism:
-        """The same sheet, turning as little as possible while it folds: for the proof of contact.
+        """The sheet, turning as little as possible while it folds: for the proof of contact.
 
         Contact does not depend on how the sheet turns as a whole, and less turning needs fewer
         states.

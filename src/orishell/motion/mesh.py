@@ -143,7 +143,7 @@ def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
 def folds_between(
     normals: Array, edges: Integers, edge_faces: Integers, crease: Booleans, positions: Array
 ) -> Array:
-    """The same of panels of any number of corners.
+    """Fold angles (E,) between panels of any number of corners, zero but at creases (radians).
 
     Parameters
     ----------

@@ -37,16 +37,16 @@ class SheetPiece:
         return self.whole.flap_columns
 
     def without_flaps(self) -> Mechanism:
-        """The same rows of the sheet without flaps."""
+        """These rows of the sheet without flaps."""
         return SheetPiece(self.whole.without_flaps(), self.rows)
 
     def with_stop(self, stop: float) -> Mechanism:
-        """The same rows of the sheet whose flaps stop short of folding flat."""
+        """These rows of the sheet whose flaps stop short of folding flat."""
         return SheetPiece(self.whole.with_stop(stop), self.rows)
 
     @property
     def least_turning(self) -> Mechanism:
-        """The same rows of the sheet that turns as little as possible."""
+        """These rows of the sheet that turns as little as possible."""
         return SheetPiece(self.whole.least_turning, self.rows)
 
     @property

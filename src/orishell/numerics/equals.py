@@ -19,7 +19,7 @@ NEAR = 1e-9
 """Values so near to each other, as a share of their size, are equal: a million roundings."""
 
 SOLVED = 1e-6
-"""The same for what a system of equations was solved for, which has fewer digits."""
+"""Solutions of equations, which have fewer digits, are equal up to this share of their size."""
 
 T = TypeVar("T")
 

@@ -139,7 +139,7 @@ def distances_to_polyline(points: Array, vertices: Array) -> Array:
 
 
 def _distances_to_edges(points: Array, vertices: Array) -> Array:
-    """The same, with the distances from every edge: quicker for a few of them."""
+    """Distances (P,) of points to a polyline by those to every edge: quicker for a few of them."""
     start, span = vertices[:-1].T[..., None], np.diff(vertices, axis=0).T[..., None]
     away = points.T[:, None] - start
     square = (span * span).sum(axis=0)

@@ -27,7 +27,7 @@ MARGIN = 1e-4
 XI_ACCURACY = 1e-6
 """How near "auto" comes to the widest xi (radians)."""
 COARSE_ACCURACY, COARSE_EDGES = 2e-3, 24
-"""The same while searching theta, and edges used: the best rotation hardly depends on either."""
+"""Accuracy of xi (radians), and edges, while searching theta: the best hardly depends on either."""
 WORTHWHILE = 1e-3
 """"auto" leaves a curve unrotated unless a rotation brings it closer by this share."""
 

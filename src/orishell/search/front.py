@@ -75,7 +75,7 @@ def scores(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
 
 
 def _compared(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
-    """The same, so rounded that which of equal designs is kept does not hang on rounding."""
+    """The objectives, so rounded that which of equal designs is kept does not hang on rounding."""
     return tuple(rounded(each, 9) for each in scores(problem, outcome))
 
 

@@ -203,7 +203,7 @@ class Trials(Generic[V]):
         return Tried(off, small if small < math.inf else 0.0)
 
     def carefully(self, variant: V, quick: Trial) -> Trial:
-        """The same sheet with its error as the report has it."""
+        """The trial of that sheet with its error as the report has it."""
         return self.sizes.measure(variant, quick.columns, True)
 
     def does(self, trial: Trial) -> bool:

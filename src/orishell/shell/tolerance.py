@@ -93,7 +93,7 @@ def _searched(
 def _sized_on_surface(
     file: DesignFile, limits: Tolerance, tolerance: Tolerance, progress: Progress
 ) -> tuple[DesignFile, Choice]:
-    """The same where the target is a surface, which sheets of every size are fitted to."""
+    """What is found where the target is a surface, which sheets of every size are fitted to."""
     surface = file.surface
     assert surface is not None
 

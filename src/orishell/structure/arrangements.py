@@ -8,7 +8,7 @@ from itertools import product
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 
 Alternatives = tuple[tuple[str, LoadCase], ...]
-"""The same case in its arrangements, each with its name in words; a single one has none."""
+"""A case in its arrangements, each with its name in words; a single one has none."""
 
 
 def alternatives(case: LoadCase) -> Alternatives:

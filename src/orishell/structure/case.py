@@ -54,7 +54,7 @@ class CaseResult:
         return vector(self.forces.sum(axis=0))
 
     def of(self, model: Model) -> CaseResult:
-        """The same of a model that is told what refinement found."""
+        """The result of a model that is told what refinement found."""
         found = self.equilibrium
         return self if found is None else replace(self, equilibrium=replace(found, model=model))
 

@@ -106,7 +106,7 @@ def hold_panels(
 def hold_moved_panels(
     model: Model, borne: tuple[Array, Array | None, Array], loads: Array, scale: float
 ) -> tuple[EdgeForces, float]:
-    """The same where large displacements are followed.
+    """What holds panels where large displacements are followed, and the share of loads missed.
 
     borne: Forces (T, 18) of triangles, moments (m, 6) of springs, and where nodes (N, 3) are.
     """

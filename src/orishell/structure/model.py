@@ -60,7 +60,7 @@ class Model:
     stopped: Stop | None = None  # why cells are no finer although ``refine`` asks for it
 
     def with_refinement(self, change: Changes, stopped: Stop | None) -> Model:
-        """The same with what refinement found; what was found of it is kept."""
+        """The model with what refinement found; what was found of it is kept."""
         found = replace(self, change=change, stopped=stopped)
         named = {each.name for each in fields(self)}
         vars(found).update({k: v for k, v in vars(self).items() if k not in named})

@@ -66,7 +66,7 @@ def doubts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator
 
 
 def doubts_of_shell(model: Model) -> Iterator[str]:
-    """The same about values that hardly fit a shell of its size and weight."""
+    """Sentences about values that hardly fit the size and weight of the shell."""
     asked, unit, areal = model.structure, model.site.unit, model.site.areal_density
     if areal and not AREAL[0] <= areal <= AREAL[1]:
         yield f"panels weigh {plain(areal)} kg per square metre: paper weighs 0.1, steel of 1 mm 8"

@@ -188,5 +188,5 @@ class Analysis:
         return f"{name}, {creases_in_words(case.creases)}"
 
     def loaded(self) -> LoadedShell:
-        """The same as files and pages show it."""
+        """The shell with its load cases as files and pages show it."""
         return loaded_shell(self.model, [(self.name_of(case), case) for case in self.cases])

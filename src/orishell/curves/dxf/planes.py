@@ -45,7 +45,7 @@ def draw_in_plane(entities: Sequence[DXFEntity]) -> tuple[list[Drawn], tuple[str
 
 
 def _turned(entity: DXFEntity, right: int, up: int, depth: int, sign: int) -> DXFEntity:
-    """The same entity with other coordinates as its x, y and z."""
+    """A copy of the entity with other coordinates as its x, y and z."""
     from ezdxf.math import Matrix44
 
     turn = np.zeros((4, 4))

@@ -99,7 +99,7 @@ class _Reader:
         return pieces
 
     def drawn_pieces(self, *, whole: bool) -> list[Piece]:
-        """The same; none if nothing is drawn."""
+        """The pieces in millimetres, or in user units of the viewBox; none if nothing is drawn."""
         try:
             for element, context in self._seen(whole):
                 try:

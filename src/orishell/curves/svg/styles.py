@@ -112,7 +112,7 @@ def _too_much(got: str) -> InputError:
 
 
 def _plain(root: Element) -> ElementTree.Element:
-    """The same elements as the library wants them."""
+    """The elements as the library wants them."""
     made = ElementTree.Element(root.tag, root.attributes)
     stack = [(root, made)]
     while stack:

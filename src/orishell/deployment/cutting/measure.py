@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 SAMPLES, TOGETHER = 200, 50
 """Sheets that are tried, and how many of them at a time: memory grows with it."""
 SEED = 1
-"""The same samples each time, so that the same input gives the same bytes."""
+"""The seed of samples: they are alike each time, so that the same input gives the same bytes."""
 SHARE = 0.95
 """Of sheets, in which nothing is larger than what is called the largest."""
 LARGEST = 1_050_000

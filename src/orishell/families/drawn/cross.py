@@ -63,7 +63,7 @@ class Cross:
 
     @property
     def turned(self) -> Cross:
-        """The same with rows and columns exchanged."""
+        """The cross with rows and columns exchanged."""
         return Cross(self.vertices.turned, self.columns, self.rows, self.column, self.row)
 
     def from_row(self, height: Half) -> tuple[Half, Half]:

@@ -21,7 +21,7 @@ class Drive:
     across: bool  # whether rows and columns are exchanged
 
     def moved(self, flat: Numbers) -> Drive:
-        """The same of other flat vertices (2, rows, columns, ...), with the same signs."""
+        """The drive of other flat vertices (2, rows, columns, ...), with the same signs."""
         own = flat.swapaxes(1, 2)[::-1] if self.across else flat
         states = (None,) * (own.ndim - 4)
         cross = self.cross

@@ -76,7 +76,7 @@ class Vertices:
 
     @property
     def turned(self) -> Vertices:
-        """The same with rows and columns (R, C, ...) exchanged."""
+        """The vertices with rows and columns (R, C, ...) exchanged."""
         mode, A, B, C, D, P = (
             each.swapaxes(0, 1) for each in (-self.mode, self.C, self.B, self.A, self.D, self.P)
         )

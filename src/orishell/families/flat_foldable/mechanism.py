@@ -58,7 +58,7 @@ class FlatFoldable(FlapFree):
         return {name: getattr(self.sheet.net, name)[:, 0] for name in LENGTHS}
 
     def with_lengths(self, lengths: Mapping[str, Array]) -> FlatFoldable:
-        """The same with other lengths (K,) by name, and all angles as they are."""
+        """The sheet with other lengths (K,) by name, and all angles as they are."""
         columns = {name: each[:, None] for name, each in lengths.items()}
         return replace(self, sheet=replace(self.sheet.net, **columns).march())
 

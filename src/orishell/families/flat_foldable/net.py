@@ -77,7 +77,7 @@ class Net:
         return Sheet(self, a, b, *lengths, row_signs, column_signs)
 
     def with_straight_columns(self) -> Net:
-        """The same, its creases going straight on along the middle row and column.
+        """The net, its creases going straight on along the middle row and column.
 
         Columns do where rows fold more (a = b), and rows where columns do (a + b = pi).
         """
@@ -87,7 +87,7 @@ class Net:
         return replace(self, row_angles=straight[i], column_angles=straight[:, j])
 
     def with_straight_column(self, column: int) -> Net:
-        """The same, a column of row mode that is given going straight on in all rows."""
+        """The net, a column of row mode that is given going straight on in all rows."""
         _, _, _, ties = self._ties()
         straight, row = 0.5 * ties[:, column], self.row_angles.copy()
         row = row.astype(np.result_type(row, straight))

@@ -135,7 +135,7 @@ def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None
 
 
 def _candidates(request: SheetRequest, columns: Columns) -> Iterator[Remedy]:
-    """The same ratios with other scales of the row, the nearest first; "auto" for what is given."""
+    """Row lengths in these ratios, the nearest scale first; "auto" for what is given."""
     row, column = request.row_lengths, request.column_lengths
     if row is not None and column is not None:
         wanted = Wanted(row=row, column=column[1:-1], ends=(float(column[0]), float(column[-1])))

@@ -41,12 +41,12 @@ class HeadingConditions:
     sides: tuple[SideChoice, SideChoice]
 
     def of(self, zigzag: Zigzag) -> HeadingConditions:
-        """The same conditions with another zigzag."""
+        """The conditions with another zigzag."""
         gain = float(np.cos(zigzag.angles[len(zigzag.angles) // 2] / 2))
         return replace(self, gain=gain, limits=zigzag.shift_limits())
 
     def scaled(self, factor: float) -> HeadingConditions:
-        """The same conditions with g enlarged."""
+        """The conditions with g enlarged."""
         return replace(self, points=self.points * factor)
 
     def eps(self, heading: float) -> Array:

@@ -100,7 +100,7 @@ class Orthodiagonal(FlapSheet):
         object.__setattr__(self, "_columns", self._steps())
 
     def straightened(self) -> Orthodiagonal:
-        """The same with a row that is a zigzag to the last digit, if it nearly is one.
+        """The sheet with a row that is a zigzag to the last digit, if it nearly is one.
 
         Then all columns are straight in the flat sheet, and the sheet folds flat. Chords between
         crests and troughs of a wave are as exact as these are traced.

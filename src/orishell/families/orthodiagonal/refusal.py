@@ -123,7 +123,7 @@ class HeadingSearch:
             yield from self.smaller_at_the_best_depth()
 
     def without_flaps(self) -> HeadingSearch:
-        """The same search for flaps as wide as there is room for."""
+        """The search for flaps as wide as there is room for."""
         return replace(self, headings=replace(self.headings, flap=None))
 
     def headings_of(self, admissible: Array) -> Iterator[Remedy]:

@@ -150,7 +150,7 @@ def _by_cosines(angles: Array) -> Array:
 
 
 def _by_sines(angles: Array) -> Array:
-    """The same in its sine version; the row crease changes its sign at a vertex."""
+    """Equation (4) in its sine version (2, C-1); the row crease changes its sign at a vertex."""
     ld, rd, _, _, ld_2, rd_2, _, _ = angles
     return _coupling(
         angles,

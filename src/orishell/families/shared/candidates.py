@@ -34,7 +34,7 @@ def values(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]
 
 
 def angles(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """The same for a key in degrees, the interval and what was asked for in radians."""
+    """Values of a key in degrees to try; the interval and what was asked for are in radians."""
     yield from values(key, tidy_degrees(low), tidy_degrees(high), tidy_degrees(wanted))
 
 

@@ -119,7 +119,7 @@ class FlapSheet:
         return {"column": self.lengths, "row": np.abs(np.diff(self.points))}
 
     def with_lengths(self, lengths: Mapping[str, Array]) -> Self:
-        """The same with other lengths of column 1 (m+1,) and of the middle row (n-1,)."""
+        """The sheet with other lengths of column 1 (m+1,) and of the middle row (n-1,)."""
         edges = np.diff(self.points)
         steps = lengths["row"] * edges / np.abs(edges)
         points = self.points[0] + np.append(0.0, np.cumsum(steps))

@@ -54,7 +54,7 @@ class Followed:
         return max(begin, -self.farthest), min(end, self.farthest)
 
     def turns(self, trace: Trace, xi: float | None) -> tuple[float, float]:
-        """The same for a curve, not turned; refuse one that has none."""
+        """Rotations at which a curve, not turned, has a staircase (radians); refuse one without."""
         low, high = trace.heading_range()
         begin, end = self.interval(low, high, xi)
         if end - begin <= NARROWEST_XI:

@@ -39,7 +39,7 @@ class Graph:
     lines: Integers  # a line (E,) of the drawing that each is a part of
 
     def chosen(self, kept: Booleans) -> Graph:
-        """The same with some of the edges."""
+        """The graph with some of its edges."""
         return Graph(
             self.points,
             self.edges[kept],

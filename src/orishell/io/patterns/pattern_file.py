@@ -60,7 +60,7 @@ class ReadPattern:
         return replace(self, flat=flat, states=states, unit=unit or self.unit)
 
     def in_unit(self, unit: str) -> ReadPattern:
-        """The same in another unit.
+        """The pattern and its states in another unit.
 
         Parameters
         ----------

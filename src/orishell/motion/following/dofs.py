@@ -33,7 +33,7 @@ UNCERTAIN = 100.0
 GAP = 1e3
 """Singular values that are zero are less than others by this factor at least."""
 NEAR, NEARLY = 3.0, 10.0
-"""The same two factors in states that close nearly only."""
+"""The factor of what a state misses by, and that of the gap, in states that close nearly only."""
 
 
 @record

@@ -62,7 +62,7 @@ class Followed:
         return np.asarray(self.at_all(np.array([drive]))[0])
 
     def at_all(self, drives: Array) -> Array:
-        """The same (S, E) of states with these largest fold angles (S,)."""
+        """Fold angles (S, E) of the states with these largest ones (S,), up to the one reached."""
         drives = np.minimum(drives, self.reached)
         return self._closure.on_edges(states_at(self._closure, self._path, drives)[0])
 

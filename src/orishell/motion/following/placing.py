@@ -83,7 +83,7 @@ class Placing:
         return poses
 
     def beside(self, poses: Poses, edge: int, fold: float) -> Poses:
-        """The same, the panel to the right of a crease turned about it to a fold angle (radians).
+        """Poses with the panel to the right of a crease turned about it to a fold angle (radians).
 
         All other panels stay where they are.
         """

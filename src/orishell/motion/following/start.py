@@ -14,7 +14,7 @@ from orishell.numerics.arrays import Array, Booleans
 SIZE = 0.05
 """The largest fold angle of the first state (radians)."""
 TINY = 1e-3
-"""The same of the state before, where equations are of first and second order nearly alone."""
+"""The largest fold angle of the state before (radians): orders beyond two hardly count there."""
 MOUNTAINS = 0.8
 """At the first start mountains are folded by this share of valleys: no sheet is halfway then."""
 SPREAD = 0.5

@@ -120,7 +120,7 @@ class _Between:
 
 
 def _carried(total: Array, arms: Array, shared: Integers, nodes: Integers) -> Array:
-    """The same matrices (H, m, m), translations of the axis being those of nodes at arms (H, n, 3).
+    """Matrices (H, m, m) of hinges whose axis, at arms (H, n, 3) from nodes, goes with these.
 
     shared, nodes: Dofs (n, 3) of the axis, and (n, 6) of these nodes.
     """

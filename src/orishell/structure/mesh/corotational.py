@@ -69,15 +69,15 @@ class Elastic:
     __slots__ = ()
 
     def settled(self, moved: Moved) -> Self:
-        """The same after a step that ends here."""
+        """The elements themselves, after a step that ends here."""
         return self
 
     def taken_over(self, moved: Moved) -> Self:
-        """The same, what gives though it should not taken over."""
+        """The elements themselves: none of them gives though it should not."""
         return self
 
     def grown(self, ratio: float) -> Self:
-        """The same under loads that have grown by a ratio."""
+        """The elements themselves, under loads that have grown by a ratio."""
         return self
 
     def missing(self, moved: Moved) -> float:

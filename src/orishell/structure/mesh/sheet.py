@@ -131,7 +131,7 @@ class SheetMesh:
         return arms
 
     def arms(self) -> Array:
-        """The same (T, 3, 3) at the corners of triangles (length)."""
+        """From nodes to the plate (T, 3, 3) at the corners of triangles (length)."""
         return self.arms_at_places()[self.places]
 
     def corners_moved(self, moved: Array) -> Array:

@@ -72,7 +72,7 @@ def needed_friction(structure: Factorised, loads: Array) -> float | None:
 
 
 def with_friction(structure: Factorised, friction: float) -> Factorised:
-    """The same on ground of another coefficient of friction, where it is rough."""
+    """The structure on ground of another coefficient of friction, where it is rough."""
     conditions = structure.conditions
     rough = np.where(conditions.friction > 0, friction, 0.0)
     return replace(structure, conditions=replace(conditions, friction=rough))
@@ -165,7 +165,7 @@ def _least_squares(rays: Array, drive: Array) -> tuple[Array, Array] | None:
 
 
 def _linear_program(rays: Array, drive: Array) -> tuple[Array, Array] | None:
-    """The same, least by the sum of what is missed, with forces that add up to LIMIT at most."""
+    """What rays miss of a drive, least by its sum, and a motion, with forces up to LIMIT in all."""
     from scipy.optimize import linprog
 
     count, one = len(rays), np.eye(len(drive))

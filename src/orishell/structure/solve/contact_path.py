@@ -29,7 +29,7 @@ AUGMENTS = 0.1, 0.01, 1.0, 1e-3
 STEPS, SHORTEST = 100, 1e-6
 """Newton's steps, and the least share of one."""
 FEW, SHORT = 15, 1e-2
-"""The same along a path."""
+"""Newton's steps along a path, and the least share of one."""
 SHARP = 1e-2, 1e-4
 """Steps below this may turn as the tangent beyond an edge does: tried in turn."""
 BEYOND = 1e3

@@ -56,15 +56,15 @@ class Links:
         return np.maximum(0.0, self.borne + self.stiffness * self.gaps(moved))
 
     def settled(self, moved: Moved) -> Self:
-        """The same after a step that ends here."""
+        """The ties and flaps after a step that ends here."""
         return self.taken_over(moved)
 
     def taken_over(self, moved: Moved) -> Self:
-        """The same with lambda_0 as borne now."""
+        """The ties and flaps with lambda_0 as borne now."""
         return replace(self, borne=np.where(self.hard, self.bears(moved), 0.0))
 
     def grown(self, ratio: float) -> Self:
-        """The same: what they bear follows from where they are."""
+        """The ties and flaps themselves: what they bear follows from where they are."""
         return self
 
     def missing(self, moved: Moved) -> float:
@@ -148,12 +148,12 @@ class Feet:
         return float(np.max(rubs[most > 0] / most[most > 0], initial=0.0))
 
     def settled(self, moved: Moved) -> Self:
-        """The same after a step that ends here: feet that slid stand where they are."""
+        """The feet after a step that ends here: those that slid stand where they are."""
         now, slid = moved.displacements[self.dofs[:, :2]], ~self._seen(moved)[2]
         return replace(self.taken_over(moved), stood=np.where(slid[:, None], now, self.stood))
 
     def taken_over(self, moved: Moved) -> Self:
-        """The same with lambda_0 and friction by what is borne now."""
+        """The feet with lambda_0 and friction by what is borne now."""
         return replace(self, borne=self.bears(moved), rubbed=self.forces(moved)[:, :2])
 
     def missing(self, moved: Moved) -> float:
@@ -164,7 +164,7 @@ class Feet:
         return float(np.linalg.norm(np.concatenate(parts)))
 
     def grown(self, ratio: float) -> Self:
-        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+        """The feet under loads that have grown by a ratio: a guess of what they bear then."""
         return replace(self, borne=ratio * self.borne, rubbed=ratio * self.rubbed)
 
     def forces(self, moved: Moved) -> Array:

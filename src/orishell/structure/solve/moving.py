@@ -47,13 +47,13 @@ class Part(Protocol):
         """Forces (T, k) that move them."""
 
     def settled(self, moved: Moved) -> Self:
-        """The same after a step that ends here."""
+        """The elements after a step that ends here."""
 
     def taken_over(self, moved: Moved) -> Self:
-        """The same, what gives though it should not taken over."""
+        """The elements, what gives though it should not being taken over."""
 
     def grown(self, ratio: float) -> Self:
-        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+        """The elements under loads that have grown by a ratio: a guess of what they bear then."""
 
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""
@@ -87,7 +87,7 @@ class Tangent:
         return np.asarray(self._factors.solve(loads))
 
     def unfactorised(self) -> Tangent:
-        """The same without its factors, which take memory."""
+        """The tangent without its factors, which take memory."""
         return replace(self)
 
     @cached_property
@@ -177,15 +177,15 @@ class Moving:
         return Moved(moved.displacements + every, turns @ moved.rotations)
 
     def settled(self, moved: Moved) -> Moving:
-        """The same after a step that ends here."""
+        """The structure after a step that ends here."""
         return replace(self, parts=tuple(part.settled(moved) for part in self.parts))
 
     def taken_over(self, moved: Moved) -> Moving:
-        """The same, what gives though it should not taken over."""
+        """The structure, what gives though it should not being taken over."""
         return replace(self, parts=tuple(part.taken_over(moved) for part in self.parts))
 
     def grown(self, ratio: float) -> Moving:
-        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+        """The structure under loads that have grown by a ratio: a guess of what it bears then."""
         return replace(self, parts=tuple(part.grown(ratio) for part in self.parts))
 
     def missing(self, moved: Moved) -> float:

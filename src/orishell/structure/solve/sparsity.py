@@ -60,5 +60,5 @@ class Sparsity:
 
 
 def _short(numbers: Integers) -> Integers:
-    """The same numbers in half the memory."""
+    """Whole numbers in half the memory."""
     return np.asarray(numbers, np.int32)

@@ -45,7 +45,7 @@ class Inverse:
 
     @classmethod
     def of(cls, structure: Factorised, active: Booleans, motions: Array) -> Inverse:
-        """The same, prepared, of rows that are active (M,) and free motions (n, k)."""
+        """The structure, prepared, with rows that are active (M,) and free motions (n, k)."""
         return cls(structure, active, motions, structure.reaction_operator(active))
 
     def solve(self, loads: Array) -> Array:

@@ -271,7 +271,7 @@ def _in_closed_form(
 
 
 def _by_number(proof: PathResult, grid: OnGrid) -> PathResult:
-    """The same with panels by their numbers in the pattern."""
+    """The proof with panels by their numbers in the pattern."""
     if proof.contact is None:
         return proof
     first, second = grid.panels[list(proof.contact.panels)].tolist()
@@ -333,7 +333,7 @@ def _followed(pattern: CreasePattern, asked: Asked, progress: Progress) -> Foldi
 
 
 def _loosely(found: FoldingMotion, pattern: CreasePattern, progress: Progress) -> FoldingMotion:
-    """The same of a sheet that closes nearly only, with hinges that give way."""
+    """The motion of a sheet that closes nearly only, with hinges that give way."""
     loose = find_loose(pattern, found.drives, found.folds, progress)
     return replace(found, loose=loose, freedom=() if loose is None else loose.freedom)
 

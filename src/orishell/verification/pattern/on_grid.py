@@ -47,7 +47,7 @@ class OnGrid:
         return CreaseValues(signs[self.row], signs[self.column])
 
     def with_signs(self, signs: CreaseValues) -> OnGrid:
-        """The same, with letters after signs where there are none."""
+        """The rows and columns, with letters after signs where their pattern has none."""
         pattern, asked = self.pattern, self.on_edges(signs)
         found = np.where(asked > 0, "V", np.where(asked < 0, "M", "F"))
         missing = pattern.crease & np.isnan(pattern.signs)

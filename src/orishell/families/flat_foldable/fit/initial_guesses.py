@@ -97,7 +97,7 @@ class Task:
         return [starts[k] for k in kept]
 
     def coarse(self) -> tuple[Task, float]:
-        """The same with fewer panels, and how much larger these are."""
+        """The task with fewer panels, and how much larger these are."""
         panels = self.rows + 1, self.columns + 1
         share = max(1.0, max(panels) / COARSE)
         small = [min(each, max(4, round(each / share))) for each in panels]

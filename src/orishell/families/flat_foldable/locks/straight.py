@@ -47,7 +47,7 @@ def straight_bordered(net: Net) -> Sheet:
 
 
 def with_parallel_borders(net: Net) -> Net:
-    """The same with borders parallel to its first and last column, at the mean distances.
+    """The net with borders parallel to its first and last column, at the mean distances.
 
     If these columns are straight, so are the borders.
     """

@@ -55,7 +55,7 @@ class Rotations:
         return Rotations(self.a.conj(), -self.b)
 
     def normalised(self) -> Rotations:
-        """The same rotations as unit quaternions, freed of rounding."""
+        """The rotations as unit quaternions, freed of rounding."""
         a, b = self.a, self.b
         share = 1 / np.sqrt(a.real**2 + a.imag**2 + b.real**2 + b.imag**2)
         return Rotations(a * share, b * share)
