@@ -23,8 +23,7 @@ from orishell.cli.files import (
     weld_as_option,
 )
 from orishell.conventions.errors import InputError
-from orishell.conventions.formatting import counted
-from orishell.conventions.quantities import MILLIMETRES, Unit, plain
+from orishell.conventions.quantities import MILLIMETRES, Unit, counted, plain
 
 if TYPE_CHECKING:
     from orishell.conventions.progress import Progress

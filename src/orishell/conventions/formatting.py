@@ -47,8 +47,3 @@ def rounded_down(value: float, digits: int = 4) -> float:
 def inside(limit: float, start: float, share: float = ROUNDING) -> float:
     """A value a little nearer to ``start`` than the limit, so that it still works when quoted."""
     return float(start + (limit - start) * (1 - share))
-
-
-def counted(number: int, one: str, many: str = "") -> str:
-    """A number of things; ``many`` is their plural if it has more than an s."""
-    return f"{number} {one if number == 1 else many or one + 's'}"

@@ -154,3 +154,8 @@ class Quantities:
     @property
     def _metres(self) -> float:
         return conversion(self.unit, "m")
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """A number of things; ``many`` is their plural if it has more than an s."""
+    return f"{number} {one if number == 1 else many or one + 's'}"

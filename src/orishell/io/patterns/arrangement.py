@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.formatting import counted
+from orishell.conventions.quantities import counted
 from orishell.conventions.record import record
 from orishell.curves.joining import FAR_APART, STEP, UNASKED, WIDEST
 from orishell.io.patterns.connectivity import PiecesError, require_one_piece

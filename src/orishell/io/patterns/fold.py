@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError, printable
-from orishell.conventions.formatting import counted
-from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES, counted
 from orishell.conventions.record import record
 from orishell.io.fold_frames import Frames, FramesError, read_title, read_unit
 from orishell.io.fold_keys import (

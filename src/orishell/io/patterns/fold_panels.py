@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.formatting import counted
+from orishell.conventions.quantities import counted
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Integers
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.formatting import counted
+from orishell.conventions.quantities import counted
 from orishell.conventions.record import record
 from orishell.io.patterns.crossings import Split
 from orishell.io.patterns.lines import Lines

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.formatting import counted
+from orishell.conventions.quantities import counted
 from orishell.conventions.record import record
 from orishell.motion.mesh import folds_between
 from orishell.motion.panel_sides import JoinedLoops
