@@ -62,7 +62,9 @@ same_scale(list(frames))
 
 setbacks = np.linspace(0.03, 0.19, 9)
 thickness = document.panel.thickness
-builds = [document.panel.having(largest_setback=Setback(length=each)) for each in setbacks]
+builds = [
+    document.panel.replace_unchecked(largest_setback=Setback(length=each)) for each in setbacks
+]
 ends = [drive_for_height(sheet, build) for build in builds]
 volumes = [find_pack(sheet, end, 3, thickness).box.volume for end in ends]
 figure, axes = plt.subplots(figsize=(8, 4), layout="constrained")
@@ -91,7 +93,7 @@ def drawn(name: str) -> Figure:
     return figure
 
 
-workshop = shell.file.workshop.having(stock=None, title_block=False)
+workshop = shell.file.workshop.replace_unchecked(stock=None, title_block=False)
 files = draw_sheet_files(Path("pattern.svg"), document, workshop)
 drawings = {path.name: drawing for path, drawing in files}
 figure = drawn("pattern.svg")

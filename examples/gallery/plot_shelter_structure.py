@@ -87,7 +87,7 @@ for panel, found in rigid.items():
 # open.
 
 plywood = shells[example["PLYWOOD"]]
-asked = plywood.file.structure.having(crease_stiffness=(2e4, 2e4))
+asked = plywood.file.structure.replace_unchecked(crease_stiffness=(2e4, 2e4))
 strapped = make_shell(
     replace(plywood.file, structure=asked),
     clash="unexamined",

@@ -107,6 +107,7 @@ def _examined(
     from orishell.io import read_pattern
     from orishell.io.fold_frames import read_frames
     from orishell.io.fold_reader import fold_of_frames
+    from orishell.io.patterns.read import pattern_of_frames
     from orishell.verification import inspect_fold, require_tolerance
 
     require_tolerance(tolerance)
@@ -117,12 +118,13 @@ def _examined(
         frames = read_frames(file)
         states = fold_of_frames(file, frames)
     except InputError:  # what is wrong with it is said, if it is no pattern either
-        return None, _judged(read_pattern(file, frames=frames), tolerance, progress)
+        read = read_pattern(file) if frames is None else pattern_of_frames(file, frames)
+        return None, _judged(read, tolerance, progress)
     inspection = inspect_fold(states, tolerance, progress)
     if inspection.folded and inspection.sheet.flat:
         return inspection, None
     try:
-        pattern = replace(read_pattern(file, frames=frames), states=())  # these are inspected
+        pattern = replace(pattern_of_frames(file, frames), states=())  # these are inspected
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
     return inspection, _judged(pattern, tolerance, progress)

@@ -82,7 +82,7 @@ def read_dxf(
         The file's unit, whatever its ``$INSUNITS`` says. If that is absent or 0, and this is
         None, the file is taken to be in the unit of the result, and its notes say so.
     join
-        How far apart loose ends may be, in the file's unit; see :func:`join_pieces`.
+        How far apart loose ends may be, in the file's unit.
 
     Raises
     ------

@@ -55,7 +55,7 @@ def read_svg(
     unit
         The unit that one user unit of the file's viewBox is, whatever its width says.
     join
-        How far apart loose ends may be, in ``unit``, else in millimetres; see :func:`join_pieces`.
+        How far apart loose ends may be, in ``unit``, else in millimetres.
 
     Raises
     ------

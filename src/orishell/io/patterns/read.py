@@ -38,7 +38,6 @@ def read_pattern(
     unit: str | None = None,
     scale: float = 1.0,
     weld: float | None = None,
-    frames: Frames | None = None,
 ) -> ReadPattern:
     """Read a crease pattern: FOLD (panels of any shape, or only edges), SVG, DXF, CP or OBJ.
 
@@ -59,8 +58,6 @@ def read_pattern(
         Points nearer to each other than this are one, before ``scale`` (millimetres in an SVG
         file whose page has a physical size). None for 1e-5 of the diagonal in drawings, and for
         the vertices as they are in FOLD.
-    frames
-        What was read of a FOLD file before; None to read it.
 
     Raises
     ------
@@ -75,16 +72,28 @@ def read_pattern(
             raise InputError(f"{name} is no number above 0", got=repr(value))
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
-            found = _read(path, unit, weld, frames)
+            found = _read(path, unit, weld)
     except InputError as error:
         raise error.located(f"{path}:") from None
     return found.scaled(scale, unit)
 
 
-def _read(path: Path, unit: str | None, weld: float | None, frames: Frames | None) -> ReadPattern:
+def pattern_of_frames(path: Path, frames: Frames) -> ReadPattern:
+    """The pattern in a FOLD file that was parsed before.
+
+    Raises InputError: As :func:`read_pattern`.
+    """
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):
+            return read_fold_pattern(path, frames, None)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+
+
+def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
     ending = _require_kind(path)
     if ending == ".fold":
-        return read_fold_pattern(path, frames or read_frames(path), weld)
+        return read_fold_pattern(path, read_frames(path), weld)
     if ending == ".obj":
         return read_fold_pattern(path, read_obj_frames(path), weld)
     if ending == ".svg":
