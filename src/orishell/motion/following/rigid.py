@@ -10,10 +10,10 @@ straight. And from flat not all of three or more fold to one side: a convex poly
 Nor does it fold from flat if some direction w has s u . w at least 0 for all of its creases, of
 signs s along u, and more for some. Rates of fold angles at a vertex, each along its crease as it
 lies then, add up to 0, and so do their parts along w: sizes times s u . w, of which near the flat
-state all that are not 0 are positive. So these creases stand still, but for those that lie across w: one
-such crease has a rate that is bounded by theirs, and stands still, too. Two are in line, and what
-is on either side of them is a chain as long as a half circle that turns one way, so that its ends
-leave the way between them at a right angle: to the same hand on both sides, the line folded flat.
+state all that are not 0 are positive. So these creases stand still, but for those that lie across
+w: one such crease has a rate that is bounded by theirs, and stands still, too. Two are in line, and
+what is on either side of them is a chain as long as a half circle that turns one way, so that its
+ends leave the way between them at a right angle: to the same hand, the line folded flat.
 
 Two straight lines that cross do not fold together from flat, where their creases are A, B, C, D and
 sectors a, pi - a, a, pi - a: let Q lie opposite to C. B and D are as far from A as from Q. So A is
