@@ -5,6 +5,7 @@ What is right of each drawing is by the rules of CSS (cascade, inheritance) and 
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -117,3 +118,17 @@ def test_a_style_that_is_none_is_passed_over(tmp_path: Path) -> None:
     root = read_styled(path)
     assert is_painted("stroke", (root, root.children[0]))
     assert root.children[0].style("stroke") == "red"
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        f"<style>{'@media screen{' * 3000}</style>{SEEN}",
+        f"<style>.a{{x:{'(' * 3000}</style>{SEEN}",
+        f'<path style="stroke:{"(" * 3000}" d="M0 0H9"/>',
+    ],
+)
+def test_brackets_without_end_are_refused_or_passed_over(tmp_path: Path, body: str) -> None:
+    """No other error comes of them, whatever the library makes of them."""
+    with suppress(InputError):
+        read_svg(written(tmp_path, body), into="mm")

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from orishell.conventions.errors import InputError
+
 Declarations = Mapping[str, "Declared"]
 """By property."""
 
@@ -24,13 +26,27 @@ def inline(text: str) -> Declarations:
 
 
 def declarations(content: str | Iterable[Any]) -> Declarations:
-    """What the content of a rule declares, as text or parsed."""
+    """What the content of a rule declares, as text or parsed.
+
+    Raises InputError: If brackets are nested too deeply.
+    """
     import tinycss2
 
-    return cascaded(
-        {each.lower_name: Declared(each.important, tinycss2.serialize(each.value).strip())}
-        for each in tinycss2.parse_blocks_contents(content, True, True)
-        if each.type == "declaration"
+    try:
+        return cascaded(
+            {each.lower_name: Declared(each.important, tinycss2.serialize(each.value).strip())}
+            for each in tinycss2.parse_blocks_contents(content, True, True)
+            if each.type == "declaration"
+        )
+    except RecursionError:
+        raise nested() from None
+
+
+def nested() -> InputError:
+    """The error for brackets within each other that are too many to be read."""
+    return InputError(
+        "brackets of a style are nested too deeply",
+        remedy="save it with presentation attributes in place of styles",
     )
 
 

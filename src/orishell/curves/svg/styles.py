@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 from orishell.conventions.errors import InputError
-from orishell.curves.svg.declared import Declarations, cascaded, declarations
+from orishell.curves.svg.declared import Declarations, cascaded, declarations, nested
 from orishell.curves.svg.parsed import read_tree
 from orishell.curves.svg.tree import MAX_ELEMENTS, Element
 
@@ -37,7 +37,10 @@ def read_styled(path: Path, most: int = MAX_ELEMENTS) -> Element:
     from cssselect2 import ElementWrapper
 
     root = read_tree(path, most)
-    matcher = _matcher(root)
+    try:
+        matcher = _matcher(root)
+    except RecursionError:
+        raise nested().located("<style>") from None
     if matcher is None:
         return root
     known: dict[tuple[int, ...], Declarations] = {}
