@@ -72,7 +72,8 @@ class DrawingTable(Table):
         Without a directory no file may be read. Raises InputError if there is no grid of panels.
         """
         try:
-            return self._made(directory, unit)
+            with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+                return self._made(directory, unit)
         except InputError as error:
             raise error.at_key("target.pattern", "[target.pattern]") from None
 

@@ -92,7 +92,8 @@ def corner_sines(flat: Array) -> Array:
     """Sines (R+1, C+1, 4) of the corners of all panels of a flat sheet (R+2, C+2, 2)."""
     corners = grid_corners(flat) @ np.array([1, 1j])
     ways = np.roll(corners, -1, axis=-1) - corners
-    ways /= np.abs(ways)
+    with np.errstate(invalid="ignore"):  # a side of no length has no way
+        ways /= np.abs(ways)
     return np.asarray((np.roll(ways, 1, axis=-1).conj() * ways).imag)
 
 
