@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.record import record
 from orishell.families.drawn.mechanism import DrawnSheet
-from orishell.families.drawn.nearest import DRIVES, FOLDS, disagreement
+from orishell.families.drawn.nearest import DRIVES, FOLDS, Nearby, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import find_signs
-from orishell.motion.grid import CreaseValues
+from orishell.motion.grid import CreaseValues, crease_signs
 from orishell.numerics.arrays import Array
 
 SHORT_OF_FLAT = 0.99 * np.pi
@@ -62,3 +63,25 @@ def decide(flat: Array, signs: CreaseValues, choice: int = 1) -> Decided | None:
 def end_of(sheet: DrawnSheet) -> float:
     """The drive at which the motion of a sheet ends that folds exactly (radians)."""
     return np.pi if disagreement(sheet.drive, np.array([np.pi])) < FOLDS else SHORT_OF_FLAT
+
+
+def nearby_as_drawn(flat: Array, signs: CreaseValues, sheet: DrawnSheet) -> Nearby | None:
+    """A sheet near a flat one that folds exactly, all creases as its signs ask; None if none is.
+
+    Parameters
+    ----------
+    flat, signs
+        As of :func:`decide`, all signs known.
+    sheet
+        The sheet as drawn, which does not fold exactly.
+    """
+    found = find_nearby(flat, sheet.drive)
+    if found is None:
+        return None
+    try:
+        moved = drawn_sheet(found.vertices, signs, np.pi)
+    except DesignError:
+        return None
+    folds = crease_signs(moved.fold_angles(DRIVES))
+    kept = (folds.row == signs.row).all() and (folds.column == signs.column).all()
+    return found if kept else None

@@ -10,9 +10,9 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.drawn.decided import decide, end_of
+from orishell.families.drawn.decided import decide, end_of, nearby_as_drawn
 from orishell.families.drawn.mechanism import DrawnSheet
-from orishell.families.drawn.nearest import DRIVES, find_nearby
+from orishell.families.drawn.nearest import DRIVES
 from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST
@@ -60,7 +60,9 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     warnings = (*drawing.notes, *_of_letters(drawing, decided.ways))
     moved = 0.0
     if not decided.exact:
-        flat, moved = _folding(drawing, sheet, MOVED * drawing.shortest if move is None else move)
+        flat, moved = _folding(
+            drawing, signs, sheet, MOVED * drawing.shortest if move is None else move
+        )
         sheet = drawn_sheet(flat, signs, np.pi)
         end = end_of(sheet)
         warnings += (
@@ -92,12 +94,14 @@ def _of_letters(drawing: Drawing, ways: tuple[CreaseValues, ...]) -> tuple[str, 
     return (f"{creases}: mountains and valleys were found{several}",)
 
 
-def _folding(drawing: Drawing, sheet: DrawnSheet, most: float) -> tuple[Array, float]:
+def _folding(
+    drawing: Drawing, signs: CreaseValues, sheet: DrawnSheet, most: float
+) -> tuple[Array, float]:
     """A sheet nearby that folds, and how far its vertices are moved."""
     apart = np.abs(sheet.drive.disagreement(DRIVES)).max(axis=-1)
     apart = np.where(np.isfinite(apart), apart, np.pi)
     row, column = np.unravel_index(first_largest(apart), apart.shape)
-    nearby = find_nearby(drawing.flat, sheet.drive)
+    nearby = nearby_as_drawn(drawing.flat, signs, sheet)
     found = None if nearby is None else nearby.vertices
     size = f"fold angles there disagree by {in_degrees(float(apart.max()))} degrees"
     if found is None:

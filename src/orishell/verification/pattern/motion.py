@@ -15,7 +15,8 @@ from orishell.conventions.errors import DesignError, InputError, OrishellError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import Angle, record
 from orishell.families.drawn import Decided, decide
-from orishell.families.drawn.nearest import Nearby, find_nearby
+from orishell.families.drawn.decided import nearby_as_drawn
+from orishell.families.drawn.nearest import Nearby
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following import TOLERANCE, follow
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
@@ -250,7 +251,7 @@ def _in_closed_form(
         )
     if not decided.exact:
         found = _loosely(found, pattern, progress)
-        moved = find_nearby(grid.flat, sheet.drive) if found.miss > exact else None
+        moved = nearby_as_drawn(grid.flat, grid.signs, sheet) if found.miss > exact else None
         if moved is None:
             return found
         nearby = pattern.vertices.copy()
