@@ -15,15 +15,17 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, read_design_file, starter_file
 from orishell.design_file.drawing import DrawingTable, table_of
 from orishell.families.drawn import DrawnSheet
+from orishell.families.drawn.decided import nearby_as_drawn
 from orishell.families.drawn.nearest import FOLDS, Nearby, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import MOST, find_signs
 from orishell.motion import Mechanism, find_assignment, largest_fold
+from orishell.motion.drawing import drawing_of
 from orishell.motion.grid import CreaseValues
 from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from patterns import SAMPLES, jittered, mirrored, of_mechanism, shuffled, write
+from patterns import SAMPLES, jittered, mirrored, miura, of_mechanism, shuffled, write
 from samples import thorough
 
 Array = np.ndarray
@@ -272,3 +274,15 @@ def test_panels_that_are_no_grid_are_refused_by_place(tmp_path: Path) -> None:
     turned = starter().changed
     with pytest.raises(InputError, match="from left to right"):
         turned({"target.pattern.scale": 1.0, "target.pattern.vertices.0": [[0, -9]] * 8})
+
+
+def test_a_sheet_nearby_folds_all_creases_as_they_are_asked_to() -> None:
+    """Of signs that the sheet nearby does not fold with, as where it stays flat, there is none."""
+    drawing = drawing_of(jittered(miura(3, 3), 1e-3))
+    sheet = drawn_sheet(drawing.flat, drawing.signs, np.pi)
+    found = nearby_as_drawn(drawing.flat, drawing.signs, sheet)
+    assert found is not None
+    other = CreaseValues(-drawing.signs.row, -drawing.signs.column)
+    assert nearby_as_drawn(drawing.flat, other, sheet) is not None  # turned over
+    flat = CreaseValues(drawing.signs.row, 0 * drawing.signs.column)
+    assert nearby_as_drawn(drawing.flat, flat, sheet) is None
