@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -131,6 +132,20 @@ def test_of_two_straight_lines_that_cross_one_folds(
         fold_pattern(path, unit="mm")
     with pytest.raises(DesignError, match=says):
         design_drawn(drawing, fold=None, move=None)
+
+
+def test_lines_that_cross_are_straight_to_the_tolerance_for_all(tmp_path: Path) -> None:
+    """Of coordinates rounded to seven digits check, fold and design say what exact ones are."""
+    exact = crossing("MMMV", 77.0)
+    rounded = replace(exact, vertices=np.round(exact.vertices, 7))
+    path = fold_file(tmp_path, fold_of(rounded))
+    assert said_by_check(path)[0] == "fails"
+    for door in (
+        lambda: fold_pattern(path, unit="mm"),
+        lambda: design_drawn(drawing_of(rounded), fold=None, move=None),
+    ):
+        with pytest.raises(DesignError, match="two straight lines cross"):
+            door()
 
 
 def test_a_map_fold_is_none_in_one_motion() -> None:

@@ -15,7 +15,7 @@ from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES
 from orishell.families.drawn.nearest import MOST as MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.families.drawn.signs import MOST
+from orishell.families.drawn.signs import MOST, ROUNDED
 from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
@@ -47,7 +47,8 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
     DesignError
         If it does not fold: by how much, where, and how far vertices have to be moved.
     """
-    still = why_still(drawing.pattern)
+    pattern = drawing.pattern
+    still = why_still(pattern, ROUNDED * pattern.diagonal / drawing.shortest)
     if still:
         raise DesignError("the sheet does not fold as its letters ask", size=f"proved: {still}")
     decided = decide(drawing.flat, drawing.signs)
