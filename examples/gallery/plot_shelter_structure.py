@@ -58,7 +58,7 @@ show(boards)
 # %%
 # This is what ``orishell structure`` prints; ``--out`` writes it as a page, ``structure.html``.
 # Buckling governs, under the storm across the shelter. The crease with the largest moment is near
-# the lee gable in the storm along it, between panels [7, 10] and [8, 10]. Ties carry nothing while
+# the lee gable in the storm along it, between panels 7,10 and 8,10. Ties carry nothing while
 # feet are anchored.
 
 report = boards.report.structure

@@ -57,6 +57,17 @@ def figure(value: float, digits: int = DIGITS) -> str:
     return ("\u2212" if text.startswith("-") else "") + grouped + point + part + raised
 
 
+_PAGE_SIGNS: Final = str.maketrans(
+    {SPACE: " ", NARROW: "", "\u2212": "-", "\u2013": "-", "\u2019": "'", "\u03bd": "nu"}
+    | {chr(raised): chr(digit) for digit, raised in RAISED.items()}
+)
+
+
+def as_typed(text: str) -> str:
+    """A text of pages as one types it in a terminal: 2.7e8 and m2 for 2.7·10⁸ and m²."""
+    return text.replace("\u00b710", "e").translate(_PAGE_SIGNS)
+
+
 SMALLER: Final[dict[str, tuple[float, str]]] = {
     "m": (0.1, "mm"),
     "cm": (1.0, "mm"),

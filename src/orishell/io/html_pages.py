@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from html import escape
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -153,11 +153,11 @@ _STATIC_PAGE = """\
 
 
 def static_page(title: str, parts: Iterable[str]) -> str:
-    """A whole page, which is also well-formed XML, of parts that the functions below make.
+    """A whole page, which is also well-formed XML, of parts in HTML.
 
     Its title is not escaped yet.
     """
-    body = "\n".join(part for part in parts if part)
+    body = "\n".join(parts)
     policy = (
         f"default-src 'none'; style-src '{content_digest(_STATIC_STYLE)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
@@ -169,66 +169,3 @@ def content_digest(text: str) -> str:
     """The hash by which a content security policy allows what stands between two tags."""
     digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
     return f"sha256-{digest.decode('ascii')}"
-
-
-def heading(level: int, text: str) -> str:
-    """A heading, 1 the highest."""
-    return f"<h{level}>{escape(text)}</h{level}>"
-
-
-def paragraph(text: str, kind: str = "") -> str:
-    """A paragraph; ``kind`` is one of the style's classes."""
-    return f"<p{_of(kind)}>{escape(text)}</p>"
-
-
-def bullets(texts: Iterable[str], kind: str = "") -> str:
-    """A list; nothing where there are no texts."""
-    items = "".join(f"<li{_of(kind)}>{escape(text)}</li>" for text in texts)
-    return f"<ul>{items}</ul>" if items else ""
-
-
-def picture(png: bytes, text: str) -> str:
-    """A picture inside the page, and what it shows."""
-    source = base64.b64encode(png).decode("ascii")
-    image = f'<img src="data:image/png;base64,{source}" alt="{escape(text)}"/>'
-    return f'<figure>{image}<figcaption class="soft">{escape(text)}</figcaption></figure>'
-
-
-def table(
-    head: Sequence[str],
-    rows: Iterable[Sequence[str]],
-    *,
-    caption: str = "",
-    numbers: int = 0,
-    totals: int = 0,
-    classes: Sequence[str] = (),
-) -> str:
-    """A table; nothing where there are no rows.
-
-    The first cell of each row is its name, the last ``numbers`` of them are set to the right. The
-    last ``totals`` rows are totals; rows may have ``classes``. A list of names and values has no
-    ``head``.
-    """
-    lines = list(rows)
-    if not lines:
-        return ""
-
-    def row(cells: Sequence[str], tag: str, kind: str = "") -> str:
-        text = len(cells) - numbers
-        made = "".join(
-            f"<{name}{_of('number' if k >= text else '')}>{escape(cell)}</{name}>"
-            for k, cell in enumerate(cells)
-            for name in ("th" if tag == "th" or k == 0 else "td",)
-        )
-        return f"<tr{_of(kind)}>{made}</tr>"
-
-    title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    above = f"<thead>{row(head, 'th')}</thead>" if head else ""
-    first = len(lines) - totals
-    kinds = [*classes] or ["total" if k >= first else "" for k in range(len(lines))]
-    body = "\n".join(row(line, "td", kind) for line, kind in zip(lines, kinds, strict=True))
-    return f"<table>{title}{above}<tbody>{body}</tbody></table>"
-
-
-def _of(kind: str) -> str:
-    return f' class="{kind}"' if kind else ""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
 
 from orishell.conventions.quantities import figure
-from orishell.io.html_pages import heading, paragraph, table
-from orishell.structure.anchors import ASSUMED, Anchor, Worst
+from orishell.io.sections import Paragraph, Section, Table
+from orishell.structure.anchors import ASSUMED, Anchor, Worst, anchors_in_words
+from orishell.structure.pages.details import sentence
 from orishell.structure.results import Analysis
 
 KINDS = ("push", "pull", "sideways", "ballast")
@@ -42,17 +42,19 @@ def _cells(worst: Worst) -> tuple[str, str]:
     return f"{worst.force:.6g}", worst.case or ""
 
 
-def anchor_parts(report: Analysis) -> Iterator[str]:
-    """The part of the page on anchors; nothing where nothing is in equilibrium."""
-    if not report.anchors:
-        return
-    yield heading(2, "Supports and anchors")
-    yield table(
-        ("vertex", "push (N)", "pull (N)", "sideways (N)", "ballast (N)", "ballast (kg)"),
-        [_row(each) for each in report.anchors],
-        numbers=5,
+def anchor_section(report: Analysis) -> Section:
+    """What supports ask of the ground."""
+    head = ("vertex", "push (N)", "pull (N)", "sideways (N)", "ballast (N)", "ballast (kg)")
+    rows = [_row(each) for each in report.anchors]
+    rule = Paragraph(f"{RULE} The load case of every figure is in anchors.csv.", "soft")
+    return Section(
+        "Supports and anchors",
+        (
+            Paragraph(sentence(anchors_in_words(report.anchors))),
+            Table(head, rows, numbers=5, lists=True),
+            *([rule] if rows else []),
+        ),
     )
-    yield paragraph(f"{RULE} The load case of every figure is in anchors.csv.", "soft")
 
 
 def _row(anchor: Anchor) -> tuple[str, ...]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
 
 import numpy as np
 
 from orishell.conventions.quantities import Quantities
-from orishell.io.html_pages import paragraph, table
+from orishell.io.sections import Paragraph, Table
 from orishell.structure.crease_forces import FORCES, ROUNDING, AtCrease, worst_forces
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides
@@ -20,7 +19,7 @@ COLUMNS = (*FORCES, "moment")
 DIGITS = 6
 
 
-def crease_table(found: Equilibrium, said: Quantities) -> Iterator[str]:
+def crease_table(found: Equilibrium, said: Quantities) -> Table:
     """The largest forces along row and column creases, and where."""
 
     def shown(each: AtCrease, least: float, *, moment: bool = False) -> str:
@@ -42,23 +41,22 @@ def crease_table(found: Equilibrium, said: Quantities) -> Iterator[str]:
         )
         for kind in found.creases
     ]
-    if rows:
-        yield table(
-            ("", *COLUMNS),
-            rows,
-            caption="Forces along creases, per metre: the largest, and the panels beside it",
-        )
-
-
-def crease_notes() -> Iterator[str]:
-    """What the forces along creases are."""
-    yield paragraph(
-        f"Forces along creases are means over {SHARES[STRETCHES]} of a crease, in the plane of the "
-        "panel on that side of it where they are larger: pull and push square to the crease, shear "
-        "along it, shear across the panel. Forces of supports and ties at corners of panels are "
-        "not among them. All creases are in creases.csv.",
-        "soft",
+    return Table(
+        ("", *COLUMNS),
+        rows,
+        caption="Forces along creases, per metre: the largest, and the panels beside it",
+        lists=True,
     )
+
+
+CREASE_NOTES = Paragraph(
+    f"Forces along creases are means over {SHARES[STRETCHES]} of a crease, in the plane of the "
+    "panel on that side of it where they are larger: pull and push square to the crease, shear "
+    "along it, shear across the panel. Forces of supports and ties at corners of panels are "
+    "not among them. All creases are in creases.csv.",
+    "soft",
+)
+"""What the forces along creases are."""
 
 
 def crease_csv(report: Analysis, unit: str) -> str:

@@ -1,4 +1,4 @@
-"""What was found of one load case: names and values of a table."""
+"""What was found of one load case: names and values of a table, in all that tells of it."""
 
 from __future__ import annotations
 
@@ -8,14 +8,18 @@ from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.structure.case import CaseResult
 from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
-from orishell.structure.equilibrium import CreaseMoment, Equilibrium
+from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
 from orishell.structure.utilisation import NAMED
+
+ROUNDING = 1e-6
+"""Components of a displacement below this share of it are none."""
 
 
 def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
     """Names and values of what was found."""
-    moved, stress, used = found.displacement, found.stress, found.utilisation
-    x, y, z = (said.displacement(each) for each in moved.vector)
+    moved, stress = found.displacement, found.stress
+    least = ROUNDING * moved.size
+    x, y, z = (said.displacement(each if abs(each) > least else 0.0) for each in moved.vector)
     yield (
         "Largest displacement",
         f"{said.displacement(moved.size)} in panel {vertex(moved.panel)} (along x, y, z: "
@@ -47,49 +51,70 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
         "Largest force along a crease line",
         f"{said.per_length(found.lines.size)} in any direction, {_between(found.lines)}",
     )
+    if found.ties:
+        yield "Ties", _pressing(found.ties, "pull")
+    if found.flaps:
+        yield "Flaps", _pressing(found.flaps, "press on each other")
     if found.crease is not None and case.creases != "free":
         yield (
             "Largest moment of a crease",
             f"{said.moment(found.crease.moment)} {_between(found.crease)}",
         )
-    buckles = "by linear theory it does not"
-    if case.limit_state not in STRENGTH:
-        buckles = "found for ULS only"
+    yield "Buckling", _buckles(case, found, said)
+    if hertz := ", ".join(map(figure, found.frequencies)):
+        yield "Natural frequencies", f"{hertz} Hz"
+    yield "Share used", _shares(found)
+
+
+def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
+    """Under how many times its loads the shell buckles, large displacements followed or not."""
+    if found.path is not None:
+        path = found.path
+        linear = f"it is displaced by {said.displacement(path.linear_displacement)}"
+        if path.linear_buckling is not None:
+            linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
+        return f"nonlinear: it {path.in_words()}. By linear theory {linear}"
     if found.buckling_factors:
         lowest, *others = map(figure, found.buckling_factors)
         further = f"; in other ways under {' and '.join(others)} times" if others else ""
-        buckles = f"under {lowest} times these loads{further}, by linear theory"
-    if found.path is not None:
-        path = found.path
-        linear = (
-            f"By linear theory it is displaced by {said.displacement(path.linear_displacement)}"
-        )
-        if path.linear_buckling is not None:
-            linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
-        buckles = f"nonlinear: it {path.in_words()}. {linear}"
-    yield "Buckling", buckles
-    if hertz := ", ".join(map(figure, found.frequencies)):
-        yield "Natural frequencies", f"{hertz} Hz"
-    words = [
-        f"{NAMED.get(name, name)} {percent(part)}"
-        for name, part in used.shares.items()
-        if part is not None
-    ]
-    there = {"membrane": film, "arms": found.arms, "buckling": None}
-    bare = {name for name, part in there.items() if part is None}
-    unknown = [
-        NAMED.get(name, name)
-        for name, part in used.shares.items()
-        if part is None and name not in bare
-    ]
+        return f"under {lowest} times these loads{further}, by linear theory"
+    return "by linear theory it does not" if case.limit_state in STRENGTH else "found for ULS only"
+
+
+def _shares(found: Equilibrium) -> str:
+    """Shares of what is borne, and of what that is not known."""
+    there = {"membrane": found.membrane, "arms": found.arms, "buckling": None}
+    words, unknown = [], []
+    for part, share in found.utilisation.shares.items():
+        name = NAMED.get(part, part)
+        if share is not None:
+            words.append(f"{name} {percent(share)}")
+        elif there.get(part, found) is not None:
+            unknown.append(name)
     if unknown:
         words.append(f"of {' and '.join(unknown)} no strength is given")
-    yield "Share used", "; ".join(words)
+    return "; ".join(words)
+
+
+def _pressing(pairs: tuple[PairForce, ...], act: str) -> str:
+    """How many pairs of vertices have a force, and the largest."""
+    most, active = pairs[0], sum(each.force > 0 for each in pairs)
+    if not active:
+        return f"none of {len(pairs)} {act}"
+    one, other = map(vertex, most.ends)
+    return (
+        f"{active} of {len(pairs)} {act}, {quantity(most.force, 'N')} at most from {one} to {other}"
+    )
 
 
 def _between(found: AtCrease | CreaseMoment) -> str:
     one, other = map(vertex, found.panels)
     return f"between panels {one} and {other}"
+
+
+def sentence(text: str) -> str:
+    """A finding as a sentence."""
+    return f"{text[0].upper()}{text[1:]}."
 
 
 def vertex(at: tuple[int, int]) -> str:

@@ -2,31 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
-from orishell.conventions.quantities import Quantities, figure, quantity
-from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.numerics.equals import SOLVED, largest_of
-from orishell.structure.case import CaseResult
-from orishell.structure.equilibrium import PairForce
-from orishell.structure.loads import KINDS, Vector
-from orishell.structure.pages.anchor_tables import anchor_parts
-from orishell.structure.pages.crease_tables import crease_notes, crease_table
-from orishell.structure.pages.details import details, percent, vertex
-from orishell.structure.pages.model_page import model_parts
+from orishell.io.html_pages import static_page
+from orishell.io.sections import Bullets, Paragraph, Picture, Section, sections_html
+from orishell.structure.pages.details import sentence
+from orishell.structure.pages.sections import answer, structure_sections
 from orishell.structure.results import Analysis
-from orishell.structure.stiffness import creases_in_words
 
-ROUNDING = 1e-9
-"""Forces below this share of a case's load are none."""
-AXES = ("x (N)", "y (N)", "z (N)")
-STRESS_RULE = (
-    "Stress is that of membrane forces and moments averaged over a sixteenth of a panel, a quarter "
-    "of its sides long and wide, at its corners over a quarter of it: corners of panels are "
-    "singular points, where stress grows with every finer mesh. What tears there is not covered."
-)
-NOTHING = "\u2013"
-PATHS = "Loads against displacements, large ones followed; dashed: linear theory."
 SHOWN = "The shell under its loads, coloured by displacement."
 
 
@@ -39,194 +20,14 @@ def structure_page(
     png: The picture of the loaded shell.
     paths: That of loads against displacements, if large displacements were followed.
     """
-    said = Quantities(unit)
-    return static_page(
-        f"Structure: {title}",
-        [
-            heading(1, f"Structure: {title}"),
-            *_answer(report, said),
-            picture(png, SHOWN),
-            heading(2, "Warnings") if report.warnings else "",
-            bullets(report.warnings),
-            heading(2, "Model"),
-            *model_parts(report.model, said),
-            heading(2, "Loads and reactions"),
-            *_loads(report, said),
-            *anchor_parts(report),
-            heading(2, "Results"),
-            *_results(report, said),
-            "" if paths is None else picture(paths, PATHS),
-            paragraph(STRESS_RULE, "soft"),
-            *crease_notes(),
-            *_envelopes(report),
-            *(part for case in report.reported_cases for part in _case(case, report, said)),
-            heading(2, "What is not covered"),
-            bullets(report.not_covered),
-        ],
+    top = (
+        Paragraph(f"Does it carry its loads? {sentence(report.in_words())}", f"lead {report.sign}"),
+        *answer(report, unit).parts,
+        Picture(png, SHOWN),
     )
-
-
-def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
-    """Whether the shell carries its loads, and what every case says to that, the worst first."""
-    words = report.in_words()
-    yield paragraph(
-        f"Does it carry its loads? {words[0].upper()}{words[1:]}.", f"lead {report.sign}"
+    sections = (
+        Section(f"Structure: {title}", top, level=1),
+        Section("Warnings", (Bullets(report.warnings),)),
+        *structure_sections(report, unit, paths),
     )
-    if report.balanced:
-        found, case = largest_of(report.balanced, lambda each: each[0].displacement.size, SOLVED)
-        yield paragraph(
-            f"The largest displacement is {said.displacement(found.displacement.size)}, "
-            f"under {report.name_of(case)}.",
-            "lead",
-        )
-    governs = report.governing_in_words()
-    yield paragraph(f"{governs[0].upper()}{governs[1:]}.", "lead")
-    rows = [
-        (report.name_of(case), CARRIES[case.carries], case.in_words(), case.sign)
-        for case in report.reported_cases
-    ]
-    yield table(
-        ("load case", "carries", "the shell"),
-        [row[:-1] for row in rows],
-        classes=[row[-1] for row in rows],
-    )
-
-
-CARRIES = {True: "yes", False: "no", None: "not known"}
-
-
-def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
-    """What loads each case, and what bears it; loads are the same for all stiffnesses."""
-    names = dict.fromkeys(case.name for case in report.reported_cases)
-    for name in names:
-        same = [case for case in report.cases if case.name == name]
-        rows = [
-            (
-                ("" if load.case == name else f"{load.case}: ") + KINDS[load.kind],
-                NOTHING if load.pressure is None else said.pressure(load.pressure),
-                load.rule,
-                figure(load.factor),
-                *_vector(load.force, same[0].load),
-            )
-            for load in same[0].loads
-        ]
-        totals = [("all loads", "", "", "", *_vector(same[0].load, same[0].load))]
-        for case in same:
-            words = report.name_of(case).removeprefix(f"{name}, ")
-            which = "" if words == name else f", {words}"
-            if case.equilibrium is None:
-                totals.append(
-                    (f"reactions{which}", "", "none: nothing holds it", "", *3 * [NOTHING])
-                )
-                continue
-            missing = f"missing: {figure(case.equilibrium.residual, 2)} of the loads"
-            reaction = _vector(case.equilibrium.reaction, case.load)
-            totals.append((f"reactions{which}", "", missing, "", *reaction))
-        yield table(
-            ("", "from", "how", "factor", *AXES),
-            [*rows, *totals],
-            caption=name,
-            numbers=4,
-            totals=len(totals),
-        )
-    yield paragraph(
-        "Factors are those of combinations, and are in the forces. What is missing between loads "
-        "and reactions is the larger of force and moment, relative to the loads.",
-        "soft",
-    )
-
-
-def _results(report: Analysis, said: Quantities) -> Iterator[str]:
-    """All cases beside each other; those of one name, with little and much stiffness, in turn."""
-    order = {name: k for k, name in enumerate(dict.fromkeys(each.name for each in report.cases))}
-    cases = sorted(report.cases, key=lambda each: order[each.name])
-    rows = [(report.name_of(case), *_figures(case, said)) for case in cases]
-    head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
-    yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
-    yield paragraph(
-        "Used is the largest share of what panels, membrane, creases, crease lines and ties can "
-        "bear, as far as their strength is given, and of the load at which the shell buckles.",
-        "soft",
-    )
-
-
-def _envelopes(report: Analysis) -> Iterator[str]:
-    """What governs each limit state of a code."""
-    if not report.envelopes:
-        return
-    rows = [
-        (
-            each.limit_state,
-            f"{each.cases}",
-            f"{each.moves}",
-            f"{each.case}, {creases_in_words(each.creases)}",
-            NOTHING if each.share is None else f"{each.part}: {percent(each.share)}",
-        )
-        for each in report.envelopes
-    ]
-    yield table(("limit state", "cases", "move", "governs", "by"), rows, numbers=0)
-    yield paragraph(
-        "ULS is judged by strength and buckling, EQU by equilibrium, SLS by displacements: shares "
-        "of what can be borne, of the friction that there is, and of the shell\u2019s height.",
-        "soft",
-    )
-
-
-def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
-    found = case.equilibrium
-    if found is None:
-        return ("unstable", *7 * [NOTHING])
-    used = found.utilisation
-    known = [share for share in used.shares.values() if share is not None]
-    return (
-        said.displacement(found.displacement.size),
-        percent(found.displacement.share),
-        said.stress(found.stress.size),
-        NOTHING
-        if found.crease is None or case.creases == "free"
-        else said.moment(found.crease.moment),
-        quantity(found.ties[0].force, "N") if found.ties and found.ties[0].force else NOTHING,
-        NOTHING if found.buckling is None else figure(found.buckling),
-        quantity(found.frequencies[0], "Hz") if found.frequencies else NOTHING,
-        percent(max(known)) if known else NOTHING,
-    )
-
-
-def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]:
-    yield heading(3, report.name_of(case))
-    found = case.equilibrium
-    if found is None:
-        yield paragraph(f"The shell {case.in_words()}. Nothing else was found of it.", case.sign)
-        return
-    yield table((), details(case, found, said))
-    yield from crease_table(found, said)
-    reactions = [(vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
-    half = -(-len(reactions) // 2)
-    reactions += [4 * ("",)] * (2 * half - len(reactions))
-    yield table(
-        2 * ("vertex", *AXES),
-        [one + other for one, other in zip(reactions[:half], reactions[half:], strict=True)],
-        caption="Reactions of supports; their sum is above, under the loads",
-        numbers=7,
-    )
-    yield _pairs("Ties: the force with which they pull", found.ties, "slack")
-    yield _pairs("Flaps: the force with which they press on each other", found.flaps, "apart")
-
-
-def _pairs(caption: str, pairs: Sequence[PairForce], idle: str) -> str:
-    """Forces between two vertices; those without any are counted, and called by a word."""
-    rows = [
-        (f"{vertex(each.ends[0])} to {vertex(each.ends[1])}", figure(each.force))
-        for each in pairs
-        if each.force
-    ]
-    rest = len(pairs) - len(rows)
-    if rest:
-        rows.append((f"{rest} more" if rows else f"all {rest}", idle))
-    return table(("vertices", "force (N)"), rows, caption=caption, numbers=1)
-
-
-def _vector(force: Vector, load: Vector) -> Iterator[str]:
-    """Components of a force; 0 where they are rounding errors of a load."""
-    least = ROUNDING * max(map(abs, load))
-    return (figure(each if abs(each) > least else 0.0) for each in force)
+    return static_page(f"Structure: {title}", sections_html(sections))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
-from orishell.io.html_pages import paragraph, table
+from orishell.io.sections import Paragraph, Section, Table
 from orishell.structure.changes import STOPPED
 from orishell.structure.model import Model
 from orishell.structure.settings import Support
@@ -19,12 +19,17 @@ RESTRAINED = {
 }
 
 
-def model_parts(model: Model, said: Quantities) -> Iterator[str]:
+def model_section(model: Model, said: Quantities) -> Section:
     """The model: materials, sections, creases, ties, supports and the mesh."""
-    asked = model.structure
-    yield table((), _rows(model, said))
-    yield paragraph(_sections_in_words(model, said), "soft")
-    yield table(("Supports", "how"), ((_place(each, said), _held(each)) for each in asked.supports))
+    supports = [(_place(each, said), _held(each)) for each in model.structure.supports]
+    return Section(
+        "Model",
+        (
+            Table((), list(_rows(model, said))),
+            Paragraph(_sections_in_words(model, said), "soft"),
+            Table(("Supports", "how"), supports),
+        ),
+    )
 
 
 def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
