@@ -14,7 +14,7 @@ import pytest
 import orishell
 from orishell.cli import check, files
 from orishell.io.formats import ALL, all_formats
-from orishell.verification import TOLERANCE
+from orishell.verification import LENGTH_TOLERANCE
 
 ROOT = Path(__file__).parents[2]
 
@@ -101,4 +101,4 @@ def test_the_package_has_what_it_lists() -> None:
 def test_help_says_what_it_does_not_import() -> None:
     names = [each.name for each in all_formats()]
     assert files.WRITE_HELP.endswith(f": {', '.join(names)}; or {ALL}.")
-    assert inspect.signature(check.check).parameters["tolerance"].default == TOLERANCE
+    assert inspect.signature(check.check).parameters["tolerance"].default == LENGTH_TOLERANCE

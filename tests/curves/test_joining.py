@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from orishell.conventions.errors import CurveError
 from orishell.curves import curve_from_points, trace_curve
-from orishell.curves.joining import TOLERANCE, join_pieces
+from orishell.curves.joining import SAME_END, join_pieces
 from orishell.curves.pieces import Affine, Piece, bezier, bulge_arc, circular_arc, nurbs, polyline
 
 Array = NDArray[np.float64]
@@ -70,7 +70,7 @@ def test_ends_within_the_tolerance_are_joined_and_meet_exactly() -> None:
     apart = join_pieces(polyline([(0, 0), (4, 0)]) + polyline([(4, 5e-5), (10, 0)]), place)
     np.testing.assert_allclose(apart.joints[1], [4, 2.5e-5], rtol=1e-12)
     assert apart.notes != ()
-    assert TOLERANCE == 1e-6
+    assert SAME_END == 1e-6
 
 
 def torn(rng: np.random.Generator, gaps: Array) -> tuple[list[Piece], Array]:

@@ -18,7 +18,7 @@ from io_readers import READERS
 from node_tools import REQUIRED as NODE
 from node_tools import lacking
 from orishell.conventions.errors import InputError
-from orishell.document import LARGEST, SHELL, Document
+from orishell.document import LARGEST_COORDINATE, SHELL, Document
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
 from orishell.io.format import Format
 from orishell.io.formats import (
@@ -226,7 +226,7 @@ def test_what_no_format_holds_is_refused() -> None:
     for size in (1e37, math.inf, math.nan):
         with pytest.raises(InputError, match="too large for files"):
             replace(document, flat=document.flat * size)
-    replace(document, flat=document.flat / np.abs(document.flat).max() * LARGEST)
+    replace(document, flat=document.flat / np.abs(document.flat).max() * LARGEST_COORDINATE)
 
 
 def test_a_paper_model_of_what_is_larger_than_all_measure_is_refused(tmp_path: Path) -> None:

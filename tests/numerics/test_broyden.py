@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from orishell.numerics.arrays import Array
-from orishell.numerics.broyden import MOST, Sizing
+from orishell.numerics.broyden import MOST_TRIALS, Sizing
 
 
 def box(unknowns: Array) -> Array:
@@ -46,5 +46,5 @@ def test_what_is_never_reached_ends_with_the_nearest() -> None:
 
     sizing = Sizing(limited, np.array([4.0]), 1e-5)
     assert not sizing.run(np.ones(1))
-    assert sizing.trials <= MOST
+    assert sizing.trials <= MOST_TRIALS
     assert 2.8 < sizing.found[1][0] <= 3.0

@@ -28,7 +28,7 @@ from orishell.shell.designed import designed
 from orishell.shell.report import Report
 from orishell.shell.steps import Step
 from orishell.shell.verdict import find_verdict
-from orishell.structure.nothing import borne_by
+from orishell.structure.negligible import borne_by
 from orishell.verification.pattern import FoldingMotion, judge_pattern
 from orishell.verification.pattern.rows import Judged, said_of_motion
 from samples import thorough

@@ -15,7 +15,7 @@ from orishell.conventions.errors import DesignError
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.shell.board_limits import BoardFit
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import MOST, Sizes, Trial
+from orishell.shell.size_trials import MOST_ROWS, Sizes, Trial
 
 Error = Callable[[int, int], float]
 
@@ -54,8 +54,8 @@ def fewest(error: Error, tolerance: Tolerance) -> int:
     """Brute force: the fewest panels of all sheets that do."""
     measure = sizes(error).measure
     panels = []
-    for rows in range(1, MOST + 1, 2):
-        for columns in range(2, MOST + 1):
+    for rows in range(1, MOST_ROWS + 1, 2):
+        for columns in range(2, MOST_ROWS + 1):
             got = measure(rows, columns, True)
             if (
                 got.error <= tolerance.surface
@@ -176,8 +176,8 @@ def test_boards_cover_as_much_as_is_asked(share: float) -> None:
     trial = choose(sizes(ERRORS["sum"], boards=boards), tolerance)[1].trial
     does = [
         (m + 1) * (n - 1)
-        for m in range(1, MOST + 1, 2)
-        for n in range(2, MOST + 1)
+        for m in range(1, MOST_ROWS + 1, 2)
+        for n in range(2, MOST_ROWS + 1)
         if ERRORS["sum"](m, n) <= 0.3 and boards(m, n).bare(tolerance) <= 1
     ]
     assert trial.panels == min(does)
@@ -190,7 +190,10 @@ def test_boards_cover_as_much_as_is_asked(share: float) -> None:
 
 
 WITHIN = [
-    (m, n) for m in range(1, MOST + 1, 2) for n in range(2, MOST + 1) if ERRORS["sum"](m, n) <= 0.3
+    (m, n)
+    for m in range(1, MOST_ROWS + 1, 2)
+    for n in range(2, MOST_ROWS + 1)
+    if ERRORS["sum"](m, n) <= 0.3
 ]
 
 

@@ -9,7 +9,7 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.families.tolerance import Tolerance
 from orishell.shell.board_limits import BoardFit
 from orishell.shell.size_trials import Trial
-from orishell.shell.surface_search import FITS, MOST, SurfaceSearch
+from orishell.shell.surface_search import FITS, MOST_PANELS, SurfaceSearch
 
 
 def searched(surface: float, *, refused: int = 0, **edges: float) -> SurfaceSearch:
@@ -64,6 +64,6 @@ def test_boards_that_cover_too_little_are_refused_with_what_they_do() -> None:
 
 def test_what_cannot_be_met_is_refused_with_what_can() -> None:
     with pytest.raises(DesignError) as refused:
-        searched(0.5 / MOST).run()
+        searched(0.5 / MOST_PANELS).run()
     remedy = next(iter(refused.value.candidates))
-    assert remedy.changes == {"tolerance.surface": pytest.approx(1.05 / MOST, rel=1e-3)}
+    assert remedy.changes == {"tolerance.surface": pytest.approx(1.05 / MOST_PANELS, rel=1e-3)}

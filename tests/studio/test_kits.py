@@ -78,7 +78,7 @@ def test_another_language_or_paper_takes_no_second_proof(monkeypatch: pytest.Mon
 
 
 def test_a_card_model_of_too_many_pages_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tiling, "MOST", 10)
+    monkeypatch.setattr(tiling, "MOST_PAGES", 10)
     for task in ("booklet", "export"):
         with pytest.raises(InputError, match="needs more than 10 pages") as caught:
             asked(task, {"paper_scale": 1.0}, format="card")

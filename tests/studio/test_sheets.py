@@ -78,7 +78,7 @@ def test_stock_that_no_panel_fits_is_refused_with_what_would_do() -> None:
 def test_a_paper_model_of_too_many_pages_is_said_and_the_rest_drawn(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(tiling, "MOST", 100)
+    monkeypatch.setattr(tiling, "MOST_PAGES", 100)
     sheets = asked("sheets", {"paper_scale": 1.0})
     assert "needs more than 100 pages" in sheets["paper"]["says"]
     assert sheets["paper"]["svg"] == ""

@@ -10,7 +10,13 @@ from documents import demo_document, slit_document
 from orishell.document import SHELL, Document
 from orishell.motion.quads import unit_normals
 from orishell.workshop.kit import line_drawing
-from orishell.workshop.kit.line_drawing import MOST, RISE_DEG, TURN_DEG, draw_lines, view_axes
+from orishell.workshop.kit.line_drawing import (
+    MOST_PANELS,
+    RISE_DEG,
+    TURN_DEG,
+    draw_lines,
+    view_axes,
+)
 
 CLEAR = 1e-4
 """Depths nearer than this share of the shell are one: panels that lie on each other."""
@@ -54,11 +60,13 @@ def test_of_many_panels_some_rows_and_columns_are_drawn(monkeypatch: pytest.Monk
     document = demo_document()
     panels = len(document.mesh.faces)
     whole = draw_lines(document, SHELL)
-    assert panels < MOST
+    assert panels < MOST_PANELS
     assert (whole.every, len(whole.outlines)) == (1, panels)
-    monkeypatch.setattr(line_drawing, "MOST", panels // 4 - 1)
+    monkeypatch.setattr(line_drawing, "MOST_PANELS", panels // 4 - 1)
     coarse = draw_lines(document, SHELL)
-    assert coarse.every == 3  # the least whose square is at least panels / MOST, which is over 4
+    assert (
+        coarse.every == 3
+    )  # the least whose square is at least panels / MOST_PANELS, which is over 4
     assert len(coarse.outlines) < panels / 4
     # All four corners of the sheet are drawn.
     assert document.grid_shape is not None

@@ -15,7 +15,8 @@ from orishell.numerics.arrays import Array, Integers
 
 RANGES, LEVELS, TABLES_KEPT = 32, 3, 64
 """Ranges of the drive in a table, halvings of the path to the tables of its parts, tables kept."""
-ROUNDING = 1 + 1e-9
+ROUNDED_UP = 1 + 1e-9
+"""Factor on a bound, far above what the sums and products that make it may be rounded down by."""
 SUMMED = 4 * float(np.finfo(np.float64).eps)
 """Rounding of a running sum, by the number of its terms and the last of it."""
 FLATTEST = 1e-30
@@ -60,7 +61,7 @@ class EdgeBounds:
             ends = self.end * (index + np.linspace(0.0, 1.0, RANGES + 1)) / 2**level
             rows, columns = self.mechanism.edge_accelerations(ends[:-1], ends[1:])
             # Where a family knows no bound there is none.
-            table = _known(rows) * ROUNDING, _known(columns) * ROUNDING
+            table = _known(rows) * ROUNDED_UP, _known(columns) * ROUNDED_UP
             self.tables[level, index] = table
             if len(self.tables) > TABLES_KEPT:
                 self.tables.popitem(last=False)

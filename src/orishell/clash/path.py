@@ -50,8 +50,8 @@ from orishell.motion.convex import ConvexParts
 from orishell.motion.layout import Layout
 from orishell.numerics.arrays import Array, Booleans
 
-ROUNDING = 1e-14
-"""Rounding of coordinates, relative to the largest."""
+COORDINATE_ROUNDING = 1e-14
+"""Rounding of coordinates, relative to the largest: 45 units in the last place."""
 LENIENCE = 1e-4
 """Share of the tolerance that is used for panels that are meant to clash at the end."""
 CROWD = 64
@@ -144,7 +144,7 @@ class PathSearch:
         self.states = States(mechanism, end, self.tree, bodies)
         self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
-        self.rounding = ROUNDING * float(np.abs(self.states.at(0).points).max())
+        self.rounding = COORDINATE_ROUNDING * float(np.abs(self.states.at(0).points).max())
 
     def _tree(
         self, mechanism: Mechanism, end: float, bodies: Bodies | None

@@ -11,7 +11,7 @@ from orishell.motion.following import Followed
 from orishell.motion.parts import Parts, find_parts
 from orishell.numerics.arrays import Array, Integers
 
-TOLERANCE = 1e-9
+CONTACT_TOLERANCE = 1e-9
 """Panels closer than this share of the sheet's diagonal touch."""
 NARROW = 1e-4
 """A first contact is told to this angle (radians)."""
@@ -75,5 +75,7 @@ def _narrowed(
 def _touching(motion: Followed, parts: Parts, folds: Array) -> Integers:
     """Pairs (P, 2) of panels that touch in a state with fold angles (E,)."""
     points = parts.extended(motion.placing.placed(folds)[0])
-    found = parts.panels[find_contacts(points, parts.faces, TOLERANCE * motion.pattern.diagonal)]
+    found = parts.panels[
+        find_contacts(points, parts.faces, CONTACT_TOLERANCE * motion.pattern.diagonal)
+    ]
     return np.unique(np.sort(found[found[:, 0] != found[:, 1]], axis=1), axis=0)

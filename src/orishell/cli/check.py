@@ -37,10 +37,10 @@ CHECKED_HELP = (
 )
 DRAWINGS = (".svg", ".dxf", ".cp", ".obj")
 
-LARGE = 5000
+MANY_EDGES = 5000
 """Of sheets with more edges what is known is said before their motion is found."""
-TOLERANCE = 1e-6
-"""The value of :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
+LENGTH_TOLERANCE = 1e-6
+"""That of :data:`orishell.verification.LENGTH_TOLERANCE`, not imported for ``--help``."""
 
 
 def check(
@@ -48,7 +48,7 @@ def check(
     tolerance: Annotated[
         float,
         typer.Option(help="Allowed error of lengths, relative to the diagonal of the flat sheet."),
-    ] = TOLERANCE,
+    ] = LENGTH_TOLERANCE,
     weld: Annotated[float | None, typer.Option(help=WELD_HELP)] = None,
     *,
     json_report: Annotated[
@@ -135,7 +135,7 @@ def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternV
     from orishell.verification.pattern import judge_pattern
 
     def so_far(rows: tuple[Row, ...]) -> None:
-        if len(read.edges) > LARGE:
+        if len(read.edges) > MANY_EDGES:
             said = [counted(len(read.faces), "panel"), counted(len(read.edges), "edge")]
             say(f"so far: {', '.join(said)}", err=True)
             for row in rows:

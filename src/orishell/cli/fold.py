@@ -21,7 +21,7 @@ from orishell.cli.files import (
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
-MOST = 1000
+MOST_FRAMES = 1000
 """Frames, at most: each is a state of the whole sheet in files and memory."""
 LOOSEST = 0.5
 """Degrees."""
@@ -59,7 +59,7 @@ def fold(
     missing they are found.
     """
     from orishell.io import OutputDirectory
-    from orishell.motion.following import TOLERANCE
+    from orishell.motion.following import CLOSURE_TOLERANCE
     from orishell.shell.folded import FORMATS, fold_pattern, write_folded
 
     output = OutputDirectory(out, inputs=(file,), force=force)
@@ -75,12 +75,12 @@ def fold(
             got=f"{angle:g}",
             expected="above 0 and at most 180 (degrees)",
         )
-    if not 2 <= frames <= MOST:
+    if not 2 <= frames <= MOST_FRAMES:
         raise InputError(
             "these are no frames of a motion",
             where="--frames",
             got=str(frames),
-            expected=f"from 2 to {MOST}",
+            expected=f"from 2 to {MOST_FRAMES}",
         )
     if tolerance is not None and not 0 < tolerance <= LOOSEST:
         raise InputError(
@@ -97,7 +97,7 @@ def fold(
             frames=frames,
             unit=cast("Unit | None", unit),
             weld=weld,
-            tolerance=TOLERANCE if tolerance is None else math.radians(tolerance),
+            tolerance=CLOSURE_TOLERANCE if tolerance is None else math.radians(tolerance),
             choice=choice,
             progress=progress,
         )

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-ROUNDING = 1e-3
-"""Nearest values that work are quoted this share inside the limit."""
+INSIDE_LIMIT = 1e-3
+"""A value is quoted this share inside the limit that was found, so that it works in few digits."""
 
 
 def in_degrees(angle: float) -> str:
@@ -44,6 +44,6 @@ def rounded_down(value: float, digits: int = 4) -> float:
     return rounded(float(np.floor(value / unit) * unit), digits)
 
 
-def inside(limit: float, start: float, share: float = ROUNDING) -> float:
+def inside(limit: float, start: float, share: float = INSIDE_LIMIT) -> float:
     """A value a little nearer to ``start`` than the limit, so that it still works when quoted."""
     return float(start + (limit - start) * (1 - share))

@@ -74,10 +74,11 @@ SMALLER: Final[dict[str, tuple[float, str]]] = {
     "ft": (0.1, "in"),
 }
 """Below so many of the unit a length is written in a smaller one."""
-LEAST: Final[dict[str, float]] = {"mm": 1e-3, "in": 1e-4}
+LEAST_MADE: Final[dict[str, float]] = {"mm": 1e-3, "in": 1e-4}
 """Lengths below these are none: nobody makes or measures them."""
-ROUNDING: Final = 1e-12
-"""By such a share a bound may be above the number that is meant."""
+ABOVE_MEANT: Final = 1e-12
+"""A length that exceeds a round number by less, relative to it, is that number: the rest is error
+of arithmetic, and is not rounded up to the next digit."""
 
 
 def size(value: float, unit: str, *, bound: bool = False, digits: int = 3) -> str:
@@ -88,12 +89,12 @@ def size(value: float, unit: str, *, bound: bool = False, digits: int = 3) -> st
     below, smaller = SMALLER.get(unit, (0.0, unit))
     if value and abs(value) < below:
         value, unit = value * conversion(unit, smaller), smaller
-    least = LEAST.get(unit, 0.0)
+    least = LEAST_MADE.get(unit, 0.0)
     if value and abs(value) < least / 2:
         return f"less than {least} {unit}"
     if bound and value > 0:
         last = 10.0 ** (floor(log10(value)) - digits + 1)
-        value = ceil(value / last * (1 - ROUNDING)) * last
+        value = ceil(value / last * (1 - ABOVE_MEANT)) * last
     return f"{plain(value, digits)} {unit}"
 
 

@@ -11,7 +11,7 @@ from orishell.curves.curve import Curve
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_smallest
 
-LARGEST = 1e100
+LARGEST_COORDINATE = 1e100
 """Coordinates and derivatives beyond this count as not finite."""
 MIN_SPEED = 1e-7
 """A tangent shorter than this, relative to the mean, counts as zero."""
@@ -29,7 +29,7 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
         ("the curve is not finite", position),
         ("the tangent is not finite", first),
     ):
-        good = (np.abs(array) < LARGEST).all(axis=-1)  # false for nan, too
+        good = (np.abs(array) < LARGEST_COORDINATE).all(axis=-1)  # false for nan, too
         if not good.all():
             k = int(np.argmin(good))
             raise CurveError(
@@ -45,7 +45,7 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
 def require_length(position: Array, arc: Array) -> None:
     """Refuse a curve that is lost in the rounding of its coordinates."""
     length, largest = float(arc[-1]), float(np.abs(position).max())
-    least = max(SHORTEST * largest, 1 / LARGEST)
+    least = max(SHORTEST * largest, 1 / LARGEST_COORDINATE)
     if length == 0.0:
         raise CurveError(
             "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"

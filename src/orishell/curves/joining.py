@@ -44,7 +44,7 @@ def run_along_axis(trace: Trace, theta: float = 0.0) -> Trace:
     )
 
 
-TOLERANCE = 1e-6
+SAME_END = 1e-6
 """Ends that are nearer than this, relative to the diagonal of the drawing, are one."""
 WIDEST = 0.02
 UNASKED = 0.005
@@ -54,7 +54,7 @@ FAR_APART = 4.0
 """What is meant to be apart is so many such distances apart."""
 STEP = 1.2
 """By what factor the next distance that is tried exceeds the last one, at least."""
-LARGEST = 1e50
+LARGEST_COORDINATE = 1e50
 """Coordinates beyond this count as not finite."""
 SMOOTH_TURN = 0.1
 """A bent piece turns by at most this from point to point of a spline through it (radians)."""
@@ -108,7 +108,7 @@ def join_pieces(
 ) -> Chain:
     """Order and turn pieces so that they make one curve; CurveError if they do not.
 
-    Ends nearer than :data:`TOLERANCE` times the diagonal of all pieces are one. Pieces shorter
+    Ends nearer than :data:`SAME_END` times the diagonal of all pieces are one. Pieces shorter
     than that, and pieces that are drawn twice, are dropped. The curve begins at the end with the
     smaller x, or if they have the same, the smaller y.
 
@@ -126,7 +126,7 @@ def join_pieces(
     """
     require_pieces(pieces)
     marks = Marks.of(pieces)
-    least = TOLERANCE * marks.size
+    least = SAME_END * marks.size
     try:
         course = find_course(marks, least, join or least, place)
     except GapError as error:
@@ -189,10 +189,10 @@ def require_pieces(pieces: Sequence[Piece]) -> None:
             expected=f"at most {MAX_PIECES}",
             remedy=SIMPLIFY,
         )
-    if not all(piece.reach < LARGEST for piece in pieces):  # nan, too
+    if not all(piece.reach < LARGEST_COORDINATE for piece in pieces):  # nan, too
         raise CurveError(
             "a coordinate is not finite, or too large",
-            expected=f"numbers up to {LARGEST:g}",
+            expected=f"numbers up to {LARGEST_COORDINATE:g}",
             remedy="draw it anew, in another unit",
         )
 

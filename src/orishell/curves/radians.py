@@ -15,7 +15,7 @@ once in degrees, was meant in degrees: no family takes a curve that runs along i
 be meant."""
 AGAIN = 1e-9
 """A turn runs along the last one if it leaves it by less than this share of its size."""
-SPAN, LARGEST = 30, 720
+SPAN, LARGEST_NUMBER = 30, 720
 """Degrees are whole numbers, the ends at least this far apart and no larger than this."""
 CELLS = 8192
 """Steps along the range, none of which may turn by half a turn or more."""
@@ -44,7 +44,7 @@ def require_radians(jet: CurveJet, start: float, stop: float) -> None:
 def look_like_degrees(start: float, stop: float) -> bool:
     """Whether the ends of a range are whole numbers far apart, as an architect writes degrees."""
     whole = not start % 1 and not stop % 1
-    return whole and stop - start >= SPAN and max(-start, stop) <= LARGEST
+    return whole and stop - start >= SPAN and max(-start, stop) <= LARGEST_NUMBER
 
 
 def _turns(jet: CurveJet, start: float, stop: float) -> float:

@@ -21,11 +21,12 @@ BLOCK = 16
 """Number of cells that are bounded together at first."""
 NEAR = 1e-6
 """A curve this near to a chord, relative to its length, is followed by it."""
-ROUNDING = 1e-9
-"""Chords shorter than this, relative to the largest coordinate, have no direction."""
+SHORTEST_CHORD = 1e-9
+"""Chords shorter than this, relative to the largest coordinate, have a direction that rounding of
+their ends may turn by more than a millionth."""
 FINEST = 2.0**-44
 """Narrowest parts of cells that are bounded, relative to the range."""
-MOST = 100_000
+PARTS_AT_ONCE = 100_000
 """Most parts of cells that are bounded at a time."""
 
 Boxes = tuple[Enclosure, Enclosure]
@@ -44,7 +45,7 @@ class Samples:
     def distinct(self) -> Booleans:
         """Whether a cell's chord (N-1,) is more than the rounding of its coordinates."""
         lengths = np.hypot(*np.diff(self.points, axis=0).T)
-        return np.asarray(lengths > ROUNDING * np.abs(self.points).max())
+        return np.asarray(lengths > SHORTEST_CHORD * np.abs(self.points).max())
 
     def near_chords(self, boxes: Boxes, cell: Integers, reach: float) -> Booleans:
         """Whether all points in boxes (S,) are within a reach of the chords of cells (S,)."""
@@ -192,7 +193,7 @@ def _require_divisible(curve: Curve, parts: _Parts, middle: Array, known: Boolea
     """Refuse parts too narrow to be halved, or too many; ``known`` are those that are bounded."""
     stuck = parts.high - parts.low <= FINEST * (curve.stop - curve.start)
     stuck |= ~((parts.low < middle) & (middle < parts.high))
-    many = len(middle) > MOST
+    many = len(middle) > PARTS_AT_ONCE
     if not (many or stuck.any()):
         return
     k = int(np.argmax(~known if many else stuck))

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.acceleration_bounds import NormalBounds
+from orishell.clash.acceleration_bounds import ROUNDED_UP, NormalBounds
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
@@ -21,8 +21,6 @@ from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
-
-ROUNDING = 1 + 1e-9
 
 
 @record
@@ -76,14 +74,14 @@ class Occupied:
         along, down = self.mechanism.edge_accelerations(start, stop)
         found = along.sum(axis=1) + down.sum(axis=1)
         if self.low is None or self.high is None:
-            return np.asarray(ROUNDING * found)
+            return np.asarray(ROUNDED_UP * found)
         layout = Layout.of(self.mechanism)
         normals = NormalBounds(layout, points_of(self.mechanism, 0.0)).within(along, down)
         over = np.maximum(np.abs(self.low), np.abs(self.high))
         found = found + (over * normals).max(axis=1)
         if self.hinges is not None:
             found += (over * normals).max(axis=1) + 2 * self._shifting(self.hinges, normals)
-        return np.asarray(ROUNDING * found)
+        return np.asarray(ROUNDED_UP * found)
 
     def _shifting(self, hinges: Hinges, normals: Array) -> Array:
         """Bounds (S,) for the shift of any board from where the first one is shifted."""

@@ -11,13 +11,13 @@ from orishell.numerics.arrays import Array
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-FEW = 64
+FEW_POINTS = 64
 """Of so few points the hull is made as they are; of more, without those inside of an octagon."""
 
 
 def outermost(plans: Array) -> list[Array]:
     """The points of plans (S, N, 2) that may be corners of their hulls."""
-    if plans.shape[1] <= FEW:
+    if plans.shape[1] <= FEW_POINTS:
         return list(plans)
     x, y = plans[..., 0], plans[..., 1]
     views = (x, x + y, y, y - x)

@@ -33,14 +33,14 @@ BEYOND = 1e-2
 (radians): enough to see that opening it stretches ties."""
 FIRST = 16
 """Ranges that are begun with."""
-SMALLEST = 2.0**-30
+NARROWEST_RANGE = 2.0**-30
 """No range is halved that is a smaller part than this of the way from the target to the pack."""
-MOST = 2048
+MOST_RANGES = 2048
 """No ranges are halved when there are more than this of one size that leave something open."""
 BATCH = 64
 """Ranges that are looked at together: memory grows with it."""
-ROUNDING = 1e-12
-"""Of lengths and accelerations, relative."""
+LENGTH_ROUNDING = 1e-12
+"""Rounding of lengths and bounds of accelerations, relative: thousands of times what they have."""
 
 
 @record
@@ -73,23 +73,23 @@ class _Pairs:
         """Whether they are nearer than at the target in ranges (S,); or are not at the end."""
         first, last = np.split(self.apart(np.concatenate([start, stop])), 2)
         width = (stop - start)[:, None]
-        bound = (1 + ROUNDING) * self.fixings.accelerations(start, stop)
+        bound = (1 + LENGTH_ROUNDING) * self.fixings.accelerations(start, stop)
         off, swing = width**2 / 8 * bound, width / 2 * bound
         before, after, taut = lengths(first), lengths(last), self.taut
         longest = np.maximum(before, after)
-        near = longest + off < (1 - ROUNDING) * taut
+        near = longest + off < (1 - LENGTH_ROUNDING) * taut
         rate = (last - first) / width[..., None]
         shrinking = (
             np.maximum(dots(first, rate), dots(last, rate))
             + longest * swing
             + off * (lengths(rate) + swing)
             # Rounding of the two vectors, by which the mean rate may be wrong.
-            + ROUNDING * longest * taut / width
+            + LENGTH_ROUNDING * longest * taut / width
         )
         begun = (start == self.fixings.mechanism.target_drive)[:, None] | (
-            before < (1 - ROUNDING) * taut
+            before < (1 - LENGTH_ROUNDING) * taut
         )
-        return near | ((shrinking < 0) & begun), after > (1 + ROUNDING) * taut
+        return near | ((shrinking < 0) & begun), after > (1 + LENGTH_ROUNDING) * taut
 
 
 def find_slack(fixings: Fixings, limit: float) -> Slack:
@@ -126,7 +126,7 @@ def find_slack(fixings: Fixings, limit: float) -> Slack:
         some = left.any(axis=1)
         start, stop, left = start[some], stop[some], left[some]
         size *= 0.5
-        if len(start) > MOST or size < SMALLEST * (limit - target):
+        if len(start) > MOST_RANGES or size < NARROWEST_RANGE * (limit - target):
             break
         middle = 0.5 * (start + stop)
         start, stop = np.concatenate([start, middle]), np.concatenate([middle, stop])

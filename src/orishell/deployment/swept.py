@@ -37,11 +37,11 @@ SHARE = 0.004
 """The margin takes about this share of the area."""
 PARTS = 4
 """A range is parted into so many at once, at most."""
-ROUNDS, MOST = 24, 20_000_000
+ROUNDS, MOST_CORNERS = 24, 20_000_000
 """So often are ranges parted, and no more than so many corners are placed, of all states."""
-SMALLEST = 2.0**-30
+NARROWEST_RANGE = 2.0**-30
 """A range that is a smaller part than this of the way is not parted."""
-LAST = 64 * SMALLEST
+LAST = 64 * NARROWEST_RANGE
 """In so much of the way, at the very end of a motion, accelerations may grow beyond all bounds:
 there the ends of ranges that are not parted further are inside. Elsewhere it is not known then."""
 NUMBERS = 2_000_000
@@ -113,7 +113,7 @@ def find_sweep(
     margin = SHARE * shape.area / shape.length
     states = np.array([[target, *heights]])
     for _ in range(ROUNDS):
-        if (made + len(start)) * corners > MOST:
+        if (made + len(start)) * corners > MOST_CORNERS:
             return None
         looked = _look(standing, occupied, start, stop)
         made += 1 + len(start)
@@ -125,7 +125,7 @@ def find_sweep(
         states = np.concatenate([states, *ends])
         left = ~_within(looked, hull, margin, float(states[:, 1].max()), float(states[:, 2].min()))
         way = abs(end - target)
-        small = stop - start <= SMALLEST * way
+        small = stop - start <= NARROWEST_RANGE * way
         if (left & small & (np.maximum(abs(start - end), abs(stop - end)) > LAST * way)).any():
             return None
         left &= ~small

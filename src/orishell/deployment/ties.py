@@ -35,14 +35,14 @@ from orishell.motion.hinges import Hinges
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
 
-SMALLEST = 2.0**-44
+NARROWEST_RANGE = 2.0**-44
 """No range is halved that is a smaller part than this of the way from flat to pack."""
-MOST = 4096
+MOST_RANGES = 4096
 """No ranges are halved when there are more than this of one size that leave something open."""
 BATCH = 64
 """Ranges that are enclosed together: memory grows with it."""
-ROUNDING = 1e-13
-"""Rounding of a derivative relative to the square itself, which no proof may rest on."""
+DERIVATIVE_ROUNDING = 1e-13
+"""Rounding of a derivative relative to the square of the length: what is smaller has no sign."""
 
 
 @runtime_checkable
@@ -251,7 +251,7 @@ def _examine(
         some = open_pairs.any(axis=1)
         left = _Ranges(left.start[some], left.stop[some], open_pairs[some])
         size *= 0.5
-        if not 0 < len(left.start) <= MOST or size < SMALLEST * limit:
+        if not 0 < len(left.start) <= MOST_RANGES or size < NARROWEST_RANGE * limit:
             return _joined(shrinking), left
         left = left.halved()
 
@@ -273,7 +273,7 @@ def _growth(
     low = np.maximum(square.first.low, middle.low - swing)
     high = np.minimum(square.first.high, middle.high + swing)
 
-    margin = ROUNDING * square.value.high
+    margin = DERIVATIVE_ROUNDING * square.value.high
     flat, closed = (start == 0.0)[:, None], (stop == np.pi)[:, None]
     grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
     shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))

@@ -16,12 +16,12 @@ from orishell.conventions.source_file import read_source_file
 from orishell.design.mesh_file_error import MeshFileError
 
 TRIANGLES, FAN = 4, 6
-LARGEST: Final = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}
+LARGEST_INTEGERS: Final = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}
 """What stands for 1 in whole numbers that are normalized, by their kind."""
-MOST: Final = 4_000_000
+MOST_CORNERS: Final = 4_000_000
 """Positions and corners of all that is shown, at most; accessors have four times as many."""
 MOST_NODES: Final = 100_000
-LIMITS: Final = {"byteStride": (1, 252), "count": (1, MOST)}
+LIMITS: Final = {"byteStride": (1, 252), "count": (1, MOST_CORNERS)}
 """Of numbers of accessors and views; others are from 0."""
 KNOWN: Final = ("KHR_mesh_quantization", "KHR_animation_pointer", "KHR_xmp_json_ld")
 LOOKS: Final = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_")
@@ -101,7 +101,10 @@ def _keep_shapes(content: Any, most: int) -> None:
                 low, high = LIMITS.get(key, (0, 2**53))
                 good = type(value) is not int or low <= value <= high
                 _require(good, f"{kind}[{number}].{key}", value, f"a number from {low} to {high}")
-    for kind, key, limit in (("bufferViews", "byteLength", most), ("accessors", "count", 4 * MOST)):
+    for kind, key, limit in (
+        ("bufferViews", "byteLength", most),
+        ("accessors", "count", 4 * MOST_CORNERS),
+    ):
         size = sum(each[key] for each in content[kind])
         _require(size <= limit, kind, f"{key} {size} together", f"at most {limit}")
     for buffer in content["buffers"]:
@@ -125,7 +128,9 @@ def _keep_shapes(content: Any, most: int) -> None:
             shown += sizes[node["mesh"]]
             if not sizes[node["mesh"]]:
                 del node["mesh"]
-    _require(shown <= MOST, "nodes", f"{shown} positions and corners", f"at most {MOST}")
+    _require(
+        shown <= MOST_CORNERS, "nodes", f"{shown} positions and corners", f"at most {MOST_CORNERS}"
+    )
 
 
 def _keep_triangles(content: Any, number: int) -> int:
@@ -151,7 +156,7 @@ def _keep_triangles(content: Any, number: int) -> int:
             )
             size += accessor["count"]
         points = accessors[position]
-        divisors.add(LARGEST[points["componentType"]] if points.get("normalized") else 1)
+        divisors.add(LARGEST_INTEGERS[points["componentType"]] if points.get("normalized") else 1)
         kept.append({"attributes": {"POSITION": position}, **shape})
     _require(len(divisors) < 2, where, "unlike kinds of numbers", "one kind in each mesh")
     content["meshes"][number] = {

@@ -28,7 +28,7 @@ from orishell.numerics.arrays import Array, Integers
 
 GLTF: Final = (".glb", ".gltf")
 ENDINGS: Final = (".obj", ".stl", ".ply", *GLTF)
-LARGEST: Final = 100_000_000
+MOST_BYTES: Final = 100_000_000
 """Bytes of a file, and of the buffers that it names, at most."""
 WORDS: Final = 2000
 """Bytes at the beginning of a file in which its unit may stand."""
@@ -99,11 +99,11 @@ def _read(path: Path) -> MeshFile:
             got=path.suffix,
             expected="an OBJ, STL, PLY or glTF file with one open piece of surface",
         )
-    data = read_source_file(path, "file", LARGEST)
+    data = read_source_file(path, "file", MOST_BYTES)
     if ending == ".ply":
         vertices, triangles = read_ply(data)
     elif ending in GLTF:
-        vertices, triangles = _shown(".gltf", *plain_gltf(data, path.parent, LARGEST))
+        vertices, triangles = _shown(".gltf", *plain_gltf(data, path.parent, MOST_BYTES))
     else:
         content, count = plain_obj(data) if ending == ".obj" else plain_stl(data)
         vertices, triangles = _shown(ending, content)

@@ -12,7 +12,7 @@ import re
 
 from orishell.design.mesh_file_error import MeshFileError, text_of
 
-MOST = 4_000_000
+MOST_ELEMENTS = 4_000_000
 """Vertices, and triangles, of an OBJ file, at most."""
 HEAD, RECORD = 84, 50
 """Bytes of a binary STL file before its triangles, and of each."""
@@ -36,8 +36,10 @@ def plain_obj(data: bytes) -> tuple[bytes, int]:
             whole = whole[:-1] + " "
             continue
         words, whole = whole.split(), ""
-        if max(vertices, triangles) > MOST:
-            raise MeshFileError(f"line {number}", "more vertices or triangles", f"{MOST} at most")
+        if max(vertices, triangles) > MOST_ELEMENTS:
+            raise MeshFileError(
+                f"line {number}", "more vertices or triangles", f"{MOST_ELEMENTS} at most"
+            )
         try:
             if words[:1] == ["v"]:
                 x, y, z = map(float, words[1:4])

@@ -12,7 +12,7 @@ from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import descending, first_largest, first_smallest
 
-MOST = 400_000
+MOST_TRIANGLES = 400_000
 """Triangles of a mesh, at most."""
 SAME = 1e-7
 """Vertices are the same one if they lie nearer than this share of the mesh's size."""
@@ -155,11 +155,11 @@ def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Intege
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
-    if len(triangles) > MOST:
+    if len(triangles) > MOST_TRIANGLES:
         raise refused_mesh(
             "the mesh is too large",
             f"{len(triangles)} triangles",
-            f"at most {MOST}",
+            f"at most {MOST_TRIANGLES}",
             "write it with larger triangles",
         )
     used, inverse = np.unique(triangles, return_inverse=True)  # what none uses has no size

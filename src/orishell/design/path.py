@@ -11,9 +11,10 @@ from orishell.numerics.arrays import Array, Booleans, Complex, Integers
 
 EVEN = 1e-6
 """Stations that the whole curve needs at least: they are even where nothing else asks for more."""
-ROUNDING = 1e-9
-"""A count may exceed a whole number by this share of itself."""
-FEW = 64
+COUNT_ROUNDING = 1e-9
+"""A count of chords that exceeds a whole number by less than this share, as sums of parts do by
+rounding, is that number."""
+FEW_CORNERS = 64
 """Up to this many corners are all kept."""
 
 
@@ -103,7 +104,7 @@ class Path:
         need = np.maximum(need, EVEN * cells / trace.length)
         progress = np.concatenate([[0.0], np.cumsum(need)])
         found = []
-        chords = np.ceil(np.diff(progress[self.nodes]) * (1 - ROUNDING))
+        chords = np.ceil(np.diff(progress[self.nodes]) * (1 - COUNT_ROUNDING))
         for k in np.flatnonzero(self._kept(progress, sagitta, reach)):
             a, b = self.nodes[k], self.nodes[k + 1]
             goals = np.linspace(progress[a], progress[b], max(int(chords[k]), 1) + 1)[:-1]
@@ -135,7 +136,7 @@ class Path:
 
         A corner counts as if its turn were spread over the pieces beside it.
         """
-        if len(self) <= FEW:
+        if len(self) <= FEW_CORNERS:
             return np.ones(len(self), np.bool_)
         half = 0.5 * np.concatenate([[0.0], np.abs(self.corner_turns()), [0.0]])
         turn = half[:-1] + half[1:]

@@ -25,14 +25,14 @@ FITTING: Final = {
 }
 """The sources of a drawn sheet, and the keys that have a meaning for each."""
 ALWAYS: Final = {"scale"}
-MOST: Final = 1001
+MOST_VERTICES: Final = 1001
 """Vertices in a row, and in a column, that a design file lists."""
 SIGNS: Final = {"M": -1.0, "V": 1.0, "F": 0.0, "U": np.nan}
 """Signs by letter; of U nothing is said."""
 
-Row = Annotated[list[Point], Field(min_length=3, max_length=MOST)]
+Row = Annotated[list[Point], Field(min_length=3, max_length=MOST_VERTICES)]
 Letters = Annotated[str, Field(pattern="^[MVFU]+$")]
-LetterLines = Annotated[list[Letters], Field(min_length=1, max_length=MOST)]
+LetterLines = Annotated[list[Letters], Field(min_length=1, max_length=MOST_VERTICES)]
 
 
 class DrawingTable(Table):
@@ -41,7 +41,7 @@ class DrawingTable(Table):
     file: str | None = None
     unit: Unit | None = None
     weld: Annotated[Number, Field(gt=0)] | None = None
-    vertices: Annotated[list[Row], Field(min_length=3, max_length=MOST)] | None = None
+    vertices: Annotated[list[Row], Field(min_length=3, max_length=MOST_VERTICES)] | None = None
     # M, V, F or U: of inner rows from left to right, and of inner columns from top to bottom
     row_creases: LetterLines | None = None
     column_creases: LetterLines | None = None

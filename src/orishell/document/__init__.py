@@ -2,7 +2,7 @@
 
 from orishell.document.document import (
     FLAT,
-    LARGEST,
+    LARGEST_COORDINATE,
     SHELL,
     Document,
     DocumentState,
@@ -13,7 +13,7 @@ from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
 
 __all__ = [
     "FLAT",
-    "LARGEST",
+    "LARGEST_COORDINATE",
     "SHELL",
     "Document",
     "DocumentState",

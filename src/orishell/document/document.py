@@ -27,7 +27,7 @@ from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Integers
 
-LARGEST = 1e36
+LARGEST_COORDINATE = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
 
 SHELL = "target"
@@ -122,11 +122,11 @@ class Document:
         largest = max(
             (float(np.abs(each).max()) for each in (*flat, *self.curves.values())), default=0
         )
-        if not largest <= LARGEST:
+        if not largest <= LARGEST_COORDINATE:
             raise InputError(
                 "the sheet or its curves are too large for files",
                 got=f"coordinates up to {largest:.3g}",
-                expected=f"up to {LARGEST:g}",
+                expected=f"up to {LARGEST_COORDINATE:g}",
             )
 
     @property

@@ -12,7 +12,7 @@ from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.workshop.kit.line_drawing import LineDrawing
 
-SMALL = 9.0
+SMALLEST_LETTERS = 9.0
 """Size of the smallest letters (points)."""
 LEADING = 1.35
 """From line to line, in sizes of letters."""
@@ -129,12 +129,12 @@ def named_corners(corners: Iterable[tuple[str, Array]], drawn: Sequence[Drawn]) 
             x + (-4 if before else 4),
             y + (-8 if below else 3),
             name,
-            SMALL,
+            SMALLEST_LETTERS,
             anchor="end" if before else "start",
         )
         wide = width_of(said)
         start = said.x - wide if before else said.x
-        box = shapely.box(start - 1, said.y - 2, start + wide + 1, said.y + SMALL)
+        box = shapely.box(start - 1, said.y - 2, start + wide + 1, said.y + SMALLEST_LETTERS)
         if not shapely.intersects(lines, box):
             yield said
 

@@ -11,7 +11,7 @@ from orishell.conventions.quantities import box, plain
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
 from orishell.io.booklet_drawing import (
-    SMALL,
+    SMALLEST_LETTERS,
     Drawn,
     Said,
     fitted,
@@ -80,7 +80,7 @@ def booklet_pages(
 
 def _number(words: Words, number: int, count: int) -> Said:
     said = words.say("titles.page", number=number, count=count)
-    return Said(WIDE - SIDE, FOOT - 24, said, SMALL, anchor="end")
+    return Said(WIDE - SIDE, FOOT - 24, said, SMALLEST_LETTERS, anchor="end")
 
 
 class _Book:

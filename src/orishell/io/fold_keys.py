@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.document import LARGEST
+from orishell.document import LARGEST_COORDINATE
 from orishell.io.fold_frames import (
     Frames,
     FramesError,
@@ -52,14 +52,14 @@ def read_coordinates(frames: Frames) -> dict[int, Array]:
 
 def _positions(value: Any, where: str) -> Array:
     table = number_table(value, where, "vertex", widths=(2, 3)).astype(np.float64)
-    fault = ~(np.abs(table) <= LARGEST).all(axis=1)
+    fault = ~(np.abs(table) <= LARGEST_COORDINATE).all(axis=1)
     if fault.any():
         vertex = int(np.argmax(fault))
         raise InputError(
             "a coordinate is too large",
             where=f"{where}[{vertex}]",
             got=shown(value[vertex]),
-            expected=f"numbers up to {LARGEST:g}",
+            expected=f"numbers up to {LARGEST_COORDINATE:g}",
         )
     positions = np.zeros((len(table), 3))
     positions[:, : table.shape[1]] = table

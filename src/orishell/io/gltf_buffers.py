@@ -15,7 +15,9 @@ Singles = NDArray[np.float32]
 VERTICES: Final = 34962
 INDICES: Final = 34963
 """What a view is for: attributes of vertices, or numbers of vertices."""
-ROUNDING: Final = 1e-12
+NEGLIGIBLE_SHARE: Final = 1e-12
+"""Numbers below this share of the largest are written as 0: they are rounding, which processors do
+in several ways, and far below what single precision has beside the largest."""
 _FLOAT, _SHORT = 5126, 5123
 
 
@@ -25,7 +27,7 @@ def singles(values: Array) -> Singles:
     What is less than 1e-12 of the largest is 0: it is there because of rounding, which no two
     processors do alike.
     """
-    none = np.abs(values) <= ROUNDING * np.abs(values).max(initial=0.0)
+    none = np.abs(values) <= NEGLIGIBLE_SHARE * np.abs(values).max(initial=0.0)
     return np.where(none, 0.0, values).astype(np.float32)
 
 

@@ -24,7 +24,7 @@ ABOUT = (
     "The files that orishell wrote here and their SHA-256. The next run removes those of `files` "
     "that it does not write anew. It writes over no file that is not here, or that was changed."
 )
-LARGEST = 10_000_000
+MOST_BYTES = 10_000_000
 """Bytes of a list, at most: it may be anybody's."""
 _HASH = re.compile("[0-9a-f]{64}")
 
@@ -86,7 +86,7 @@ def read_manifest(directory: Path, name: str = NAME) -> Manifest | None:
     """The list of the files in a directory, by its ``name``; None if none can be used."""
     path = directory / name
     try:
-        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST:
+        if path.is_symlink() or not path.is_file() or path.stat().st_size > MOST_BYTES:
             return None
         content = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):

@@ -30,7 +30,7 @@ from orishell.numerics.arrays import Array
 VERSION = 1
 CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "U": 3, "C": 4}
 """The number that stands for each assignment."""
-MOST = 4_000_000
+MOST_COORDINATES = 4_000_000
 """Coordinates of states in a view, at most: of longer motions every k-th state is taken."""
 
 
@@ -100,7 +100,7 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
     import orjson
 
     count = len(document.states)
-    most = max(2, MOST // (3 * document.mesh.vertex_count))
+    most = max(2, MOST_COORDINATES // (3 * document.mesh.vertex_count))
     taken = np.rint(np.linspace(0, count - 1, min(count, most))).astype(int)
     numbers = sorted({*map(int, taken), *document.named.values()})
     states = [document.states[number] for number in numbers]

@@ -29,7 +29,7 @@ from orishell.solids import BuiltPanels, build_panels
 
 STATES = 17
 """States in which boards at a vertex are compared to see how far corners must be cut off."""
-LARGEST = (0.5, 0.25, 0.125)
+LARGEST_CUTS = (0.5, 0.25, 0.125)
 """Corners are cut off at most this far, relative to the shortest edge at their vertex: as far as
 leaves something of all boards."""
 FINE = 0.05
@@ -212,7 +212,7 @@ def _relieve(
         return found.reshape(grid.rows, grid.columns)[:, corners.columns]
 
     there = not_apart(built.reliefs)
-    for share in LARGEST:
+    for share in LARGEST_CUTS:
         enough = np.where(there, np.maximum(share * shortest, built.reliefs), built.reliefs)
         if _can_be_built(design, built.limit, enough):
             break

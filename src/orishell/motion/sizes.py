@@ -16,8 +16,8 @@ from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 from orishell.numerics.equals import first_smallest, smallest_of
 
-ROUNDING = 1e-13
-"""Points nearer to each other than this share of an edge lie on each other but for rounding."""
+COINCIDENT = 1e-13
+"""Points nearer to each other than this share of an edge are one point but for rounding."""
 
 
 def diagonal(flat: Positions) -> float:
@@ -52,7 +52,7 @@ def corrugation_depth(positions: Positions) -> float:
     arm = inner[1:-1] - inner[:-2]
     across = np.linalg.norm(np.cross(arm, base), axis=-1)
     apart, depth = np.linalg.norm(base, axis=-1), np.linalg.norm(arm, axis=-1)
-    return float(np.divide(across, apart, out=depth, where=apart > ROUNDING * depth).mean())
+    return float(np.divide(across, apart, out=depth, where=apart > COINCIDENT * depth).mean())
 
 
 STATES = 257

@@ -15,7 +15,7 @@ HALVINGS = 5
 """So often a step is halved that comes no nearer."""
 DIFFERENCE = 0.01
 """Change of an unknown's logarithm from which derivatives are found."""
-MOST = 30
+MOST_TRIALS = 30
 """Trials, at most."""
 
 Measure = Callable[[Array], Array | None]
@@ -48,7 +48,7 @@ class Sizing:
         now, off = np.log(start), self._off(np.log(start))
         assert off is not None
         slopes, fresh = np.eye(len(now)), False
-        while not self._done() and self.trials < MOST:
+        while not self._done() and self.trials < MOST_TRIALS:
             step = -np.linalg.lstsq(slopes, off, rcond=1e-9)[0]
             step = step * min(1.0, LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
             found = self._shortened(now, off, step)
@@ -66,7 +66,7 @@ class Sizing:
     def _shortened(self, now: Array, off: Array, step: Array) -> tuple[float, Array] | None:
         """The share of a step that comes nearer, and how far off one is there."""
         for halving in range(HALVINGS):
-            if self.trials >= MOST:
+            if self.trials >= MOST_TRIALS:
                 return None
             share = 0.5**halving
             nearer = self._off(now + share * step)

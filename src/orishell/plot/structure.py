@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 DRAWN = 0.06
 """The largest displacement is drawn as about this share of the shell's size, at most."""
-MOST = 12
+MOST_CASES = 12
 """Load cases that are drawn, at most."""
 BAR = 0.62
 """Height of a bar of colours with its numbers (inches)."""
@@ -68,7 +68,7 @@ def plot_structure(
     shell
         The shell, as it is without loads.
     cases
-        The load cases, in the order in which they are drawn; at most :data:`MOST` are.
+        The load cases, in the order in which they are drawn; at most :data:`MOST_CASES` are.
     title
         Heading.
     sign
@@ -76,7 +76,7 @@ def plot_structure(
     unit
         Unit of length.
     """
-    drawn = cases[:MOST]
+    drawn = cases[:MOST_CASES]
     camera = choose_camera(shell.points)
     scales = [exaggeration(shell.points, each.case.displacements) for each in drawn]
     places = [

@@ -27,7 +27,7 @@ Placement = Literal["inscribed", "balanced"]
 
 SPARSEST = 0.2
 """Straight parts keep vertices at this share of the mean density."""
-ROUNDING = 1e-12
+SAMPLE_NOISE = 1e-12
 """Turns from sample to sample below this are noise of a straight piece (radians), errors below
 this share of the length are noise of an exact polyline."""
 SWEEPS = 60
@@ -117,7 +117,7 @@ def _evened_out(trace: Trace, count: int, spacing: Spacing, placement: Placement
         uneven = errors.largest if placement == "inscribed" else errors.half_range
         spread = float(np.ptp(uneven)) if spacing == "curvature" else 0.0
         bias = float(np.abs(errors.bias[1:-1]).max(initial=0.0)) if placement == "balanced" else 0.0
-        if max(spread, bias) <= EVEN * distance or distance <= ROUNDING * trace.length:
+        if max(spread, bias) <= EVEN * distance or distance <= SAMPLE_NOISE * trace.length:
             break
         if sweep - gained >= IDLE_SWEEPS:
             break
@@ -139,7 +139,7 @@ def _equal(trace: Trace, count: int) -> Array:
 def _bends(trace: Trace, count: int) -> tuple[Array, Integers]:
     """Square root of curvature over every cell (N-1,), and the samples that take a vertex."""
     corners = trace.corners
-    turn = np.maximum(np.abs(trace.turns) - ROUNDING, 0.0)
+    turn = np.maximum(np.abs(trace.turns) - SAMPLE_NOISE, 0.0)
     if len(corners) + 2 > count:
         # Too many corners for one vertex each: see them as curvature spread over a chord.
         turn = _spread_turn(trace, trace.length / (count - 1))
@@ -153,7 +153,7 @@ def _cut(trace: Trace, bend: Array, corners: Integers, count: int) -> Array:
     measure = bend if bend.sum() > 0 else cells
     while True:
         sparsest = SPARSEST * measure.sum() / trace.length * cells
-        if (measure >= (1 - ROUNDING) * sparsest).all():
+        if (measure >= (1 - SAMPLE_NOISE) * sparsest).all():
             break
         measure = np.maximum(measure, sparsest)
     progress = np.concatenate([[0.0], np.cumsum(measure)])

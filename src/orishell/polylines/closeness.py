@@ -79,7 +79,7 @@ def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> Ed
 SAMPLES_PER_EDGE = 8
 MOST_SAMPLES = 20_000
 """Traces of twice as many samples or more are thinned to about this number; corners are kept."""
-FEW = 200_000
+FEW_DISTANCES = 200_000
 """Distances of points from edges that are all computed; above, a search tree picks the edges."""
 COARSE_SHARE = 0.1
 """A polyline that leaves g by more than this share of g's rise draws a warning."""
@@ -124,7 +124,7 @@ def distances_to_polyline(points: Array, vertices: Array) -> Array:
     vertices
         Vertices (K, 2) of the polyline.
     """
-    if len(points) * len(vertices) <= FEW:
+    if len(points) * len(vertices) <= FEW_DISTANCES:
         return _distances_to_edges(points, vertices)
     import shapely
 

@@ -19,8 +19,9 @@ from orishell.locking import Lock, lock_without_clash
 from orishell.locking.report import least_share, steepest_chamfer
 from orishell.workshop.fitting import above
 
-ROUNDING = 1e-9
-"""By such a share boards of the same shell may differ from those that were tried."""
+BOARD_ROUNDING = 1e-9
+"""Boards of the shell that is made may exceed those that were tried by such a share: states that
+are the same in exact numbers are computed in other ways."""
 
 
 @record
@@ -69,7 +70,7 @@ def require_boards(limits: Tolerance, design: Design, lock: Lock) -> None:
     if not limits.limits_boards or lock.built is None:
         return
     found = BoardFit.of(design, lock)
-    if found.misses(limits) > 1 + ROUNDING:
+    if found.misses(limits) > 1 + BOARD_ROUNDING:
         what = "a shell was chosen whose boards, once its motion was proved, do not"
         raise _refusal(what, "as corners are cut off and flaps narrowed", limits, found)
 

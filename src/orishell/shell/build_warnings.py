@@ -37,7 +37,7 @@ WIDEST_XI = 0.95
 """Above this share of its limit a wider xi_deg gains next to nothing."""
 STRAIGHT = 1e-6
 """A g that leaves a line by less than this share of its length is straight."""
-SMALLEST, LARGEST = 0.005, 500.0
+SMALLEST_SHELL, LARGEST_SHELL = 0.005, 500.0
 """A shell smaller than a fingernail, or larger than any roof, is in another unit (metres)."""
 LONGEST_STOCK = 100.0
 """Rolls of paper and cloth are shorter than this (metres)."""
@@ -71,7 +71,7 @@ def _of_unit(design: Design, shell: Array, unit: str, workshop: Workshop) -> Ite
     """Sizes that no shell, and no board, has: another unit may be meant."""
     metres = conversion(unit, "m")
     size = max(extents(shell))
-    if not SMALLEST <= size * metres <= LARGEST:
+    if not SMALLEST_SHELL <= size * metres <= LARGEST_SHELL:
         drawn = ", and unit in [target.f] and [target.g] says it of a drawing"
         yield (
             f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its "

@@ -30,9 +30,9 @@ from orishell.solids import (
 )
 from orishell.solids.hinged import find_hinges, meet_target
 
-ROUNDING = 1e-9
+FOLD_ANGLE_ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
-LEAST = 1e-3
+LEAST_FOLDED = 1e-3
 """A sheet without a target is folded this share of the way at least, or refused."""
 UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
@@ -106,7 +106,7 @@ def _as_far_as_it_goes(design: Design) -> Design:
     if build is not None and not design.has_whole_boards:
         end = drive_for_height(mechanism, build, end)
     target = mechanism.target_drive
-    return design if end >= target else design.ended_at(max(end, LEAST * target))
+    return design if end >= target else design.ended_at(max(end, LEAST_FOLDED * target))
 
 
 def _require_hinges(design: Design, from_pack: bool) -> None:
@@ -115,7 +115,7 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
     if limit >= np.pi:
         return
     needed = float(largest_fold(mechanism, np.array([mechanism.target_drive]))[0])
-    if needed <= limit + ROUNDING:
+    if needed <= limit + FOLD_ANGLE_ROUNDING:
         return
     flaps = has_flaps(mechanism)
     clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if flaps else []

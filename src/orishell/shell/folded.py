@@ -25,7 +25,7 @@ from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.io.formats.gltf import FORMAT as GLTF
 from orishell.io.formats.html import FORMAT as HTML
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following import TOLERANCE, follow
+from orishell.motion.following import CLOSURE_TOLERANCE, follow
 from orishell.motion.following.placing import Placing
 from orishell.numerics.arrays import Array
 from orishell.verification.pattern.motion import ENDS, Asked, FoldingMotion, Still
@@ -34,7 +34,7 @@ from orishell.verification.pattern.verdict import Findings, judge_sheet
 FORMATS: tuple[Format, ...] = (FOLD, GLTF, HTML)
 LOOSEST = 0.01
 """Vertices that may miss closing by more fold whatever their sectors are (radians)."""
-ROUNDING = 1e-9
+CLOSED_EXACTLY = 1e-9
 """Vertices that miss closing by more do not close exactly (radians)."""
 TORN = 100.0
 """Panels do not make one sheet if they part by more than this times what vertices miss, or by as
@@ -110,7 +110,7 @@ def fold_pattern(
     frames: int = 25,
     unit: Unit | None = None,
     weld: float | None = None,
-    tolerance: float = TOLERANCE,
+    tolerance: float = CLOSURE_TOLERANCE,
     choice: int = 1,
     progress: Progress = no_progress,
 ) -> Folded:
@@ -189,7 +189,7 @@ def fold_pattern(
         degrees = np.rad2deg(states.folds[number])
         placed.append(DocumentState(positions, degrees, float(np.rad2deg(states.drives[number]))))
         progress(0.8 + 0.2 * (number + 1) / frames, "placing panels")
-    if play > TORN * max(ROUNDING, states.residual) * flat.diagonal:
+    if play > TORN * max(CLOSED_EXACTLY, states.residual) * flat.diagonal:
         raise DesignError(
             "the motion that was found tears the sheet at a hole",
             size=f"panels part by {plain(play)} {read.unit}; others were not looked for",

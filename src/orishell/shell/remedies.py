@@ -29,7 +29,7 @@ from orishell.design_file.tables import value_at
 from orishell.locking import largest_quotable, reaches_target, widest_flap
 from orishell.shell.designed import designed
 
-MOST = 3
+MOST_REMEDIES = 3
 """Remedies that are offered at most."""
 SECONDS = 10.0
 """Work after which no more are looked for (s)."""
@@ -38,7 +38,7 @@ TRIALS, PANELS, SEARCHES = 18, 15_000, 3
 whose rows and columns must be searched for so many."""
 HALVINGS = 4
 """Trials between a value that works and a nearer one that does not."""
-SMALLEST = 0.05
+SMALLEST_CURVE = 0.05
 """Curves are offered no smaller than this share."""
 THINNEST = 1e-2
 """Panels are offered no thinner than this share."""
@@ -101,7 +101,7 @@ class _RemedySearch:
         if isinstance(refusal, ClashError):
             self._look(Remedy({}), chain(refusal.candidates, self._apart(refusal)), 1)
         else:
-            self._look(Remedy({}), iter(refusal.candidates), MOST)
+            self._look(Remedy({}), iter(refusal.candidates), MOST_REMEDIES)
         for remedy, reason in list(self.failures):
             if self.found:
                 break
@@ -197,7 +197,7 @@ class _RemedySearch:
             def works(share: float, resized: Resized = resized) -> bool:
                 return self._reaches_target(resized(file, share))
 
-            share = largest_quotable(works, 1.0, SMALLEST, COARSE)
+            share = largest_quotable(works, 1.0, SMALLEST_CURVE, COARSE)
             if share is not None:
                 yield resized(file, share)
 

@@ -40,7 +40,7 @@ STALE = 3
 """Steps of the coarse search that come no nearer, after which it is given up."""
 NEARLY = 1.5
 """Sheets off by so much are worth trying unlike rows and columns for."""
-FEW = 40
+FEW_PANELS = 40
 """Where none is found, all sizes of up to so many panels are tried at least."""
 REFUSALS, CROSSED = 12, 60
 """Refused designs in a row, and designs in all, after which long and short panels are given up."""
@@ -80,7 +80,7 @@ class SizeSearch(Generic[V]):
     # what is known of numbers of rows and columns with all variants
     known: dict[tuple[int, int], Tried[V]] = field(default_factory=dict)
     impossible: list[int] = field(default_factory=list)  # numbers of rows without any sheet
-    few: int = FEW  # panels up to which all sizes are tried while none is found
+    few: int = FEW_PANELS  # panels up to which all sizes are tried while none is found
     least: float = math.inf  # smallest factor by which a sheet of the ladders is off
 
     def run(self) -> tuple[V, Choice]:
@@ -95,7 +95,7 @@ class SizeSearch(Generic[V]):
                 self._look()
                 trials.bounded = not trials.found
             # Coarser sheets than the first whose boards are not as asked may have more board.
-            self.few = max(FEW, min((each.panels for _, each, _ in trials.bare), default=0))
+            self.few = max(FEW_PANELS, min((each.panels for _, each, _ in trials.bare), default=0))
             self.impossible.clear()
             for rows in self._rows():
                 self._fewest_columns(rows)

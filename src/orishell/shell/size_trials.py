@@ -75,9 +75,9 @@ def unbeaten(trials: Iterable[Trial], gain: float = 1.0) -> tuple[Trial, ...]:
     return tuple(kept)
 
 
-MOST = 201
+MOST_ROWS = 201
 """Rows and columns tried at most, unless said otherwise."""
-LEAST = 0.95
+SURELY_AWAY = 0.95
 """A shell is at such a share of the distance from its surface at least that column 1 has from f, or
 the middle row from g: of 1,100 random shells of three families none was nearer than 0.98 of it."""
 NEAR = 1.15
@@ -105,7 +105,7 @@ class Sizes(Generic[V]):
     measure: Callable[[V, int, bool], Trial]  # with so many columns, carefully or quickly
     # what its boards are like, of one that does in all else
     boards: Callable[[V, int], BoardFit] = lambda _variant, _columns: NO_BOARDS
-    most: int = MOST  # rows and columns
+    most: int = MOST_ROWS  # rows and columns
     step: int = 2  # from one number of rows to the next
     # by which factor a shell may be farther from its surface than one with fewer columns
     ripple: float = 1.15
@@ -148,7 +148,7 @@ class Trials(Generic[V]):
         """Whether g allows so few columns."""
         if columns not in self.reached:
             try:
-                least = LEAST * self.sizes.distance_from_g(columns)
+                least = SURELY_AWAY * self.sizes.distance_from_g(columns)
                 self.reached[columns] = least <= self.tolerance.surface
             except DesignError as error:
                 self.refusal, self.reached[columns] = self.refusal or error, False
@@ -170,7 +170,7 @@ class Trials(Generic[V]):
                 if self.refused[number] >= GIVEN_UP and number not in self.possible:
                     continue
             try:
-                least = LEAST * self.sizes.distance_from_f(variant) / self.tolerance.surface
+                least = SURELY_AWAY * self.sizes.distance_from_f(variant) / self.tolerance.surface
                 if self.bounded and least > 1:
                     off = min(off, least)
                     excesses.append(least)

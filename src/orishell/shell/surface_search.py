@@ -20,7 +20,7 @@ from orishell.numerics.equals import smallest_of
 from orishell.shell.board_limits import BoardFit, refuse_boards
 from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
 
-FIRST, FEWEST, MOST = 8, 4, 32
+FIRST, FEWEST_PANELS, MOST_PANELS = 8, 4, 32
 """Panels along the longer side of the surface: at first, at least and at most."""
 FITS = 9
 """Sizes that are tried, at most."""
@@ -51,7 +51,7 @@ class SurfaceSearch:
 
         Raises DesignError if none meets the tolerance; says what can be met.
         """
-        low, high, count = FEWEST - 1, MOST + 1, FIRST
+        low, high, count = FEWEST_PANELS - 1, MOST_PANELS + 1, FIRST
         chosen: Trial | None = None
         for number in range(FITS):
             told = stretch(self.progress, number / FITS, (number + 1) / FITS)
@@ -82,7 +82,9 @@ class SurfaceSearch:
         """Rows and columns of inner vertices for so many panels along the longer side."""
         right, up = self.extents
         longer = max(right, up)
-        rows, columns = (max(FEWEST, round(count * each / longer)) - 1 for each in (up, right))
+        rows, columns = (
+            max(FEWEST_PANELS, round(count * each / longer)) - 1 for each in (up, right)
+        )
         return rows, columns
 
     def _tried(self, count: int, progress: Progress) -> tuple[Trial | None, float, float]:
@@ -117,7 +119,8 @@ class SurfaceSearch:
         edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         return DesignError(
             f"no shell of this family was found within {limits.surface:g} of the surface",
-            place=f"with {edges if limits.limits_edges else ''}at most {MOST} panels along a side",
+            place=f"with {edges if limits.limits_edges else ''}at most {MOST_PANELS} panels "
+            "along a side",
             size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
             f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to "
             f"{plain(nearest.longest)}",

@@ -21,7 +21,7 @@ from orishell.design_file import DesignFile
 from orishell.structure.case import CaseResult
 from orishell.structure.refine import seconds
 from orishell.structure.results import Analysis
-from orishell.structure.verdict import LARGE, LEAST_BUCKLING
+from orishell.structure.verdict import LARGE_DISPLACEMENT, LEAST_BUCKLING
 
 SOFT = 3.0
 """A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
@@ -34,7 +34,7 @@ WORK = 2.5
 minute or two at most, which the studio waits for."""
 CONFIRMED = 2
 """So many of the changes with which no case fails are tried as a whole, the best first."""
-FEW = 2
+FEW_CELLS = 2
 """Cells with which is tried first what is offered, where panels can have so few."""
 FOLDS = {"deployment.ties": "folds"}
 
@@ -88,7 +88,7 @@ class _Trials:
         self.key = "structure.thickness" if file.panel is None else "panel.thickness"
         self.said = Quantities(file.unit)
         model = analysis.model
-        few = min(max(FEW, model.least_cells), model.cells)
+        few = min(max(FEW_CELLS, model.least_cells), model.cells)
         self.few = {"structure.cells": few, "structure.refine": 0.0}
         self.takes = {True: seconds(model, few), False: seconds(model, model.cells)}
         self.work, self.ended = 0.0, False
@@ -192,7 +192,7 @@ def _stiffer(case: CaseResult) -> float:
     found = case.equilibrium
     assert found is not None
     buckles = found.utilisation.buckling or 0.0
-    return float(max(found.displacement.share / LARGE, LEAST_BUCKLING * buckles))
+    return float(max(found.displacement.share / LARGE_DISPLACEMENT, LEAST_BUCKLING * buckles))
 
 
 def _times(case: CaseResult) -> float:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 GAP: Final = 0.2
 """Between boards that are tried, relative to their thickness: room for a hinge."""
-MOST: Final = 1_500
+MOST_PANELS: Final = 1_500
 """Boards of more panels are not tried."""
 
 Makes = Callable[[DesignFile, Progress], bool]
@@ -61,7 +61,7 @@ def find_two_thicknesses(
 
 
 def _works(file: DesignFile, changes: Mapping[str, Any], makes: Makes, progress: Progress) -> bool:
-    if file.panel_count > MOST:
+    if file.panel_count > MOST_PANELS:
         return False
     try:
         return makes(

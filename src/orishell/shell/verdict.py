@@ -31,8 +31,9 @@ CONTACT, STOCK, STRUCTURE, CUTTING = (
 SAID = {CONTACT, STOCK, STRUCTURE}
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
-ROUNDING = 1e-13
-"""By such a share an angle may be below the one that is meant."""
+BELOW_MEANT = 1e-13
+"""An angle that is below a round number by less than this share is that number: it is not rounded
+down to the digit before."""
 SLIM = 0.03
 """A pack less high than this share of its length is a bundle, whose layers count."""
 CLOSING = {
@@ -147,7 +148,7 @@ def _degrees(drive: float, beside: float = np.nan) -> str:
 def _rounded_down(degrees: float, decimals: int) -> str:
     """An angle with so many decimals at most; one that is not there stays so."""
     unit = 10.0**decimals
-    down = np.floor(degrees * unit * (1 + ROUNDING)) / unit
+    down = np.floor(degrees * unit * (1 + BELOW_MEANT)) / unit
     return f"{down:.{decimals}f}".rstrip("0").rstrip(".")
 
 

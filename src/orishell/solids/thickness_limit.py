@@ -141,7 +141,7 @@ def _crease(layout: Layout, panel: int, side: int) -> str:
 
 STEPS = 100
 """Steps in a degree: a stop that is found is a whole number of them."""
-MOST = 45 * STEPS
+LARGEST_STOP = 45 * STEPS
 """The largest stop that is looked for (steps)."""
 
 
@@ -162,9 +162,9 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
         return _most(mechanism, steps, build) >= build.height
 
     good = 1
-    while good < MOST and not works(good):
+    while good < LARGEST_STOP and not works(good):
         good *= 2
-    if good >= MOST:
+    if good >= LARGEST_STOP:
         # What is doubled may jump over what works.
         good = _last(mechanism)
         if not works(good):
@@ -205,7 +205,7 @@ def _angle(steps: int) -> float:
 
 def _last(mechanism: Mechanism) -> int:
     """The largest stop that flaps can have (steps)."""
-    return bisect_integers(lambda steps: _allowed(mechanism, steps), 0, MOST + 1)
+    return bisect_integers(lambda steps: _allowed(mechanism, steps), 0, LARGEST_STOP + 1)
 
 
 def _allowed(mechanism: Mechanism, steps: int) -> bool:

@@ -32,8 +32,8 @@ from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.masses import inertia, point_masses
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
+from orishell.structure.negligible import borne_by
 from orishell.structure.nonlinear import follow
-from orishell.structure.nothing import borne_by
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure

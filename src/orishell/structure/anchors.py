@@ -22,11 +22,10 @@ from orishell.motion.grid import Vertex
 from orishell.numerics.equals import SOLVED, first_largest, largest_of
 from orishell.structure.case import CaseResult
 from orishell.structure.model import Model
+from orishell.structure.negligible import NEGLIGIBLE_FORCE
 
 ASSUMED = 0.3
 """Coefficient of friction under ballast where a support has none of its own."""
-ROUNDING = 1e-9
-"""Forces below this share of a case's loads are none."""
 NAMED = 4
 """So many feet are named in a sentence."""
 
@@ -72,7 +71,7 @@ def find_anchors(model: Model, balanced: Sequence[tuple[str, CaseResult]]) -> tu
     names = [name for name, _ in balanced]
     forces = np.stack([found.support_forces for found in held])
     loads = np.array([np.abs(case.forces).sum() for _, case in balanced])
-    least = ROUNDING * loads[:, None]
+    least = NEGLIGIBLE_FORCE * loads[:, None]
     up, aside = forces[..., 2], np.linalg.norm(forces[..., :2], axis=-1)
     up, aside = (np.where(np.abs(each) > least, each, 0.0) for each in (up, aside))
     ground = model.grounded

@@ -34,14 +34,13 @@ from orishell.structure.mesh.strips import (
 )
 from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
+from orishell.structure.negligible import NEGLIGIBLE_FORCE
 from orishell.structure.settings import LoadCase
 
 CreaseKind = Literal["row", "column"]
 """Row creases run from left to right in the flat sheet, column creases downwards."""
 FORCES = ("pull", "push", "shear in the plane", "shear across")
 """Forces per length along a crease, as ``largest_forces`` has them."""
-ROUNDING = 1e-9
-"""Forces below this share of the largest are none."""
 UNBALANCED = 1e-6
 """Panels that miss more than this share of the loads for their balance mean a fault."""
 
@@ -145,7 +144,7 @@ def worst_forces(model: Model, cases: Sequence[EdgeForces]) -> tuple[Array, Inte
     if not cases:
         return np.zeros((creases, 5)), np.zeros((creases, 5), np.int64)
     every = np.stack([largest_forces(model, found) for found in cases])
-    least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
+    least = NEGLIGIBLE_FORCE * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
     every = np.where(every > least, every, 0.0)
     return every.max(axis=0), largest_along_first(every, SOLVED)
 

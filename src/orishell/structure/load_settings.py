@@ -18,7 +18,7 @@ Terrain = Literal["0", "I", "II", "III", "IV"]
 NO_CODE: Final = ((0.0, 0.8), (90.0, -1.0), (180.0, -0.4))
 """Pressure coefficients of wind where none are given, of no code: push on what faces the wind, pull
 at the crown and in the lee, as about a long arch."""
-MOST = 1e12
+LARGEST_LOAD = 1e12
 """Loads are smaller than this: what is computed from larger ones would overflow in the end."""
 Action = Literal["permanent", "snow", "wind", "imposed"]
 """What a load case is to EN 1990."""
@@ -28,7 +28,7 @@ LONGEST = 60
 Index = Annotated[int, Field(ge=0)]
 GridVertex = Pair[Index]
 """Row and column of a vertex of the folding sheet, as for ties."""
-Load = Annotated[Number, Field(ge=-MOST, le=MOST)]
+Load = Annotated[Number, Field(ge=-LARGEST_LOAD, le=LARGEST_LOAD)]
 Coefficient = Annotated[Number, Field(ge=-10, le=10)]
 """Of pressure, positive towards the outer face."""
 
@@ -50,7 +50,7 @@ class Snow(Table):
     (5.3.2).
     """
 
-    ground: Annotated[Number, Field(gt=0, le=MOST)]
+    ground: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)]
     shape: Literal["slope", "cylinder", "valleys"] = "slope"
     arrangement: Literal["undrifted", "drifted left", "drifted right", "in valleys"] | None = None
 
@@ -109,7 +109,7 @@ class Wind(Table):
     vault: Annotated[tuple[Coefficient, Coefficient, Coefficient], entries(3)] | None = None
     internal: Several[Coefficient] = ()
     friction: Annotated[Number, Field(ge=0, le=1)] = 0.0
-    height: Annotated[Number, Field(gt=0, le=MOST)] | None = None
+    height: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)] | None = None
 
     @property
     def direction(self) -> float:

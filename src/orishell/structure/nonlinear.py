@@ -28,7 +28,7 @@ from orishell.structure.mesh.hinges import crease_springs, rigid_stiffness
 from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
-from orishell.structure.nothing import borne_by
+from orishell.structure.negligible import borne_by
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.moving import Moving
@@ -37,7 +37,7 @@ from orishell.structure.solve.path import TOUCHING, Point, climb, settle, trace
 FIRST, LONGEST = 0.2, 0.5
 """The share of the loads, or of those at which it buckles by linear theory, that the first step is
 aimed at; steps are no longer than by the other factor."""
-MOST, PAST = 60, 3
+MOST_POINTS, PAST = 60, 3
 """Points of a path at most, and those that are kept behind a limit."""
 IMPERFECT, BRANCHES = 0.1, 3
 """What a nudge moves by the thickness of panels, and how many branches are taken at most."""
@@ -181,7 +181,7 @@ def _enough(points: Sequence[Point]) -> bool:
     """Whether the load has fallen for some points, the path has branched, or it is too long."""
     factors = [point.factor for point in points]
     fallen = len(factors) - 1 - int(np.argmax(factors))
-    return fallen >= PAST or len(points) >= MOST or _branch(points) is not None
+    return fallen >= PAST or len(points) >= MOST_POINTS or _branch(points) is not None
 
 
 def _branch(points: Sequence[Point]) -> int | None:

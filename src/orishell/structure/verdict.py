@@ -35,7 +35,7 @@ Kind = Literal[
 """How a case fails, or may."""
 CARRIES: Mapping[Sign, bool | None] = {"fails": False, "warns": None, "holds": True}
 """Whether a shell carries its loads, by the sign of what was found; None if that is not known."""
-LARGE = 0.05
+LARGE_DISPLACEMENT = 0.05
 """Displacements above this share of the shell's height are too large for linear theory: the thrust
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
 LEAST_BUCKLING = 3.0
@@ -78,7 +78,7 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
         excess = 1 / path.reached if path.reached else None
         yield Finding("fails", "buckles", path.in_words(), excess)
     unit, most = found.model.site.unit, found.displacement
-    if most.share > LARGE:
+    if most.share > LARGE_DISPLACEMENT:
         row, column = most.panel
         sign: Sign = "fails" if most.share > COLLAPSED else "warns"
         text = (
@@ -88,7 +88,7 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
         if sign == "warns" and path is None:
             text += ", too far for linear theory"
         if sign == "fails" or path is None:
-            most_share = COLLAPSED if sign == "fails" else LARGE
+            most_share = COLLAPSED if sign == "fails" else LARGE_DISPLACEMENT
             yield Finding(sign, "displaced", text, most.share / most_share)
 
 
@@ -146,7 +146,7 @@ def _beside(found: AtCrease) -> str:
 def misleads(found: Equilibrium) -> bool:
     """Whether linear theory, by which it was found, may mislead."""
     soft = found.buckling is not None and found.buckling < LEAST_BUCKLING
-    return found.path is None and (soft or found.displacement.share > LARGE)
+    return found.path is None and (soft or found.displacement.share > LARGE_DISPLACEMENT)
 
 
 def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 
-MOST = 64_000_000
+MOST_BYTES = 64_000_000
 """Bytes of answers that are kept, the latest."""
 
 
@@ -20,7 +20,7 @@ class Kept:
         So many bytes are kept.
     """
 
-    def __init__(self, most: int = MOST) -> None:
+    def __init__(self, most: int = MOST_BYTES) -> None:
         self._most = most
         self._size = 0
         self._answers: dict[bytes, bytes] = {}

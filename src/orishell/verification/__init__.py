@@ -2,10 +2,10 @@
 
 from orishell.verification.findings import Check, Contacts
 from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
-from orishell.verification.run import TOLERANCE, Inspection, inspect_fold, require_tolerance
+from orishell.verification.run import LENGTH_TOLERANCE, Inspection, inspect_fold, require_tolerance
 
 __all__ = [
-    "TOLERANCE",
+    "LENGTH_TOLERANCE",
     "AssignmentCheck",
     "Check",
     "Contacts",

@@ -24,7 +24,7 @@ from orishell.verification.rigidity import (
 )
 from orishell.verification.sheet import Sheet, State
 
-TOLERANCE = 1e-6
+LENGTH_TOLERANCE = 1e-6
 """Allowed error of lengths relative to the diagonal of the flat sheet's bounding box."""
 
 DIGITS = 1e-12
@@ -86,7 +86,7 @@ class Inspection:
 
 
 def inspect_fold(
-    file: FoldFile, tolerance: float = TOLERANCE, progress: Progress = no_progress
+    file: FoldFile, tolerance: float = LENGTH_TOLERANCE, progress: Progress = no_progress
 ) -> Inspection:
     """Test a crease pattern and its folded states.
 

@@ -15,7 +15,7 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 NOTHING = 1e-12
 """A panel is a line if its size is below this share of the sheet's diagonal."""
 
-SMALLEST = 1e-50
+SMALLEST_SHEET = 1e-50
 """Sheets smaller than this are refused: products of their lengths would underflow (length)."""
 
 
@@ -54,12 +54,12 @@ class Sheet:
         patterns += [frame for frame in file.frames if _is_unfolded(mesh, frame, tolerance)][:1]
         frame = patterns[0] if patterns else file.frames[0]
         diagonal, sizes = _sizes(mesh, frame.positions)
-        if diagonal < SMALLEST:
+        if diagonal < SMALLEST_SHEET:
             raise InputError(
                 "the sheet has no size",
                 where=f"{file.path}: frame {frame.number} vertices_coords",
                 got=f"a bounding box of diagonal {plain(diagonal, 3)}",
-                expected=f"at least {SMALLEST:g}",
+                expected=f"at least {SMALLEST_SHEET:g}",
             )
         small = sizes <= NOTHING * diagonal
         if small.any():

@@ -122,7 +122,7 @@ TRIED = 8
 """Panels of a part, the largest, where room is looked for."""
 NUMBER_SHARE = 0.5
 """Height of a part's number as a share of the diameter of the free circle around it."""
-LARGEST = 1 / 12
+LARGEST_NUMBER = 1 / 12
 """Height of a part's number at most, as a share of the part's size."""
 TRIMMED = 0.12
 """Share of a crease that is left out at either end on the map, so that cuts stand out."""
@@ -153,7 +153,7 @@ def number_text(document: Document, part: CutPart, texts: Sequence[Text]) -> Tex
     height = 2 * NUMBER_SHARE * best[0] / max(1.0, 0.6 * len(words))
     size = float(np.ptp(corners.reshape(-1, 2), axis=0).max())
     x, y = best[1].tolist()
-    return Text("ENGRAVE", x, y, min(height, LARGEST * size), words)
+    return Text("ENGRAVE", x, y, min(height, LARGEST_NUMBER * size), words)
 
 
 def draw_map(

@@ -72,7 +72,7 @@ def distinct_corners(outline: Array) -> Array:
     return np.asarray(outline[(outline != np.roll(outline, 1, axis=0)).any(axis=1)])
 
 
-LARGEST = 0.25
+LARGEST_NUMBER = 0.25
 """Height of a part number at most, as a share of the mean edge of panels."""
 
 
@@ -96,7 +96,7 @@ def board_labels(
         boards.names,
         boards.outlines,
         ways_across(corners),
-        LARGEST * mean_edge(document),
+        LARGEST_NUMBER * mean_edge(document),
         [(boards.outlines, 0.0), (corners, beside)],
     )
     return labels.of(None if panels is None else np.isin(boards.panels, panels))
@@ -184,7 +184,7 @@ def solid_marks(document: Document) -> list[Content]:
     )
     shown = angles.heights >= SMALLEST_ANGLE * size
     corners = document.require_flat()[document.mesh.faces[solids.panels]]
-    across, most = ways_across(corners), LARGEST * size
+    across, most = ways_across(corners), LARGEST_NUMBER * size
     numbers = label_middles(solids.names, inner, across, most)
     taken = np.zeros(len(inner))
     meets = shown & numbers.at(at).meet(angles)

@@ -26,7 +26,7 @@ USUAL = 50
 UPRIGHT = np.array([np.cos(np.deg2rad(10)), np.sin(np.deg2rad(10))])
 """Labels lie within a right angle of this direction: as on plans, steep ones are read upwards."""
 
-SMALLEST = 1e-9
+NOT_BOUND = 1e-9
 
 
 @record
@@ -186,7 +186,7 @@ def text_heights(
     needed = 0.5 * CHARACTER * counts[:, None] * np.abs(parallel)
     needed += 0.5 * tall * np.abs(square)
     needed -= np.reshape(offset, (-1, 1)) * square
-    binding = needed > SMALLEST
+    binding = needed > NOT_BOUND
     heights = np.where(binding, free / np.where(binding, needed, 1.0), np.inf).min(axis=1)
     return np.asarray(np.maximum(heights, 0.0))
 

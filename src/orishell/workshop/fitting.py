@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import ABOVE_MEANT, plain
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
@@ -217,8 +217,4 @@ POLYGON = 3
 def above(length: float) -> float:
     """A length in four digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(length)) - 3)
-    return float(plain(math.ceil(length / unit * (1 - ROUNDING)) * unit))
-
-
-ROUNDING = 1e-12
-"""By such a share a length may be above the one that is meant."""
+    return float(plain(math.ceil(length / unit * (1 - ABOVE_MEANT)) * unit))

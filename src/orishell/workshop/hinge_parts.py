@@ -14,7 +14,7 @@ import numpy as np
 from orishell.design.fittings import TRIMMED, ArmKind, Fittings, fit_hinges
 from orishell.document import Document
 from orishell.numerics.arrays import Booleans
-from orishell.workshop.boards import LARGEST, LARGEST_ANGLE, seen_from_outside
+from orishell.workshop.boards import LARGEST_ANGLE, LARGEST_NUMBER, seen_from_outside
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.draw import draw_page
 from orishell.workshop.fitted_words import Labels, evened, label_edges, label_middles, ways_across
@@ -82,7 +82,7 @@ def hinged_marks(document: Document, fittings: Fittings) -> list[Content]:
         boards.names,
         boards.outlines,
         ways_across(document.require_flat()[document.mesh.faces[boards.panels]]),
-        LARGEST * mean_edge(document),
+        LARGEST_NUMBER * mean_edge(document),
         [(boards.outlines, taken[boards.panels])],
     )
     for panel, text in zip(boards.panels.tolist(), numbers.of(), strict=True):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 CLEARANCE = 1e-9
 """Rounding, relative to the stock: four times as much is added to the spacing."""
-MOST = 120
+MOST_NESTED = 120
 """So many parts, the largest, are laid where there is room for them; others are laid in rows."""
 SLIDES = 16
 """Steps in which a part is moved on into the hollows of others."""
@@ -34,8 +34,8 @@ def nest_parts(
     left of a landscape sheet or the foot of a portrait one, so that what is left of the last
     one is in one piece. Parts keep clear of each other's convex hulls, found exactly (the
     places where two hulls meet are the hull of the differences of their corners), then slide
-    on into hollows. Of more than :data:`MOST` parts the smaller ones are laid side by side in
-    rows, on sheets of their own.
+    on into hollows. Of more than :data:`MOST_NESTED` parts the smaller ones are laid side by side
+    in rows, on sheets of their own.
 
     Raises InputError if a part does not fit the stock.
     """
@@ -46,7 +46,7 @@ def nest_parts(
     sheets: list[_Stock] = []
     placements: list[Placement | None] = [None] * len(shapes)
     clear = spacing + 4 * CLEARANCE * max(width, height)
-    for k in order[:MOST]:
+    for k in order[:MOST_NESTED]:
         turns = _choose_turns(outlines[k], width, height)
         tried = (sheet.place(outlines[k], turns) for sheet in sheets)
         number, placed = next(
@@ -58,7 +58,7 @@ def nest_parts(
         if placed is None:
             raise AssertionError("a part that fits the stock has its place on an empty sheet")
         placements[k] = Placement(number, *placed)
-    for k, row in _lay_rows(outlines, order[MOST:], width, height, clear).items():
+    for k, row in _lay_rows(outlines, order[MOST_NESTED:], width, height, clear).items():
         placements[k] = replace(row, sheet=len(sheets) + row.sheet)
     return tuple(placement for placement in placements if placement is not None)
 

@@ -23,10 +23,10 @@ vertex errs for all its panels alike."""
 HingeKind = Literal["membrane", "piano hinge", "tape"]
 """What joins panels along a crease."""
 Auto = Literal["auto"]
-LEAST, MOST = 1e-12, 1e12
+SMALLEST_NUMBER, LARGEST_NUMBER = 1e-12, 1e12
 """Numbers beyond these are refused: what is computed from them would overflow in the end."""
-Length = Annotated[Number, Field(ge=LEAST, le=MOST)]
-NoLength = Annotated[Size, Field(le=MOST)]
+Length = Annotated[Number, Field(ge=SMALLEST_NUMBER, le=LARGEST_NUMBER)]
+NoLength = Annotated[Size, Field(le=LARGEST_NUMBER)]
 
 
 def _choice(label: str, text: str, of: object) -> Knob:
@@ -175,7 +175,7 @@ class Workshop(Table):
         _length("Cutting error", "Standard deviation of corners, along each axis; 0: not asked"),
     ] = 0.0
     cutting_bias: Annotated[
-        Annotated[Number, Field(ge=-MOST, le=MOST)],
+        Annotated[Number, Field(ge=-LARGEST_NUMBER, le=LARGEST_NUMBER)],
         _length(
             "Cutting bias", "By how much every board is cut too small all around, as by a kerf"
         ),

@@ -28,7 +28,7 @@ OVERLAP_MM = 10.0
 """Width of the strip that neighbouring pages share."""
 LONGEST = 3
 """Pages along the longer side of the model, if the scale is chosen."""
-MOST = 400
+MOST_PAGES = 400
 """More pages are refused."""
 LARGEST_MM = 1e14
 """Larger sheets are refused: no scale that is tried would do."""
@@ -98,9 +98,9 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     else:
         size_of = float(scale)
     fewest = min(math.prod(_count(size * size_of, page)) for page in ways)
-    if fewest > MOST:
+    if fewest > MOST_PAGES:
         raise InputError(
-            f"the paper model needs more than {MOST} pages",
+            f"the paper model needs more than {MOST_PAGES} pages",
             keys=("workshop.paper_scale",),
             got=f"{size_of:g}, {fewest} pages",
             expected='a smaller number, or "auto"',

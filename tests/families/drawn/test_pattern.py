@@ -18,7 +18,7 @@ from orishell.families.drawn import DrawnSheet
 from orishell.families.drawn.decided import nearby_as_drawn
 from orishell.families.drawn.nearest import FOLDS, Nearby, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.families.drawn.signs import MOST, find_signs
+from orishell.families.drawn.signs import MOST_WAYS, find_signs
 from orishell.motion import Mechanism, find_assignment, largest_fold
 from orishell.motion.drawing import drawing_of
 from orishell.motion.grid import CreaseValues
@@ -218,7 +218,7 @@ def test_mountains_and_valleys_are_found(name: str) -> None:
         assert disagreement(drawn_sheet(flat, each, 1.0).drive, np.array([0.2, 0.6])) < 1e-8
     kept = [each.on_edges().tolist() for each in ways]
     assert len({tuple(each) for each in kept}) == len(ways)
-    if len(ways) < MOST:  # else the sheet's own way may be one of those left out
+    if len(ways) < MOST_WAYS:  # else the sheet's own way may be one of those left out
         own = signs.on_edges()
         assert any(each in ((own + 0.0).tolist(), (0.0 - own).tolist()) for each in kept)
 

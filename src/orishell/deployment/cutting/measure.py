@@ -32,13 +32,13 @@ SEED = 1
 """The seed of samples: they are alike each time, so that the same input gives the same bytes."""
 SHARE = 0.95
 """Of sheets, in which nothing is larger than what is called the largest."""
-LARGEST = 1_050_000
+LARGEST_WORK = 1_050_000
 """Panels times those across a sheet, 101 x 101 panels: 1 GB, and 15 s of processor time."""
 FAR = 0.1
 """Vertices that are off by more than this share of the size of panels are not told to first order:
 up to there it is right within a tenth in the sheets that were compared."""
 SHARING = "sharing errors of cutting out"
-MOST = 0.1
+LARGEST_ERROR = 0.1
 """Errors above this share of the shortest side of a panel are no errors of cutting."""
 
 
@@ -184,7 +184,7 @@ def _twisting(drawn: _Drawn) -> Scatter:
 def can_measure(mechanism: Mechanism) -> bool:
     """Whether there is the memory for it: it grows as the panels times those across the sheet."""
     grid = mechanism.grid
-    return grid.panel_count * min(grid.rows, grid.columns) <= LARGEST
+    return grid.panel_count * min(grid.rows, grid.columns) <= LARGEST_WORK
 
 
 def _exact(fit: Fit, drawn: _Drawn) -> float:
@@ -246,10 +246,11 @@ def _require(mechanism: Mechanism, error: float, bias: float, cutting: Cutting) 
     sides = points_of(mechanism, 0.0)[mesh_of(mechanism).edges]
     shortest = float(lengths(sides[:, 1] - sides[:, 0]).min())
     for key, value in (("error", error), ("bias", abs(bias))):
-        if value > MOST * shortest:
+        if value > LARGEST_ERROR * shortest:
             raise InputError(
                 "panels cannot be cut as wrong as that",
                 keys=(f"workshop.cutting_{key}",),
                 got=plain(value),
-                expected=f"at most a tenth of their shortest side, {plain(MOST * shortest)}",
+                expected="at most a tenth of their shortest side, "
+                f"{plain(LARGEST_ERROR * shortest)}",
             )

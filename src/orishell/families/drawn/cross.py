@@ -18,7 +18,7 @@ from orishell.families.shared.folding import HalfFolds
 
 ALIKE = 1e-13
 """Sines whose proportion differs from 1 by less are alike, but for rounding."""
-LEAST = 1e-100
+FOLDED_FLAT = 1e-100
 """The cosine of a crease that is folded flat: limits are those of creases nearly folded flat."""
 LATER = 1e-12
 """A line closes before another one if its height then differs from 1 by more."""
@@ -43,7 +43,7 @@ def times(share: Numbers, half: Half) -> Half:
     s, c = half
     rest = (1 - share) * (1 + share)
     square = rest - np.where(np.abs(rest.real) < ALIKE, rest.real, 0.0) + (share * c) ** 2
-    least = LEAST * LEAST
+    least = FOLDED_FLAT * FOLDED_FLAT
     size = np.sqrt(np.where(square.real > least, square, least))
     return share * s, np.where(c.real < -LATER, -size, size)
 
@@ -117,7 +117,7 @@ class Cross:
 
 def _crossing(cross: Cross) -> Numbers:
     """Heights (R, C, ...) of columns where rows close, of vertices in mode 1."""
-    closed = np.ones_like(cross.rows), np.full_like(cross.rows, LEAST)
+    closed = np.ones_like(cross.rows), np.full_like(cross.rows, FOLDED_FLAT)
     s, c = times(cross.rows, closed)
     found, _ = replace(cross.vertices, mode=np.ones_like(cross.vertices.mode)).above(
         (s[:, :-1], c[:, :-1]), c[:, 1:]

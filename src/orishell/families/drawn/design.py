@@ -12,10 +12,9 @@ from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
 from orishell.families.drawn.decided import decide, end_of, nearby_as_drawn
 from orishell.families.drawn.mechanism import DrawnSheet
-from orishell.families.drawn.nearest import DRIVES
-from orishell.families.drawn.nearest import MOST as MOST_MOVED
+from orishell.families.drawn.nearest import DRIVES, MOST_MOVED
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.families.drawn.signs import MOST, ROUNDED
+from orishell.families.drawn.signs import MOST_WAYS, ROUNDED
 from orishell.families.shared.axes import axes_of
 from orishell.motion import drive_at_fold, largest_fold, require_resolution
 from orishell.motion.drawing import Drawing
@@ -90,7 +89,7 @@ def _of_letters(drawing: Drawing, ways: tuple[CreaseValues, ...]) -> tuple[str, 
     if not creases:
         return ()
     flat = any((each.row == 0).any() or (each.column == 0).any() for each in ways)
-    count = f"{len(ways)} ways" + (" or more" if len(ways) == MOST or flat else "")
+    count = f"{len(ways)} ways" + (" or more" if len(ways) == MOST_WAYS or flat else "")
     several = f" and the first of {count} to fold the sheet is taken" if len(ways) > 1 else ""
     return (f"{creases}: mountains and valleys were found{several}",)
 

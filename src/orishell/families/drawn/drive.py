@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.drawn.cross import LATER, LEAST, Cross, proportions
+from orishell.families.drawn.cross import FOLDED_FLAT, LATER, Cross, proportions
 from orishell.families.drawn.vertex import Half, Numbers, Vertices
 from orishell.families.shared.folding import HalfFolds
 from orishell.numerics.equals import first_largest
@@ -37,7 +37,7 @@ class Drive:
 
     def heights(self, drive: Numbers) -> tuple[Half, Half]:
         """Heights (R, B) of rows and (C, B) of columns of the cross at drive angles (B,)."""
-        cosine = np.where(drive == np.pi, LEAST, np.cos(0.5 * drive))
+        cosine = np.where(drive == np.pi, FOLDED_FLAT, np.cos(0.5 * drive))
         with np.errstate(divide="ignore", invalid="ignore"):
             return self.cross.from_row((np.sin(0.5 * drive), cosine))
 

@@ -29,17 +29,17 @@ DRIVES = np.array([0.4, 0.9, 1.4, 2.0])
 """Drives at which vertices are to agree (radians)."""
 FOLDS = 1e-10
 """A sheet folds exactly, as far as can be told, if vertices disagree by less (radians)."""
-MOST = 15_000
+MOST_MOVED = 15_000
 """Vertices of the largest sheets that are moved: beyond, the work takes minutes."""
-LEAST = 1e-14
+INDEPENDENT = 1e-14
 """Combinations of conditions that change by a smaller square are none of their own."""
 STEPS, CLOSING = 30, 5
 """The most steps along the surface, and of those after them that only bring the sheet onto it."""
 SETTLED, ROUNDED = 1e-7, 1e-5
 """Steps that are smaller by the way from the sheet end the first; so do those that are smaller and
 do not shrink, as they are rounding."""
-ROUNDING = 1e-15
-"""Misses below this are none (radians)."""
+LEAST_MISS = 1e-15
+"""Conditions are met if they miss by no more: sums of angles are not known better (radians)."""
 REFINED, LEFT = 5, 1e-10
 """How often what multipliers leave is given to them again, unless they take less than a share."""
 SQUARE = 1e-6
@@ -73,7 +73,7 @@ def find_nearby(flat: Array, drive: Drive) -> Nearby | None:
 
     Mountains and valleys stay what they are.
     """
-    if flat[..., 0].size > MOST:
+    if flat[..., 0].size > MOST_MOVED:
         return None
     places = np.moveaxis(flat, -1, 0)
     own = places.swapaxes(1, 2)[::-1] if drive.across else places
@@ -115,7 +115,7 @@ def _projected(conditions: Conditions, start: Array) -> Nearby | None:
         size = np.abs(missing).max(initial=0.0) / edge
         if not np.isfinite(size) or not np.isfinite(slopes.data).all():
             return None
-        factors = _Factors.of(slopes, max(LEAST, size * size))
+        factors = _Factors.of(slopes, max(INDEPENDENT, size * size))
         along, _ = factors.split((start - places).ravel())
         onto, _ = factors.solve(np.zeros(places.size), -missing)
         places = places + (along + onto).reshape(places.shape)
@@ -127,7 +127,7 @@ def _projected(conditions: Conditions, start: Array) -> Nearby | None:
     for _ in range(CLOSING):
         misses = conditions.misses(places)
         largest = np.abs(misses).max(initial=0.0)
-        if not ROUNDING < largest < 0.5 * before:
+        if not LEAST_MISS < largest < 0.5 * before:
             break
         before = largest
         onto, _ = factors.solve(np.zeros(places.size), -misses / sizes)
@@ -141,14 +141,14 @@ def _judged(conditions: Conditions, start: Array, places: Array) -> Nearby:
 
     _, slopes, sizes = _scaled(conditions, places)
     way = (start - places).ravel()
-    left, forces = _Factors.of(slopes, LEAST).split(way)
+    left, forces = _Factors.of(slopes, INDEPENDENT).split(way)
     size = float(np.linalg.norm(way))
     leaves = float(np.linalg.norm(left)) / size if size > 0 else 0.0
     nearest = False
     if leaves < SQUARE:
         bends = conditions.bends(places, forces / sizes)
         curved = (1 - MARGIN) * eye_array(len(way)) + 0.5 * (bends + bends.T)
-        nearest = _Factors.of(slopes, LEAST, curved).convex
+        nearest = _Factors.of(slopes, INDEPENDENT, curved).convex
     return Nearby(places, leaves, nearest)
 
 

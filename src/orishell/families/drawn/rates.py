@@ -28,7 +28,7 @@ from orishell.families.drawn.vertex import Half, Vertices
 from orishell.families.shared.chains import Rates
 from orishell.numerics.arrays import Array, Booleans
 
-LARGEST = 1e60
+LARGEST_BOUND = 1e60
 """Bounds are no larger: with this no range of the drive is short enough to show anything."""
 
 
@@ -83,9 +83,9 @@ class Swing:
         return Swing((low[which], high[which]), (down[which], up[which]))
 
     def rates(self) -> Rates:
-        """Their bounds; none is larger than LARGEST."""
+        """Their bounds; none is larger than LARGEST_BOUND."""
         low, high, down, up = (
-            np.clip(np.nan_to_num(each, nan=nan), -LARGEST, LARGEST)
+            np.clip(np.nan_to_num(each, nan=nan), -LARGEST_BOUND, LARGEST_BOUND)
             for each, nan in zip(
                 (*self.rate, *self.bend), (0, np.inf, -np.inf, np.inf), strict=True
             )
@@ -108,7 +108,7 @@ def fold_rates(
     rows, columns = (
         replace(
             each,
-            middle=(np.where(at.high < LARGEST, at.high, np.nan), 0.5 * (stop - start)),
+            middle=(np.where(at.high < LARGEST_BOUND, at.high, np.nan), 0.5 * (stop - start)),
         )
         for each, at in zip(wide, narrow, strict=True)
     )

@@ -23,12 +23,12 @@ from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_largest
 
-SMALL = 0.01
+SMALL_FOLD = 0.01
 """Sine of half the fold angle at which choices are told apart: no crease is near closing."""
 FIT = 0.02
 """Heights agree where they differ by no more than this share: sheets may fold only nearly."""
-ROUNDING = 1e-9
-"""Heights below this are those of lines that stay unfolded."""
+LEAST_HEIGHT = 1e-9
+"""Lines whose heights are below this stay unfolded: these are 0 but for rounding."""
 DRIVES = np.array([0.4, 0.9])
 FOLDS = 0.02
 """A choice is one that folds, or nearly, if vertices disagree by less at these drives (radians)."""
@@ -37,14 +37,14 @@ EXACT = 1e-9
 ROUNDED, NEAR = 1e-6, 10.0
 """Ways are left out that miss by more than coordinates rounded to so much of the diagonal do, and
 than so many times what the best of them misses by."""
-MOST = 16
+MOST_WAYS = 16
 """Ways to fold that are found, at most."""
 TRIALS = 200
 """Choices that are followed, at most."""
 
 
 def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
-    """Signs of all creases with which a sheet folds, at most :data:`MOST`.
+    """Signs of all creases with which a sheet folds, at most :data:`MOST_WAYS`.
 
     First those with which it folds exactly, and of these those with which most creases fold. Up to
     turning the sheet over, where nothing is given that tells.
@@ -63,7 +63,9 @@ def find_signs(flat: Array, given: CreaseValues) -> list[CreaseValues]:
         back = CreaseValues(signs.column.T, signs.row.T)
         if not back.row[(back.row.shape[0] - 1) // 2].any():
             found[back.on_edges().tobytes()] = apart, back
-    ways = sorted(found.values(), key=lambda each: (each[0] > EXACT, _unfolded(each[1])))[:MOST]
+    ways = sorted(found.values(), key=lambda each: (each[0] > EXACT, _unfolded(each[1])))[
+        :MOST_WAYS
+    ]
     edges = np.concatenate([np.diff(flat, axis=k).reshape(-1, 2) for k in (0, 1)])
     size = float(np.linalg.norm(np.ptp(flat, axis=(0, 1))))
     rounding = ROUNDED * size / float(np.linalg.norm(edges, axis=-1).min())
@@ -83,7 +85,7 @@ def _ways(flat: Array, given: CreaseValues) -> dict[bytes, tuple[float, CreaseVa
             apart = _apart(places, signs)
             if apart < FOLDS:
                 found[signs.on_edges().tobytes()] = apart, signs
-            if len(found) == MOST:
+            if len(found) == MOST_WAYS:
                 break
     return found
 
@@ -96,21 +98,21 @@ def _choices(flat: Array) -> Iterator[tuple[Array, tuple[Booleans, Booleans]]]:
     down = vertices.beyond_column.swapaxes(0, 1)
     columns = proportions(down, np.ones((inner[1], inner[0] + 1, 1)))
     cross = Cross(vertices, rows, columns, inner[0] // 2)
-    first = np.full(1, SMALL), np.sqrt(1 - np.full(1, SMALL) ** 2)
+    first = np.full(1, SMALL_FOLD), np.sqrt(1 - np.full(1, SMALL_FOLD) ** 2)
     s, c = _both_modes(cross, first)
     # A column that stays unfolded takes nothing to the rows.
     cross = replace(cross, column=first_largest(np.nan_to_num(s[..., 0]).min(axis=1)))
     for choice in range(2):
         of_rows, _ = _both_modes(cross.turned, (s[cross.column, choice], c[cross.column, choice]))
         x, y = of_rows[..., 0], s[..., 0].copy()
-        x[cross.row] = SMALL, np.nan
+        x[cross.row] = SMALL_FOLD, np.nan
         y[cross.column] = y[cross.column, choice], np.nan
         misfits = _misfits(cross, x, y)
         fits = np.asarray((misfits <= 1).any(axis=0))
         for row, column in _consistent(fits, np.isfinite(x), np.isfinite(y)):
             i, j = np.ogrid[: inner[0], : inner[1]]
             first_mode, second = misfits[:, i, row[:, None], j, column]
-            folded = x[i[:, 0], row] > ROUNDING, y[j[0], column] > ROUNDING
+            folded = x[i[:, 0], row] > LEAST_HEIGHT, y[j[0], column] > LEAST_HEIGHT
             yield np.where(first_mode <= second, 1.0, -1.0), folded
 
 
@@ -130,8 +132,8 @@ def _misfits(cross: Cross, x: Array, y: Array) -> Array:
     of_columns = _crossing(cross, x)[..., None]
     of_rows = np.moveaxis(_crossing(cross.turned, y), -1, 0)[:, None]
     x = x[:, :, None, None]
-    first = np.abs(of_columns - y) / (FIT * y + ROUNDING)
-    second = np.abs(of_rows - x) / (FIT * x + ROUNDING)
+    first = np.abs(of_columns - y) / (FIT * y + LEAST_HEIGHT)
+    second = np.abs(of_rows - x) / (FIT * x + LEAST_HEIGHT)
     found = np.stack(np.broadcast_arrays(first, second))
     return np.where(np.isfinite(found), found, np.inf)
 

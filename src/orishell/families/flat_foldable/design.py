@@ -46,7 +46,7 @@ Corners = Annotated[list[Number], Field(min_length=len(CORNERS), max_length=len(
 SECTOR_ANGLE = float(np.deg2rad(60.0))
 TURNS = {"arch": np.deg2rad(120), "fan": np.deg2rad(40)}
 """Turns that are taken where they are left open, or half of them, and so on."""
-SMALLEST = 1e-3
+SMALLEST_TURN = 1e-3
 """The smallest share of a turn that is tried in its place."""
 
 
@@ -187,13 +187,13 @@ def _named(named: NamedSheet, sheet: str, turn: float | None, flap: float | Auto
 
     if turn is None:
         turn = TURNS[sheet]
-        while not works(turn) and turn > SMALLEST * TURNS[sheet]:
+        while not works(turn) and turn > SMALLEST_TURN * TURNS[sheet]:
             turn *= 0.5
 
     described: dict[str, Parameter] = {"sheet": sheet, "turn_deg": tidy_degrees(turn)}
     if not works(turn):
         sign = float(np.sign(turn))
-        found = largest_below(lambda size: works(sign * size), abs(turn), smallest=SMALLEST)
+        found = largest_below(lambda size: works(sign * size), abs(turn), smallest=SMALLEST_TURN)
         if found is not None:
             raise _too_large(named, turn, sign * rounded_down(float(np.rad2deg(found))), make(turn))
     return _checked_named(named, make(turn), described, flap, arched=sheet == "arch")

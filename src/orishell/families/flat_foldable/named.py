@@ -12,7 +12,7 @@ from orishell.families.flat_foldable.net import Net
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
 
-SMALL = 1e-9
+LEAST_SINE = 1e-9
 
 
 def graded_net(
@@ -101,7 +101,7 @@ class NamedSheet:
         middle = (
             self.sector if self.rows // 2 % 2 == 0 else float(np.arccos(min(column / tangent, 1)))
         )
-        along = self.row_length * np.sin(self.sector) / max(np.sin(middle), SMALL)
+        along = self.row_length * np.sin(self.sector) / max(np.sin(middle), LEAST_SINE)
         net = replace(self, row_length=float(along))._net([self.fold, less], [middle])
         # Rows of another sector are deeper, so that every second column has longer and shorter
         # edges by turns: half of that is for the columns between them.

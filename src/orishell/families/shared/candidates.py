@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy, Value
-from orishell.conventions.formatting import ROUNDING, between, in_degrees, rounded, tidy_degrees
+from orishell.conventions.formatting import INSIDE_LIMIT, between, in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve, Trace
 from orishell.design import Design
@@ -23,7 +23,7 @@ from orishell.design import Design
 if TYPE_CHECKING:
     from orishell.families.pattern import Pattern
 
-FARTHER = (1 + ROUNDING, 1.1, 1.4, 2.0)
+FARTHER = (1 + INSIDE_LIMIT, 1.1, 1.4, 2.0)
 """Sizes of a curve are tried beyond their limit by these factors."""
 
 
@@ -87,7 +87,7 @@ def does_not_cross(
     )
 
 
-LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
+LARGE_ANGLES: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
 """Keys of angles that are tens of degrees: less than half a turn in radians is hardly any."""
 EITHER: tuple[str, ...] = ("heading_deg",)
 """Keys of angles that are as small where g runs along y."""
@@ -96,7 +96,7 @@ UNLIKE, ABSURD = 30.0, 100.0
 UNITS = (1000.0, 100.0, 25.4, 10.0)
 """How many times larger numbers are in another unit, the likeliest first: millimetres for metres,
 centimetres for metres, millimetres for inches, millimetres for centimetres."""
-SMALLEST = 0.05
+SMALLEST_CURVE = 0.05
 """A curve that would be so small a share of the other is in no such unit."""
 SAMPLES = 65
 
@@ -129,7 +129,7 @@ def forgiving(pattern: Pattern, make: Callable[..., Design], *target: Curve) -> 
 
 def _radians(pattern: Pattern) -> Iterator[Slip]:
     """Angles in degrees that may have been meant in radians."""
-    for key in (*LARGE, *EITHER):
+    for key in (*LARGE_ANGLES, *EITHER):
         value: list[float] | float | str = getattr(pattern, key, "auto")
         if key not in pattern.model_fields_set or isinstance(value, str):
             continue
@@ -139,7 +139,9 @@ def _radians(pattern: Pattern) -> Iterator[Slip]:
             meant: Value = degrees if isinstance(value, list) else degrees[0]
             remedy = Remedy({f"pattern.{key}": meant})
             words = f"{key} is in degrees ({value} radians are {str(remedy).partition(' = ')[2]})"
-            warning = f"{words}: if radians were meant, write {remedy}" if key in LARGE else ""
+            warning = (
+                f"{words}: if radians were meant, write {remedy}" if key in LARGE_ANGLES else ""
+            )
             yield Slip(words, (remedy,), warning)
 
 
@@ -159,7 +161,7 @@ def _units(f: Curve, g: Curve) -> Iterator[Slip]:
     meant = (
         Remedy({f"target.{large}.scale": curve.scale_times(1 / times)})
         for times in UNITS
-        if ratio / times >= SMALLEST
+        if ratio / times >= SMALLEST_CURVE
     )
     yield Slip(words, tuple(meant), words if ratio >= ABSURD else "")
 

@@ -17,7 +17,7 @@ from orishell.conventions.record import record
 
 Numbers = NDArray[Any]
 
-SMALL = 1e-7
+SERIES_BELOW = 1e-7
 """Squares of angles below this are so small that two terms of a series are exact (radians)."""
 
 
@@ -122,7 +122,7 @@ def _unit(flat: Numbers) -> Numbers:
 def turned(places: Numbers, by: Numbers) -> Numbers:
     """Places (3, ..., B) turned by rotation vectors (3, B) (radians): Rodrigues' formula."""
     square = (by * by).sum(axis=0)
-    small = np.abs(square) < SMALL
+    small = np.abs(square) < SERIES_BELOW
     angle = np.sqrt(np.where(small, 1.0, square))
     sine = np.where(small, 1 - square / 6, np.sin(angle) / angle)
     versine = np.where(small, 0.5 - square / 24, (1 - np.cos(angle)) / angle**2)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.document import LARGEST
+from orishell.document import LARGEST_COORDINATE
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
 
@@ -79,12 +79,12 @@ def require_lines(lines: Lines) -> None:
             got=str(len(lines.ends)),
             expected=f"at most {MOST_LINES}",
         )
-    bad = ~(np.abs(lines.ends) <= LARGEST).all(axis=(1, 2))
+    bad = ~(np.abs(lines.ends) <= LARGEST_COORDINATE).all(axis=(1, 2))
     if bad.any():
         raise InputError(
             "a coordinate is too large",
             where=lines.name(int(np.argmax(bad))),
-            expected=f"numbers up to {LARGEST:g}",
+            expected=f"numbers up to {LARGEST_COORDINATE:g}",
         )
 
 

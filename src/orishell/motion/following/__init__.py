@@ -3,6 +3,6 @@
 Derived in docs/theory/following.md.
 """
 
-from orishell.motion.following.followed import TOLERANCE, Followed, follow
+from orishell.motion.following.followed import CLOSURE_TOLERANCE, Followed, follow
 
-__all__ = ["TOLERANCE", "Followed", "follow"]
+__all__ = ["CLOSURE_TOLERANCE", "Followed", "follow"]

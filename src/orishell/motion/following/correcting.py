@@ -14,8 +14,9 @@ from orishell.numerics.arrays import Array, Booleans
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-LEAST = 1e-10
-"""What is added to normal equations: a motion, which keeps the sheet closed, costs so much."""
+REGULARISATION = 1e-10
+"""What is added to normal equations, far below their terms: what these leave open, as a motion that
+keeps the sheet closed, stays where it is."""
 CLOSED = 1e-10
 """A state is closed if no vertex misses by more (radians)."""
 ENOUGH = 5e-15
@@ -64,9 +65,11 @@ class Linearised:
 
         count, matrix = len(self._folds), self._matrix
         if isinstance(matrix, np.ndarray):
-            factors = cho_factor(matrix.T @ matrix + LEAST * np.eye(count), check_finite=False)
+            factors = cho_factor(
+                matrix.T @ matrix + REGULARISATION * np.eye(count), check_finite=False
+            )
             return partial(cho_solve, factors, check_finite=False)
-        normal = matrix.T @ matrix + diags_array(np.full(count, LEAST))
+        normal = matrix.T @ matrix + diags_array(np.full(count, REGULARISATION))
         found = splu(
             normal.tocsc(),
             permc_spec="MMD_AT_PLUS_A",

@@ -18,7 +18,7 @@ from orishell.numerics.arrays import Array, Integers
 
 DENSE = 1000
 """Up to so many creases all singular values are found, beyond only the least."""
-LARGEST = 50_000
+MOST_CREASES = 50_000
 """Beyond so many creases singular values are not looked for."""
 CLOSED = 1e-10
 """By how much vertices miss closing in a state that closes but for rounding, at most."""
@@ -91,10 +91,10 @@ def find_freedom(closure: Closure, folds: Array, *, nearly: bool = False) -> Fre
     coupled = None
     if not nearly and not holes and missed <= CLOSED:
         coupled = find_couplings(closure, closure.turns(folds)[1])
-        if coupled is not None and (coupled.count is not None or unknowns > LARGEST):
+        if coupled is not None and (coupled.count is not None or unknowns > MOST_CREASES):
             zero_to_other = coupled.largest_zero, coupled.least_other
             return Freedom(drive, coupled.count, *zero_to_other, coupled.nearly, coupled.parts)
-    if unknowns > LARGEST:
+    if unknowns > MOST_CREASES:
         return Freedom(drive, None, 0.0, np.inf)
     block = unknowns if unknowns <= DENSE else BLOCK
     while True:

@@ -20,7 +20,7 @@ from orishell.motion.following.start import SIZE, Start, find_start
 from orishell.motion.following.system import Closure
 from orishell.numerics.arrays import Array
 
-TOLERANCE = 1e-5
+CLOSURE_TOLERANCE = 1e-5
 """By how much vertices may miss closing where nothing else is said (radians)."""
 FREEDOM_AT = (0.25, 0.5, 0.75)
 """Shares of the way at which degrees of freedom are counted."""
@@ -76,7 +76,7 @@ def follow(
     *,
     largest: float = np.pi,
     states: int = 25,
-    tolerance: float = TOLERANCE,
+    tolerance: float = CLOSURE_TOLERANCE,
     progress: Progress = no_progress,
 ) -> Followed:
     """Follow the motion of a flat sheet as its letters ask.

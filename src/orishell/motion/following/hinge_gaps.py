@@ -12,6 +12,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.correcting import REGULARISATION
 from orishell.motion.following.placing import Placing
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -28,10 +29,8 @@ STILL = 1e-8
 NEAR = 0.5
 """A step that reduces it by less, to more than this share, is followed by one with the same
 factors."""
-ROUNDING = 64 * np.finfo(float).eps
-"""Corners that are off by so much of the largest panel are not."""
-LEAST = 1e-10
-"""What is added to normal equations: what they leave open stays where it is."""
+COORDINATE_ROUNDING = 64 * np.finfo(float).eps
+"""What the last digits of coordinates may leave, relative to the size of the sheet."""
 
 
 @record
@@ -125,7 +124,7 @@ class RigidPanels:
         blocks = self._unshifted - turned
         size = 3 * (int(self._joints.max()) + 1)
         matrix = coo_array((blocks.ravel(), self._entries), shape=(size, size)).tocsc()
-        return matrix + LEAST * eye_array(size, format="csc")
+        return matrix + REGULARISATION * eye_array(size, format="csc")
 
     @cached_property
     def _unshifted(self) -> Array:
@@ -166,7 +165,7 @@ class RigidPanels:
         free[fixed] = free[self._joints[~self._there]] = False
         places = self._means(corners)
         places[fixed] = corners[two][self._there[two]]
-        rounding = self._there.sum() * (ROUNDING * float(np.abs(self._flat).max())) ** 2
+        rounding = self._there.sum() * (COORDINATE_ROUNDING * float(np.abs(self._flat).max())) ** 2
         before, factors = np.inf, None
         for _ in range(STEPS):
             points = places[self._joints]

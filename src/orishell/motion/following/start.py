@@ -13,7 +13,7 @@ from orishell.numerics.arrays import Array, Booleans
 
 SIZE = 0.05
 """The largest fold angle of the first state (radians)."""
-TINY = 1e-3
+FIRST_FOLD = 1e-3
 """The largest fold angle of the state before (radians): orders beyond two hardly count there."""
 MOUNTAINS = 0.8
 """At the first start mountains are folded by this share of valleys: no sheet is halfway then."""
@@ -112,7 +112,7 @@ def _closed_near(closure: Closure, folds: Array) -> tuple[Array, float]:
         return folds, 0.0
     along = np.sign(folds)
     folds = Linearised(closure, np.zeros_like(folds)).motion(folds)
-    for size in (TINY, SIZE):
+    for size in (FIRST_FOLD, SIZE):
         folds = size * folds / np.abs(folds).max()
         for _ in range(STEPS):
             here = Linearised(closure, folds)

@@ -19,7 +19,7 @@ from orishell.design_file import DesignFile
 from orishell.design_file.fit import AXES, FitTable
 from orishell.locking import Lock, lock_without_clash
 from orishell.numerics.arrays import Array
-from orishell.numerics.broyden import MOST, Sizing
+from orishell.numerics.broyden import MOST_TRIALS, Sizing
 from orishell.numerics.equals import largest_of
 from orishell.shell.designed import designed
 from orishell.shell.fit.built_size import BuiltShell
@@ -235,7 +235,7 @@ class SizeFit:
         key = repr(self._changes(factors))
         if key not in self.known:
             self.trials += 1
-            self.progress(min(1.0, self.trials / MOST), "scaling the target to its sizes")
+            self.progress(min(1.0, self.trials / MOST_TRIALS), "scaling the target to its sizes")
             try:
                 design = designed(self.scaled(factors))
                 self.known[key] = self.sizes(design, lock_without_clash(design))

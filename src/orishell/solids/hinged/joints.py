@@ -29,7 +29,7 @@ from orishell.numerics.arrays import Array
 Rows = tuple[int, ...]
 """Numbers of rows of creases."""
 
-LEAST = 2
+LEAST_ROWS = 2
 """Rows of panels of a piece: the boards of a single row are a chain that has no one motion."""
 
 
@@ -47,7 +47,7 @@ def joint_rows(rows: int, pieces: int | Literal["whole", "auto"]) -> Rows:
     if isinstance(pieces, str):
         return ()
     count = -(-rows // pieces)
-    if pieces > rows or rows < LEAST * count:
+    if pieces > rows or rows < LEAST_ROWS * count:
         raise _cannot_part(rows, pieces)
     each, more = divmod(rows, count)
     sizes = [each + 1] * more + [each] * (count - more)
@@ -56,7 +56,7 @@ def joint_rows(rows: int, pieces: int | Literal["whole", "auto"]) -> Rows:
 
 def numbers_of_rows(rows: int) -> list[int]:
     """Numbers of rows of panels that the largest piece can have, if there are two or more."""
-    counts = range(2, rows // LEAST + 1)
+    counts = range(2, rows // LEAST_ROWS + 1)
     return sorted({-(-rows // count) for count in counts})
 
 

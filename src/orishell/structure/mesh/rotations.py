@@ -16,7 +16,7 @@ import numpy as np
 
 from orishell.numerics.arrays import Array
 
-SMALL = 1e-2
+SERIES_BELOW = 1e-2
 """Below this angle series are used (radians); what they leave out is below 1e-13."""
 
 
@@ -79,7 +79,7 @@ def change_derivatives(vectors: Array, moments: Array) -> Array:
 def _factors(vectors: Array) -> tuple[Array, Array]:
     """The factor e (...) of H, and its derivative by the angle over the angle."""
     square = np.sum(vectors**2, axis=-1)
-    near = square < SMALL**2
+    near = square < SERIES_BELOW**2
     t2 = np.where(near, 1.0, square)
     t = np.sqrt(t2)
     cot = 0.5 * t / np.tan(0.5 * t)

@@ -43,7 +43,7 @@ class Section:
         return np.asarray(np.asarray(stiffness, np.float64)[..., None, None] * plane)
 
 
-LEAST = 1e-3
+LEAST_BENDING = 1e-3
 """Where no board is, bending is at least that of a membrane with this share of a board's E t."""
 
 SAMPLES, WINDOW = 64, 16
@@ -87,7 +87,7 @@ def panel_sections(
     between = fabric * build.membrane
     return Section(
         membrane=plane * board * boards_there + between,
-        bending=bending + max(between, LEAST * plane * board) * build.membrane**2 / 12,
+        bending=bending + max(between, LEAST_BENDING * plane * board) * build.membrane**2 / 12,
         poisson=nu,
         modulus=modulus,
         reach=np.where(boards_there > 1, 0.5 * build.thickness, 0.5 * board),

@@ -28,7 +28,7 @@ from orishell.structure.mesh.sections import places_in
 
 SAMPLES = 32
 """Places along a side of a panel at which the thickness of its board is taken."""
-TINY = 1e-300
+NO_CHAMFER = 1e-300
 """Divides where there is no chamfer, so that a board is as thick as it is."""
 EQUAL = 1e-6
 """Set-backs that differ by less than this share of the longest edge are equal."""
@@ -105,7 +105,7 @@ def bending_left(boards: Boards, flat: Array) -> Array:
     deep = np.einsum("fabsx,fsx->fabs", from_edges, inwards) - middle[there, None, None]
     thick = np.zeros(deep.shape[:3])
     for back in (low, top):
-        wide = np.maximum(back[there] - middle[there], TINY)
+        wide = np.maximum(back[there] - middle[there], NO_CHAMFER)
         thick += 0.5 * np.clip(deep / wide[:, None, None], 0.0, 1.0).min(axis=-1)
     inside = (deep >= 0).all(axis=-1)
     left = np.zeros(len(flat))

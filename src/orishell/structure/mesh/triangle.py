@@ -105,7 +105,7 @@ LUMPING = 1.5
 """The template's alpha_b."""
 BETAS = np.array([[1.0, 2.0, 1.0], [0.0, 1.0, -1.0], [-1.0, -1.0, -2.0]])
 """The template's beta_1 ... beta_9, row by row."""
-LEAST = 0.01
+LEAST_BETA = 0.01
 """Smallest beta_0: it would be 0 for a Poisson's ratio of 1/2."""
 
 
@@ -147,7 +147,7 @@ def membrane_stiffness(corners: Array, elasticity: Array, poisson: float) -> Arr
     for first, second in ((0, 1), (1, 2), (2, 0)):
         middle = 0.5 * (corner[first] + corner[second])
         higher += middle.swapaxes(1, 2) @ natural @ middle
-    beta = max(0.5 * (1 - 4 * poisson**2), LEAST)
+    beta = max(0.5 * (1 - 4 * poisson**2), LEAST_BETA)
     higher *= 0.75 * beta * area[:, None, None]
     return np.asarray(basic + rotations.swapaxes(1, 2) @ higher @ rotations)
 

@@ -9,9 +9,10 @@ import numpy as np
 
 from orishell.conventions.quantities import Quantities
 from orishell.io.sections import Paragraph, Table
-from orishell.structure.crease_forces import FORCES, ROUNDING, AtCrease, worst_forces
+from orishell.structure.crease_forces import FORCES, AtCrease, worst_forces
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides
+from orishell.structure.negligible import NEGLIGIBLE_FORCE
 from orishell.structure.results import Analysis
 
 SHARES = {2: "halves", 3: "thirds", 4: "quarters"}
@@ -32,7 +33,7 @@ def crease_table(found: Equilibrium, said: Quantities) -> Table:
     largest = max(
         (each.size for kind in found.creases for each in (kind.pull, kind.push)), default=0.0
     )
-    least = ROUNDING * largest
+    least = NEGLIGIBLE_FORCE * largest
     rows = [
         (
             f"{kind.kind} creases",

@@ -11,14 +11,14 @@ from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
 from orishell.structure.utilisation import NAMED
 
-ROUNDING = 1e-6
+NEGLIGIBLE_COMPONENT = 1e-6
 """Components of a displacement below this share of it are none."""
 
 
 def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
     """Names and values of what was found."""
     moved, stress = found.displacement, found.stress
-    least = ROUNDING * moved.size
+    least = NEGLIGIBLE_COMPONENT * moved.size
     x, y, z = (said.displacement(each if abs(each) > least else 0.0) for each in moved.vector)
     yield (
         "Largest displacement",

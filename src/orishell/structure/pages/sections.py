@@ -10,6 +10,7 @@ from orishell.numerics.equals import SOLVED, largest_of
 from orishell.structure.case import CaseResult
 from orishell.structure.equilibrium import PairForce
 from orishell.structure.loads import KINDS, Vector
+from orishell.structure.negligible import NEGLIGIBLE_FORCE
 from orishell.structure.pages.anchor_tables import anchor_section
 from orishell.structure.pages.crease_tables import CREASE_NOTES, crease_table
 from orishell.structure.pages.details import details, percent, sentence, vertex
@@ -17,8 +18,6 @@ from orishell.structure.pages.model_section import model_section
 from orishell.structure.results import Analysis
 from orishell.structure.stiffness import creases_in_words
 
-ROUNDING = 1e-9
-"""Forces below this share of a case's load are none."""
 AXES = ("x (N)", "y (N)", "z (N)")
 STRESS_RULE = (
     "Stress is that of membrane forces and moments averaged over a sixteenth of a panel, a quarter "
@@ -205,5 +204,5 @@ def _pairs(caption: str, pairs: Sequence[PairForce], idle: str) -> Table:
 
 def _vector(force: Vector, load: Vector) -> Iterator[str]:
     """Components of a force; 0 where they are rounding errors of a load."""
-    least = ROUNDING * max(map(abs, load))
+    least = NEGLIGIBLE_FORCE * max(map(abs, load))
     return (figure(each if abs(each) > least else 0.0) for each in force)

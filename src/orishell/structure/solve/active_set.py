@@ -18,7 +18,7 @@ from orishell.structure.solve.contact_path import find_contact
 from orishell.structure.solve.factorised import STEPS, Factorised
 from orishell.structure.solve.friction import Contact
 
-TOLERANCE = 1e-7
+NEGLIGIBLE = 1e-7
 """Forces below this share of the largest are none, and gaps below it of the displacements."""
 
 SINGULAR = 1e-15
@@ -105,7 +105,7 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     parted = (point.parted - contact.give * point.forces) / root
     count, rough = len(structure.conditions), structure.conditions.rough
     acts = np.zeros(len(y), dtype=bool)
-    acts[:count] = forces[:count] > TOLERANCE * np.max(forces[:count], initial=0.0)
+    acts[:count] = forces[:count] > NEGLIGIBLE * np.max(forces[:count], initial=0.0)
     pressing = acts.copy()
     pressing[contact.rubs] = acts[rough][:, None]
     sizes = np.linalg.norm(y[contact.rubs], axis=1)
@@ -115,7 +115,7 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     still = structure.motions(pressing)
     settled = moved - still @ (still.T @ moved)
     gaps = structure.rows @ settled
-    open_ = TOLERANCE * float(np.abs(gaps).max())
+    open_ = NEGLIGIBLE * float(np.abs(gaps).max())
     if not (~acts[:count] & (gaps[:count] > open_)).any():
         moved = settled
     return Response(None, False, moved, acts, forces, parted, taken, structure.motions(acts))

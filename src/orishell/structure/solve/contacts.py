@@ -28,8 +28,6 @@ from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.corotational import Change, Moved
 
-ROUNDING = 1e-14
-
 
 @record
 class Links:

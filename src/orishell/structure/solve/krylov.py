@@ -20,7 +20,7 @@ from orishell.numerics.arrays import Array
 
 Apply = Callable[[Array], Array]
 """Products of a symmetric matrix with vectors (n, p)."""
-MOST = 64
+VECTORS_KEPT = 64
 """Vectors that are kept at a time."""
 ACCURACY = 1e-4
 """Of modes, by energy, relative to the largest value; values are as accurate as the square."""
@@ -42,7 +42,7 @@ def largest_values(
     """
     start = solve(start)
     next_, _ = _orthonormal(start, stiffness(start))
-    room = MOST + start.shape[1]
+    room = VECTORS_KEPT + start.shape[1]
     basis, taken = np.empty((2, room, len(start)))  # Q and A Q, as rows
     held = 0
     for _ in range(blocks):
@@ -61,8 +61,8 @@ def largest_values(
         errors = np.linalg.norm(rest @ shapes[first:], axis=0)
         if next_.shape[1] == 0 or (errors[:count] <= ACCURACY * np.abs(values[:count])).all():
             break
-        if held + next_.shape[1] > MOST:
-            kept, held = shapes[:, : MOST // 2], MOST // 2
+        if held + next_.shape[1] > VECTORS_KEPT:
+            kept, held = shapes[:, : VECTORS_KEPT // 2], VECTORS_KEPT // 2
             basis[:held], taken[:held] = kept.T @ q, kept.T @ taken[: len(shapes)]
             values, errors, shapes = values[:held], errors[:held], np.eye(held)
     return values[:count], basis[: len(shapes)].T @ shapes[:, :count], errors[:count]

@@ -26,7 +26,7 @@ KEPT = 0.1
 to this share of what it was."""
 NOISY = 1e-3
 """Step by step of the load, rounding excuses no more than this share of it."""
-GROWTH, SMALLEST = 2.0, 1e-4
+GROWTH, SHORTEST_STEP = 2.0, 1e-4
 """A step is at most so much longer than the last, and no shorter than this share of the first."""
 TOUCHING = 1e-6
 """What bears at the start bears that of this factor of the loads."""
@@ -93,7 +93,7 @@ def trace(
         here = points[-1]
         stood = here.moving.settled(here.moved) if here.factor else moving
         way, found = _along(moving, slope, before), None
-        while found is None and length > SMALLEST * first * unit:
+        while found is None and length > SHORTEST_STEP * first * unit:
             share = way * length
             moving = stood.grown((here.factor + share) / (here.factor or TOUCHING))
             step = share * slope
@@ -136,7 +136,7 @@ def climb(
     """
     points = [Point(0.0, moving.start(), 0, 0.0, moving)]
     step = first
-    while points[-1].factor < until and step > SMALLEST * first:
+    while points[-1].factor < until and step > SHORTEST_STEP * first:
         here = points[-1]
         factor = min(here.factor + step, until)
         stood = here.moving.settled(here.moved) if here.factor else moving

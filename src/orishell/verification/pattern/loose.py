@@ -21,11 +21,11 @@ WIDEST = 0.02
 """Hinges that give way by more than this share of the shortest crease are none."""
 WORK = 15_000
 """Panels of all states together: of larger sheets fewer states are looked at, at least three."""
-LEAST = 0.1
+LEAST_FOLDED = 0.1
 """A state is one of the motion if all creases fold by this share of what they fold in it."""
 NEARLY_FLAT = 0.1
 """Creases that lack less to 180 degrees are folded flat, to either side (radians)."""
-LARGEST = 20_000
+MOST_PANELS = 20_000
 """Panels of the largest sheets that are looked at: work grows faster than they do."""
 EVERY = (1, 2, 3, 4, 6)
 """Of the states of a motion these are looked at: all, every second, ..."""
@@ -81,7 +81,7 @@ def find_loose(
         Fold angles (S, E) of all edges there, which do not close (radians).
     """
     count = len(pattern.faces)
-    if count > LARGEST:
+    if count > MOST_PANELS:
         return None
     every = next((each for each in EVERY if count * (len(drives) / each - 1) <= WORK), EVERY[-1])
     asked = np.arange(every, len(drives) - 1, every)
@@ -142,7 +142,7 @@ def _alike(folds: Array, meant: Array) -> bool:
     Near 180 degrees the sides are not told apart.
     """
     flat = np.abs(folds) > np.pi - NEARLY_FLAT
-    return bool((flat | (folds * np.sign(meant) >= LEAST * np.abs(meant))).all())
+    return bool((flat | (folds * np.sign(meant) >= LEAST_FOLDED * np.abs(meant))).all())
 
 
 def _driving(pattern: CreasePattern, drives: Array, folds: Array) -> int:

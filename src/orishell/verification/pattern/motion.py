@@ -18,7 +18,7 @@ from orishell.families.drawn import Decided, decide
 from orishell.families.drawn.decided import nearby_as_drawn
 from orishell.families.drawn.nearest import Nearby
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following import TOLERANCE, follow
+from orishell.motion.following import CLOSURE_TOLERANCE, follow
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.placing import Placing
@@ -145,7 +145,9 @@ class Asked:
     largest: Angle = float(np.pi)  # the largest fold angle at which to stop
     # which choice of mountains and valleys is taken where letters of a grid are missing, from 1
     choice: int = 1
-    tolerance: Angle = TOLERANCE  # by how much vertices may miss closing where it is followed
+    tolerance: Angle = (
+        CLOSURE_TOLERANCE  # by how much vertices may miss closing where it is followed
+    )
 
 
 ALL = Asked()

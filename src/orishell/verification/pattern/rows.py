@@ -13,13 +13,13 @@ from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.quantities import quantity
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
-from orishell.families.drawn.nearest import MOST as MOST_MOVED
-from orishell.families.drawn.signs import MOST
+from orishell.families.drawn.nearest import MOST_MOVED
+from orishell.families.drawn.signs import MOST_WAYS
 from orishell.families.recognised import Recognised
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.dofs import Freedom, least_count
 from orishell.numerics.equals import first_largest
-from orishell.verification.pattern.loose import LARGEST, WIDEST, LooseMotion
+from orishell.verification.pattern.loose import MOST_PANELS, WIDEST, LooseMotion
 from orishell.verification.pattern.motion import FoldingMotion, Still
 from orishell.verification.pattern.vertices import VertexConditions, shortest_creases
 
@@ -99,8 +99,8 @@ class Judged:
             said = f"{closed}; hinges need a play of {quantity(motion.play, self.unit)}"
             return Row("holds", "folds", f"rigidly, to the tolerance: {said}")
         said = f"not with these letters: {self._missed(motion)}"
-        if len(self.pattern.faces) > LARGEST:
-            said += f"; how far hinges must give way is not looked at beyond {LARGEST} panels"
+        if len(self.pattern.faces) > MOST_PANELS:
+            said += f"; how far hinges must give way is not looked at beyond {MOST_PANELS} panels"
         return Row("fails", "folds", said, self._nearby(motion))
 
     def _missed(self, motion: FoldingMotion) -> str:
@@ -312,7 +312,7 @@ def of_letters(pattern: CreasePattern, choices: Sequence[str], taken: int = 1) -
         said = "those found are one choice of several, perhaps"
     else:
         flat = any("F" in np.array(list(word))[unknown] for word in choices)
-        number = f"{count} or more" if count == MOST or flat else str(count)
+        number = f"{count} or more" if count == MOST_WAYS or flat else str(count)
         over = "" if np.isin(pattern.letters, ["M", "V"]).any() else ", up to turning it over"
         said = f"{number} choices fold it{over}, of which number {taken} is taken"
         if number == "1":

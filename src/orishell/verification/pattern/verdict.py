@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import as_table, record
 from orishell.conventions.row import ORDER, Row
@@ -14,6 +12,7 @@ from orishell.families.drawn.nearest import Nearby
 from orishell.families.recognised import Recognised, recognise
 from orishell.io import ReadPattern
 from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.following.hinge_gaps import COORDINATE_ROUNDING
 from orishell.verification.pattern.motion import ALL, Asked, FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.rows import Judged, of_vertices, said_of_motion
@@ -23,10 +22,8 @@ from orishell.verification.pattern.vertices import (
     find_conditions,
     shortest_creases,
 )
-from orishell.verification.run import TOLERANCE
+from orishell.verification.run import LENGTH_TOLERANCE
 
-ROUNDING = 64 * np.finfo(float).eps
-"""What the last digits of coordinates may leave, relative to the sheet's diagonal."""
 LISTED = 100
 """Vertices that a report lists, at most."""
 
@@ -98,7 +95,7 @@ class PatternVerdict:
 def judge_pattern(
     read: ReadPattern,
     *,
-    tolerance: float = TOLERANCE,
+    tolerance: float = LENGTH_TOLERANCE,
     progress: Progress = no_progress,
     so_far: Callable[[tuple[Row, ...]], object] = tuple,
 ) -> PatternVerdict:
@@ -137,7 +134,7 @@ def judge_sheet(
     pattern: CreasePattern,
     unit: str,
     *,
-    tolerance: float = TOLERANCE,
+    tolerance: float = LENGTH_TOLERANCE,
     asked: Asked = ALL,
     progress: Progress = no_progress,
     so_far: Callable[[tuple[Row, ...]], object] = tuple,
@@ -160,7 +157,7 @@ def judge_sheet(
     InputError
         If there is no such choice of mountains and valleys.
     """
-    error, rounding = tolerance * pattern.diagonal, ROUNDING * pattern.diagonal
+    error, rounding = tolerance * pattern.diagonal, COORDINATE_ROUNDING * pattern.diagonal
     limits = error / shortest_creases(pattern)
     most = float(limits.max(initial=0.0))
     grid = OnGrid.of(pattern)

@@ -15,7 +15,7 @@ from orishell.document import Document
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
-MOST: Final = 1500
+MOST_PANELS: Final = 1500
 """Panels that are drawn, about, at most: of more rows and columns of a grid every k-th is."""
 TURN_DEG, RISE_DEG = -55.0, 24.0
 """From where shells are seen: about z, and above the ground (degrees)."""
@@ -96,8 +96,8 @@ def _drawn_corners(
     state = document.state(which)
     chosen = np.ones(len(document.mesh.faces), np.bool_) if panels is None else panels
     shape = document.grid_shape
-    if shape is not None and chosen.sum() > MOST:
-        every = int(np.ceil(np.sqrt(chosen.sum() / MOST)))
+    if shape is not None and chosen.sum() > MOST_PANELS:
+        every = int(np.ceil(np.sqrt(chosen.sum() / MOST_PANELS)))
         grid = state.positions[: shape[0] * shape[1]].reshape(*shape, 3)
         rows, columns = (_thinned(count, every) for count in shape)
         grid = grid[rows][:, columns]

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.families.flat_foldable.fit.residuals import Fitted, Problem
 
-FIRST, LEAST = 1e-3, 1e-9
+FIRST_DAMPING, LEAST_DAMPING = 1e-3, 1e-9
 """Damping at first, and at least."""
 TRIALS = 12
 """Steps of one direction that are tried, each more damped than the one before."""
@@ -19,7 +19,7 @@ FARTHEST = 0.5
 
 def descend(problem: Problem, start: Fitted, steps: int, gain: float) -> Fitted:
     """The best found in so many steps, or fewer if one gains less than a share of the error."""
-    best, damping = start, FIRST
+    best, damping = start, FIRST_DAMPING
     for _ in range(steps):
         hessian, gradient = _normal(problem, best)
         scale = np.diag(hessian)
@@ -30,11 +30,11 @@ def descend(problem: Problem, start: Fitted, steps: int, gain: float) -> Fitted:
             found = problem.at(best.unknowns + step)
             if found is not None and found.error < best.error:
                 break
-            damping = 4 * max(damping, LEAST)
+            damping = 4 * max(damping, LEAST_DAMPING)
         else:
             return best
         gained = 1 - found.error / best.error
-        best, damping = found, max(damping / 5, LEAST)
+        best, damping = found, max(damping / 5, LEAST_DAMPING)
         if gained < gain:
             break
     return best

@@ -10,8 +10,8 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
+    ANGLE_ROUNDING,
     NAMES,
-    ROUNDING,
     Sectors,
     Solution,
     find_solutions,
@@ -94,13 +94,13 @@ def no_solution(sectors: Sectors) -> DesignError:
     if outside:
         angles = [f"{angle:.4f}" for angle in outside[0].second.degrees]
         reason += f"; ({', '.join(angles)}) would solve it, but not all are between 0 and 180"
-    if abs(sectors.gamma + sectors.delta) <= ROUNDING:
+    if abs(sectors.gamma + sectors.delta) <= ANGLE_ROUNDING:
         reason = "gamma + delta = 180: two straight creases cross at an S vertex; only one can fold"
-    elif max(abs(sectors.alpha), abs(sectors.beta)) <= ROUNDING:
+    elif max(abs(sectors.alpha), abs(sectors.beta)) <= ANGLE_ROUNDING:
         reason = "alpha = beta = 90: two straight creases cross at an F vertex; only one can fold"
     elif is_free(sectors):
         reason = "gamma = delta: every delta_2 solves it, so none is singled out"
-    elif abs(sectors.gamma - sectors.delta) <= ROUNDING:
+    elif abs(sectors.gamma - sectors.delta) <= ANGLE_ROUNDING:
         reason = "gamma = delta: column 2 would not fold (c = 0)"
     return DesignError(
         f"equation (4) has no solution for the sector angles ({shown})",

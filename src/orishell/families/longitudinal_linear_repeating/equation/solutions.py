@@ -100,7 +100,7 @@ class Sectors:
 Version = Literal["cosine", "sine"]
 VERSIONS: tuple[Version, Version] = ("cosine", "sine")
 
-ROUNDING = 1e-15
+ANGLE_ROUNDING = 1e-15
 """Sums of four angles that were given in degrees are known to this (radians)."""
 
 
@@ -136,7 +136,7 @@ def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ..
     [91.23, 86.23, 106.23, 76.23]
     """
     found = (_solve(first, version) for version in VERSIONS)
-    limit = pi / 2 - ROUNDING
+    limit = pi / 2 - ANGLE_ROUNDING
     return tuple(
         each
         for each in found
@@ -147,7 +147,7 @@ def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ..
 def is_free(first: Sectors) -> bool:
     """Whether every delta_2 solves (4): gamma_1 = delta_1, and column 2 may be any."""
     merged = min(abs(_products(first, version)[0]) for version in VERSIONS)
-    return max(merged, abs(first.gamma - first.delta)) <= ROUNDING
+    return max(merged, abs(first.gamma - first.delta)) <= ANGLE_ROUNDING
 
 
 def _products(first: Sectors, version: Version) -> tuple[float, float]:
@@ -166,7 +166,7 @@ def _solve(first: Sectors, version: Version) -> Solution | None:
     closing = sin(gamma + delta - alpha - beta) * (1 if version == "cosine" else -1)
     still = sin(delta - gamma)
     crossing = gamma + delta, alpha + beta if version == "cosine" else alpha - beta
-    if min(abs(each) for each in (merged, closing, still, *crossing)) <= ROUNDING:
+    if min(abs(each) for each in (merged, closing, still, *crossing)) <= ANGLE_ROUNDING:
         return None
     sign = 1 if closing > 0 else -1
     up = sign * (sin(gamma) * still - 2 * cos(gamma) * product)

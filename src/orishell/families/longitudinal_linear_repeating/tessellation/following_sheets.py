@@ -20,8 +20,8 @@ from orishell.numerics.arrays import Array, Booleans
 
 LARGEST_RATIO = 1000.0
 """A sheet whose longest inner crease is more than this times the shortest does not count."""
-ROUNDING = 1e-10
-"""Lengths that are too short or too long by less, over the longest, are as they should be."""
+LENGTH_ROUNDING = 1e-10
+"""Lengths meet a condition if they miss it by no more, over the longest."""
 NOWHERE = 0.5 / LARGEST_RATIO**2
 """1/(1 + d^2) is smaller where the most even sheet is at a distance d that does not count."""
 CHOICE = 1e-3
@@ -112,7 +112,9 @@ class FollowingSheets:
             # The conditions that hold it there, alone: freed of the rounding of all others.
             met = part[:, forces > 0]
             nearest = np.linalg.lstsq(met[:-1].T, met[-1], rcond=None)[0]
-            missed = conditions[-1] - nearest @ conditions[:-1] > ROUNDING * nearest[unknowns]
+            missed = (
+                conditions[-1] - nearest @ conditions[:-1] > LENGTH_ROUNDING * nearest[unknowns]
+            )
             if not (missed & ~asked).any():
                 break
             asked |= missed

@@ -1,4 +1,4 @@
-"""Forces of ties and flaps that are nothing but rounding."""
+"""Forces that are nothing but rounding."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ import numpy as np
 
 from orishell.numerics.arrays import Array
 
-ROUNDING = 1e-9
-"""A tie or flap that bears no more than this share of all loads together bears nothing."""
+NEGLIGIBLE_FORCE = 1e-9
+"""Forces no larger than this share of all loads together, or of the largest force, are rounding of
+the solution: nothing is borne."""
 
 
 def borne_by(forces: Array, total: float) -> Array:
@@ -18,4 +19,4 @@ def borne_by(forces: Array, total: float) -> Array:
     total
         The sizes of all loads together (N).
     """
-    return np.where(np.abs(forces) > ROUNDING * total, forces, 0.0)
+    return np.where(np.abs(forces) > NEGLIGIBLE_FORCE * total, forces, 0.0)
