@@ -122,7 +122,7 @@ def test_feet_that_are_not_level() -> None:
     assert f"rows {feet.rows[0]} and {feet.rows[1]} differ by 0.36 m" in text  # 1 - 0.64
     assert "f's ends differ by 0.36 m" in text
     untrimmed = orthodiagonal(rows=19, depth=0.06)
-    assert "ends" in untrimmed.parameters
+    assert untrimmed.parameters["ends"] == ["untrimmed", "untrimmed"]
     (text,) = matching(untrimmed, "feet are not level")
     assert "narrower flaps" in text
     for level in (parallel(), orthodiagonal()):

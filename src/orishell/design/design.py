@@ -38,8 +38,8 @@ class Design:
     """A design that can be made: the folding sheet, its target, and what was chosen for it."""
 
     mechanism: Mechanism
-    # What the family used and found, in the units of files: degrees (``_deg``) and the unit of the
-    # curves. ``flap`` is among them, a number, where the table [pattern] may say "auto".
+    # What the family used and found, as the report says it: degrees (``_deg``) and the unit of the
+    # curves. What others need of them are properties: ``flap``, ``flap_sides``, ``offset``.
     parameters: Mapping[str, Parameter]
     # the target curves "f" and "g" (N, 3), placed as the locked shell meets them; empty without a
     # target
@@ -79,9 +79,47 @@ class Design:
     # the sheet with its rim moved to level feet, by the value of ground in [pattern] that asks for
     # it; raises DesignError if that has none. None if the family cannot.
     grounded: Callable[[Literal["corners", "level"]], Mechanism] | None = None
+    # the key of [pattern] that says how far it is folded at its target, where it has none to meet:
+    # its drive, or its largest fold angle
+    folded_by: Literal["stage_deg", "fold_deg"] = "fold_deg"
+    # what would make its flat sheet smaller, and what may level its feet, in words; "" where the
+    # family knows nothing
+    smaller_by: str = ""
+    levelled_by: str = ""
     # Where f and g were fitted to a surface: values of keys of the design file with which it asks
     # for the same shell by f and g in place of the surface. None removes a key.
     by_curves: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def flap(self) -> float:
+        """Width of its flaps in the unit of the curves, 0 if it has none."""
+        return self._figure("flap") or 0.0
+
+    @property
+    def flap_sides(self) -> tuple[str, ...]:
+        """The ends of f to which the left and the right flap fold; none where that is no choice."""
+        sides = self.parameters.get("flap_side", ())
+        assert isinstance(sides, list | tuple)
+        return tuple(map(str, sides))
+
+    @property
+    def stop_deg(self) -> float:
+        """By how much its flaps stop short of folding flat at the target (degrees)."""
+        return self._figure("stop_deg") or 0.0
+
+    @property
+    def offset(self) -> float | None:
+        """How far crests lie above the surface, and valleys below it, in the unit of the curves.
+
+        None where they follow no surfaces beside it.
+        """
+        return self._figure("offset")
+
+    def _figure(self, name: str) -> float | None:
+        """A number among the parameters, or None if it is none of them."""
+        found = self.parameters.get(name)
+        assert found is None or isinstance(found, float | int)
+        return None if found is None else float(found)
 
     def with_clipped_flaps(self) -> Design:
         """The design whose flaps are no part of the folding sheet: clipped on at the target."""

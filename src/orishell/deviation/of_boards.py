@@ -42,9 +42,8 @@ def boards_closeness(design: Design) -> Mapping[str, Closeness]:
     found = {
         name: _along(curve, edges[name]) for name, curve in design.targets.items() if name in edges
     }
-    offset = design.parameters.get("offset")
-    if isinstance(offset, float) and {"crests", "valleys"} <= set(design.closeness):
-        found |= _beside(design, boards, meant, offset)
+    if design.offset is not None and {"crests", "valleys"} <= set(design.closeness):
+        found |= _beside(design, boards, meant, design.offset)
     return found
 
 

@@ -132,32 +132,25 @@ def refuse_clipped(design: Design, contact: Contact) -> ClashError:
 
     contact: What one of them reaches into.
     """
-    width = flap_width(design)
     assert contact.overlap is not None
     first, second = contact.names
     error = ClashError(
         f"{first} and {second} meet when flaps are clipped on ({contact.kind})",
         place="at the target",
         size=f"one reaches {contact.overlap:.4g} into the other",
-        excess=contact.overlap / width,
-        flap=width,
+        excess=contact.overlap / design.flap,
+        flap=design.flap,
         thick=contact.sides is not None,
     )
     error.candidates = _other_sides(design)
     return error
 
 
-def flap_width(design: Design) -> float:
-    """Return the width of a design's flaps."""
-    width = design.parameters["flap"]
-    assert isinstance(width, float | int)
-    return float(width)
-
-
 def _other_sides(design: Design) -> Iterator[Remedy]:
     """Flaps turned to other ends of f."""
-    now = design.parameters["flap_side"]
+    if not design.flap_sides:
+        return
     for sides in product(SIDES, SIDES):
-        if list(sides) != now:
+        if sides != design.flap_sides:
             same = sides[0] == sides[1]
             yield Remedy({"pattern.flap_side": sides[0] if same else list(sides)})

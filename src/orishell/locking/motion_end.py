@@ -11,7 +11,7 @@ from orishell.conventions.errors import ClashError, DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, inside, rounded, rounded_down
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
-from orishell.locking.clipped import flap_width, refuse_clipped, require_uncrossed
+from orishell.locking.clipped import refuse_clipped, require_uncrossed
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth, largest_fold
@@ -51,7 +51,7 @@ def widest_flap(
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     """
-    asked = flap_width(design)
+    asked = design.flap
     if asked <= 0:
         return None
 
@@ -221,14 +221,13 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         size=f"the corrugation is {contact.corrugation_depth:.4g} deep there, "
         f"{lock.corrugation_depth:.4g} at the {aim}",
         excess=1 - contact.drive / lock.target_drive,
-        flap=flap_width(design) if "flap" in contact.kind else 0.0,
+        flap=design.flap if "flap" in contact.kind else 0.0,
     )
     if design.swept is None and contact.clear_until > 0:
-        staged = "stage_deg" in design.parameters
         clear = contact.clear_until
-        if not staged:
+        if design.folded_by == "fold_deg":
             clear = float(largest_fold(design.mechanism, np.array([clear]))[0])
-        key = "pattern.stage_deg" if staged else "pattern.fold_deg"
+        key = f"pattern.{design.folded_by}"
         near = inside(float(np.rad2deg(clear)), 0.0)
         error.candidates = [Remedy({key: value}) for value in (rounded(near, DIGITS), "auto")]
     return error

@@ -124,7 +124,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         thickness=build.thickness,
         membrane=build.membrane,
         gap=build.gap,
-        stop_deg=_stop_deg(design),
+        stop_deg=design.stop_deg,
         set_back_for=built.limit,
         largest_fold=float(sides.largest.max()),
         largest_setback=float(longest[np.isfinite(longest)].max()),
@@ -218,9 +218,3 @@ def _meeting(design: Design, built: BuiltPanels) -> MeetingReport | None:
         largest_play=float(np.maximum(found.plays, 0.0).max()),
         largest_turn=float(np.maximum(found.angles, 0.0).max()),
     )
-
-
-def _stop_deg(design: Design) -> float:
-    stop = design.parameters.get("stop_deg", 0.0)
-    assert isinstance(stop, float | int)
-    return stop

@@ -33,8 +33,6 @@ UNEVEN = 0.005
 """Feet uneven by this share of the height, 15 mm of 3 m, need more than packing."""
 WASTEFUL = 1.5
 """A sheet this many times as large as the surface: half as much again is paid for and carried."""
-WIDEST_XI = 0.95
-"""Above this share of its limit a wider xi_deg gains next to nothing."""
 STRAIGHT = 1e-6
 """A g that leaves a line by less than this share of its length is straight."""
 SMALLEST_SHELL, LARGEST_SHELL = 0.005, 500.0
@@ -142,8 +140,8 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
         remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
     elif _level_on_corners(design):
         remedy = 'ground = "corners" in [pattern] puts it on its four corners, at one height'
-    elif "ends" in design.parameters:
-        remedy = f"other rows, another depth or narrower flaps may level them; else {remedy}"
+    elif design.levelled_by:
+        remedy = f"{design.levelled_by} may level them; else {remedy}"
     yield (
         f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
         f"{plain(feet.uneven, 3)} {unit} in height: {remedy}"
@@ -167,21 +165,7 @@ def _of_size(design: Design) -> Iterator[str]:
     ratio = area_of(design.mechanism) / design.swept.area()
     if ratio <= WASTEFUL:
         return
-    parameters = design.parameters
-    if "xi_limit_deg" in parameters:
-        xi, limit = np.array([parameters["xi_deg"], parameters["xi_limit_deg"]], np.float64)
-        wider = f"shallower folds, by a wider xi_deg ({xi:.4g} now, possible below {limit:.4g}),"
-        steep = f"an f with less steep ends (they keep xi_deg below {limit:.4g})"
-        less = wider if xi < WIDEST_XI * limit else steep
-    elif "depth" in parameters:
-        depth = float(np.array(parameters["depth"], np.float64))
-        less = f"shallower folds, by a smaller depth (it is {plain(depth, 3)}),"
-    elif "sector_deg" in parameters:
-        less = "sector angles nearer to 90 degrees"
-    else:
-        # Of fitted sheets those that began with other fold angles were as large within 5 %, or
-        # lost; those with half as many rows and columns 4 to 15 % smaller, and twice as far away.
-        less = ""
+    less = design.smaller_by
     flaps = "narrower flaps" if has_flaps(design.mechanism) or less else ""
     remedies = " or ".join(each for each in (less, flaps) if each)
     yield (

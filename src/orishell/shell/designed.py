@@ -87,7 +87,7 @@ def ended(
     def narrower(width: float) -> Design:
         return designed(file.changed({"pattern.flap": width}))
 
-    open_width = file.pattern.flap == "auto" and bool(design.parameters.get("flap"))
+    open_width = file.pattern.flap == "auto" and design.flap > 0
     return end_motion(
         design,
         tolerance=file.contact_tolerance,

@@ -154,17 +154,16 @@ def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str)
 
 def _beside(design: Design, unit: str) -> str:
     """The surface asked for, and how far crests and valleys should lie from it."""
-    offset = design.parameters.get("offset")
-    if not isinstance(offset, float):
+    if design.offset is None:
         return "the surface asked for"
-    away = f"{plain(abs(offset), 3)} {unit}"
+    away = f"{plain(abs(design.offset), 3)} {unit}"
     return f"the surface asked for; crests and valleys should lie {away} above and below it"
 
 
 def _offset_section(design: Design) -> OffsetSection | None:
     """The middle column over the surface; None where crests and valleys follow none beside it."""
-    offset, surface = design.parameters.get("offset"), design.swept
-    if not isinstance(offset, float) or not isinstance(surface, PiecedSurface):
+    offset, surface = design.offset, design.swept
+    if offset is None or not isinstance(surface, PiecedSurface):
         return None
     mechanism = design.mechanism
     sheet = mechanism.positions(mechanism.target_drive)

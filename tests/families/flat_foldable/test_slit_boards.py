@@ -22,7 +22,6 @@ from orishell.io.format import Settings
 from orishell.io.formats.step import write_step
 from orishell.io.formats.threemf import write_3mf
 from orishell.locking import find_lock
-from orishell.locking.clipped import flap_width
 from orishell.locking.report import describe_panels
 from orishell.locking.sheet import Sheet
 from orishell.motion.quads import unit_normals
@@ -183,7 +182,7 @@ def test_the_widest_flaps_are_those_whose_boards_meet_nothing() -> None:
     file = check_design(DOME, Path("dome.toml")).changed({"pattern.flap": "auto"})
     design, lock = ended(file, design_asked(file))
     assert (lock.cause, lock.early) == ("flaps", False)
-    wider = file.changed({"pattern.flap": WIDER * flap_width(design)})
+    wider = file.changed({"pattern.flap": WIDER * design.flap})
     contact = find_lock(design_asked(wider)).first_contact
     assert contact is not None
     assert contact.drive < lock.target_drive

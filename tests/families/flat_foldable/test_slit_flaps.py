@@ -24,7 +24,6 @@ from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import end_motion, find_lock
-from orishell.locking.clipped import flap_width
 from orishell.locking.result import Lock
 from orishell.motion import area_of, drive_at_fold
 from orishell.motion.quads import signed_areas
@@ -191,7 +190,7 @@ def test_width_is_found_by_the_proof() -> None:
 
     edge = float(np.median(np.linalg.norm(np.diff(bare.positions(0.0), axis=0), axis=-1)))
     design, lock = end_motion(of_width(edge), narrower=of_width)
-    width = flap_width(design)
+    width = design.flap
     assert WIDTH * edge < width < edge
     assert (lock.cause, lock.early) == ("flaps", False)
     assert find_lock(of_width(1.01 * width)).early
@@ -310,7 +309,7 @@ def test_a_design_file_asks_for_them(flap: float | str) -> None:
         "motion": {"frames": 5},
     }
     shell = make_shell(check_design(tables, Path("cap.toml")), skip=["deviation"])
-    lock, width = shell.report.lock, flap_width(shell.design)
+    lock, width = shell.report.lock, shell.design.flap
     assert (lock.cause, lock.early) == ("flaps", False)
     assert lock.path is not None
     assert width == flap if flap != "auto" else 0.1 < width < 2

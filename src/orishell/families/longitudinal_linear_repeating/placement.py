@@ -102,6 +102,8 @@ def place(
             None,
         ),
         origin=np.append(line.trace.origin, 0.0),
+        folded_by="stage_deg",
+        smaller_by="sector angles nearer to 90 degrees",
         warnings=(),
     )
 

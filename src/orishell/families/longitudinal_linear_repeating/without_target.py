@@ -68,6 +68,7 @@ def design_without_target(
             swept=None,
             warnings=(),
             ending_at=stopped if request.stage is None else None,
+            folded_by="stage_deg",
         )
 
     if request.stage is None:

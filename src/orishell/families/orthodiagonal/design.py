@@ -10,6 +10,7 @@ from pydantic import Field
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.quantities import plain
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, Path, Sliding, Surface, warn_of_no_lock
@@ -202,6 +203,8 @@ def design_orthodiagonal(
         swept=Surface(f_trace, origin, Sliding(Path.of(g_trace), axis, mechanism.tilt)),
         approached=approach(f_trace, origin, g_trace, axis),
         tilted=tilted(raised, mechanism.tilt),
+        smaller_by=f"shallower folds, by a smaller depth (it is {plain(zigzag.depth, 3)}),",
+        levelled_by="other rows, another depth or narrower flaps",
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),

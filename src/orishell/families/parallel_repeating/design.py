@@ -53,6 +53,8 @@ XI: Final[Limits] = {"ge": 0.1, "le": 179.9}
 THETA: Final[Limits] = {"ge": -360, "le": 360}
 PLANE: Final[Limits] = {"gt": 0, "lt": 180}
 """Limits of the angles (degrees)."""
+WIDEST_XI = 0.95
+"""Above this share of its limit a wider xi_deg gains next to nothing."""
 Xi = Annotated[Number, in_radians(XI)]
 Theta = Annotated[Number, in_radians(THETA)]
 Plane = Annotated[Number, in_radians(PLANE)]
@@ -197,6 +199,7 @@ def design_parallel_repeating(
         swept=Surface(f_trace, origin, Turning(Path.of(g_trace), plane)),
         approached=approach(f_trace, origin, g_trace, plane),
         tilted=f"f is turned in its plane by {in_degrees(theta)} degrees" if theta else "",
+        smaller_by=_smaller(tidy_degrees(xi), tidy_degrees(xi_limit(low, high))),
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
@@ -205,3 +208,10 @@ def design_parallel_repeating(
             *warn_of_no_lock(width),
         ),
     )
+
+
+def _smaller(xi: float, limit: float) -> str:
+    """What would make the flat sheet smaller; both angles in degrees."""
+    if xi < WIDEST_XI * limit:
+        return f"shallower folds, by a wider xi_deg ({xi:.4g} now, possible below {limit:.4g}),"
+    return f"an f with less steep ends (they keep xi_deg below {limit:.4g})"

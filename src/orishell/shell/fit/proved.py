@@ -70,9 +70,8 @@ def fit_size(
             return made, choice, search.described(found, factors)
         if not left:
             break
-        width = made.design.parameters.get("flap")
-        if search.base.pattern.flap == "auto" and width:
-            search.begin_again({"pattern.flap": width})
+        if search.base.pattern.flap == "auto" and made.design.flap:
+            search.begin_again({"pattern.flap": made.design.flap})
             kept = True
         else:
             aims = aims - off
