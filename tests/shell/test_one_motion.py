@@ -168,5 +168,5 @@ def test_builders_are_told(several: Shell) -> None:
     assert opening.more == ("several_known",)
     for language in ("en", "de"):
         assert "5" in load_words(language).say(f"more.{opening.more[0]}", **opening.values)
-    alone = replace(several.document, report={})
+    alone = replace(several.document, measures=None)
     assert find_facts(alone).freedoms is None

@@ -21,6 +21,7 @@ from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
 from orishell.document.ground import GroundPlan
 from orishell.document.loaded import LoadedShell
+from orishell.document.measures import Measures
 from orishell.motion.boards import Boards
 from orishell.motion.grid import VertexPair
 from orishell.motion.mesh import QuadMesh
@@ -96,6 +97,8 @@ class Document:
     origin: Array = field(default_factory=lambda: np.zeros(3), repr=False)
     # what is known of the shell, as in ``report.json``; empty if nothing is
     report: Mapping[str, object] = field(default_factory=dict, repr=False)
+    # what of that its drawing does not show, for those who build it; None if nothing is known
+    measures: Measures | None = field(default=None, repr=False)
     # the panels that touch first on the way, if that is known
     contact: FirstContact | None = field(default=None, repr=False)
     # numbers of the states that have a name: "flat", "target" (the shell), "pack"

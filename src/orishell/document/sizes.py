@@ -7,29 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from orishell.conventions.quantities import area, box
-from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.document.document import Document
-
-
-@record
-class SheetReport:
-    """Size of the flat sheet."""
-
-    # its bounding box
-    width: float
-    height: float
-    area: float  # area of all panels
-
-
-@record
-class BoxReport:
-    """Bounding box of a state."""
-
-    # along x, y and z
-    width: float
-    depth: float
-    height: float
+from orishell.document.measures import BoxReport, SheetReport
 
 
 def size_rows(
@@ -79,7 +59,7 @@ def deployed_in_words(
 
 def sides_in_words(of: BoxReport, unit: str) -> str:
     """The sides of a box along x, y and z."""
-    return box((of.width, of.depth, of.height), unit)
+    return box(of.sides, unit)
 
 
 def rows_of_panels(document: Document) -> tuple[Row, ...]:

@@ -18,7 +18,7 @@ from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import Deviation
 from orishell.document import Document, FirstContact
-from orishell.document.sizes import BoxReport, SheetReport
+from orishell.document.measures import BoxReport, Measures, SheetReport
 from orishell.locking import Lock
 from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, area_of, extents
@@ -182,6 +182,7 @@ def _step_by_step(
         loaded=None if analysis is None else analysis.loaded(),
         contact=_first_contact(design, lock),
         report=report.as_dict(),
+        measures=_measures(report),
     )
     return Shell(
         file=file,
@@ -252,6 +253,26 @@ def _report(facts: Facts, *, proved: bool, mended: bool) -> Report:
         panel=describe_panels(design, lock),
         structure=analysis,
         quantities=facts.quantities,
+    )
+
+
+def _measures(report: Report) -> Measures:
+    """What a document needs to know of a shell beside its drawing."""
+    held, stands = report.deployment, report.stands
+    packs = held.pieces or tuple(each for each in (held.packed,) if each is not None)
+    return Measures(
+        unit=report.unit,
+        columns=report.columns,
+        starts_packed=held.start == "pack",
+        shuts=held.closing == "flaps",
+        deployed=report.deployed,
+        outside=report.outside,
+        packs=tuple((each.length, each.width, each.height) for each in packs),
+        layers=max((each.layers for each in packs), default=0),
+        mass=report.quantities.mass,
+        feet=None if stands is None else stands.rows,
+        points=() if stands is None else stands.points,
+        freedom=report.freedom,
     )
 
 

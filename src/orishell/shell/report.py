@@ -18,7 +18,7 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
-from orishell.document.sizes import BoxReport, SheetReport
+from orishell.document.measures import BoxReport, SheetReport
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment

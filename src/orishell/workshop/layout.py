@@ -71,7 +71,9 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         return Layout((whole_sheet(with_clipped(document)),), None)
-    bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
+    bare = replace(
+        document, states=(), curves={}, surface=None, distances=None, report={}, measures=None
+    )
     sheet = Known.by(_what_is_cut(document), bare)
     joint = workshop.joint, choose_joint_width(with_clipped(document), workshop)
     return _lay_on_stock(sheet, usable_stock(workshop), workshop.spacing, joint)

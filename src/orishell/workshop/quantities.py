@@ -172,11 +172,15 @@ class Quantities:
     order: tuple[OrderRow, ...] = ()  # what to order
 
     @property
+    def mass(self) -> float | None:
+        """Of all that is built, or of the sheet by its areal density (kg); None if not known."""
+        built = None if self.built is None else self.built.mass_kg.total
+        return built or self.mass_kg
+
+    @property
     def carried_by(self) -> int | None:
         """How many people carry all of it; None if its mass is not known."""
-        built = None if self.built is None else self.built.mass_kg.total
-        mass = built or self.mass_kg
-        return None if mass is None else ceil(mass / PERSON_KG)
+        return None if self.mass is None else ceil(self.mass / PERSON_KG)
 
 
 def measure_quantities(

@@ -25,6 +25,7 @@ from orishell.design_file import check_design
 from orishell.document import Document, DocumentTie
 from orishell.document.from_design import document_of_motion
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
+from orishell.document.measures import BoxReport, Measures
 from orishell.io import write_fold
 from orishell.io.booklet_drawing import CLIPPED, width_of
 from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages
@@ -32,6 +33,7 @@ from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Settings
 from orishell.io.formats.booklet import write_booklet
 from orishell.motion import FoldingMotion
+from orishell.motion.freedom import FreedomOfSheet
 from orishell.shell import convert_fold, make_shell
 from orishell.workshop import Workshop
 from orishell.workshop.kit import words
@@ -44,22 +46,28 @@ LANGUAGES: tuple[Language, ...] = get_args(Language)
 SMALLEST = 8.0
 """Points: what is read at arm's length."""
 MOST_BYTES = 3_000_000
-HELD = {
-    "unit": "m",
-    "columns": 9,
-    "deployment": {
-        "start": "pack",
-        "packed": {"length": 3.0, "width": 2.0, "height": 1.0, "layers": 12},
-    },
-    "quantities": {"mass_kg": 60.0},
-}
-"""As report.json has it: a pack and a mass."""
 TIE = DocumentTie(((0, 2), (6, 2)), 1.2345, slack=True)
 
 
 def held_document() -> Document:
+    """A document of a shell that has a pack, a mass and a tie."""
     document = demo_document()
-    return replace(document, report=HELD, named={"pack": 0, "target": 6}, ties=(TIE,))
+    box = BoxReport(*np.ptp(document.shell.positions, axis=0).tolist())
+    measures = Measures(
+        unit="m",
+        columns=9,
+        starts_packed=True,
+        shuts=False,
+        deployed=box,
+        outside=box,
+        packs=((3.0, 2.0, 1.0),),
+        layers=12,
+        mass=60.0,
+        feet=None,
+        points=(),
+        freedom=FreedomOfSheet(1, 1, None, (), 0, 0.0, None),
+    )
+    return replace(document, measures=measures, named={"pack": 0, "target": 6}, ties=(TIE,))
 
 
 FEET = np.array([[0.0, 0.0], [1.0, 0.2], [2.0, 0.0], [0.0, 3.0], [1.0, 3.2], [2.0, 3.0]])
@@ -162,7 +170,7 @@ def test_no_line_crosses_words_and_none_are_small(name: str, language: Language)
 
 
 def test_it_says_what_is_known(tmp_path: Path) -> None:
-    # Numbers are those of HELD; 60 kg are carried by three with 23 kg each.
+    # Numbers are those of held_document; 60 kg are carried by three with 23 kg each.
     write_booklet(tmp_path / "booklet.pdf", held_document(), Settings())
     pages = [page.extract_text() for page in PdfReader(tmp_path / "booklet.pdf").pages]
     text = " ".join(" ".join(pages).split())

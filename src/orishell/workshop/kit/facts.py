@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
-from orishell.document.sizes import BoxReport, deployed_in_words
+from orishell.document.measures import BoxReport, Measures
+from orishell.document.sizes import deployed_in_words
+from orishell.motion.freedom import FreedomOfSheet
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_smallest
 from orishell.workshop.boards import has_sheet
@@ -56,31 +57,30 @@ class KitFacts:
 
 
 def find_facts(document: Document) -> KitFacts:
-    """What is known of a document, and of what its report says."""
-    factor = _factor(document)
-    held, stands = _table(document.report, "deployment"), _table(document.report, "stands")
+    """What is known of a document, and of what was measured of its shell."""
+    known, factor = document.measures, _factor(document)
     flat, points = document.require_flat(), document.in_world(document.shell.positions)
     pieces = tuple(_pieces(document))
-    packs = held.get("pieces") or [each for each in [held.get("packed")] if each]
     model, tied = document.model_scale is not None, _tied(document)
-    if model:
-        packs = []  # they are measured with the thickness of panels
-    packed = held.get("start") == "pack" and "pack" in document.named
-    apart, feet = _feet(document, stands, points)
+    # They are measured with the thickness of panels, which a model has not.
+    packs = () if known is None or model else known.packs
+    packed = known is not None and known.starts_packed and "pack" in document.named
+    apart, feet = _feet(document, known, points)
     width, height = np.ptp(flat, axis=0).tolist()
     built = document.panel is not None and document.boards is not None
+    boxes = [_sides(document), _sides(document, *document.clipped)]
+    if known is not None and not model:
+        boxes = [_scaled(each.sides, factor) for each in (known.deployed, known.outside)]
+    opened, whole = boxes
     return KitFacts(
         starts_packed=packed,
         construction=document.panel.construction if document.panel and built else "",
         sheet=(width, height),
-        opened=_reported(document, "deployed") or _sides(document),
-        whole=_reported(document, "outside") or _sides(document, *document.clipped),
-        packs=tuple(
-            (factor * each["length"], factor * each["width"], factor * each["height"])
-            for each in packs
-        ),
-        layers=max((int(each.get("layers", 0)) for each in packs), default=0),
-        mass=None if model else _mass(document.report),
+        opened=opened,
+        whole=whole,
+        packs=tuple(_scaled(each, factor) for each in packs),
+        layers=known.layers if known is not None and packs else 0,
+        mass=None if known is None or model else known.mass,
         # Those of whole boards are between corners of these.
         ties=_tie_lengths(points, tied) if model else tuple(tie.length for tie in document.ties),
         tied=tied,
@@ -90,30 +90,20 @@ def find_facts(document: Document) -> KitFacts:
         apart=apart,
         pieces=pieces,
         diagonals=tuple(_diagonals(document, pieces)),
-        shuts=held.get("closing") == "flaps",
+        shuts=known is not None and known.shuts,
         flaps=len(document.clipped),
         clipped_panels=sum(len(each.mesh.faces) for each in document.clipped),
         model=model,
-        freedoms=_freedoms(document.report),
+        freedoms=None if known is None else _freedoms(known.freedom),
     )
 
 
-def _freedoms(report: Mapping[str, object]) -> tuple[str, str] | None:
-    freedom, count = _table(report, "freedom"), report.get("degrees_of_freedom")
-    if not freedom or freedom["one_motion"]:
+def _freedoms(freedom: FreedomOfSheet) -> tuple[str, str] | None:
+    if freedom.one_motion:
         return None
-    if count is None:
+    if freedom.count is None:
         return "unknown", ""
-    return ("nearly", str(freedom["nearly"])) if count == 1 else ("known", str(count))
-
-
-def _reported(document: Document, key: str) -> tuple[float, float, float] | None:
-    """Sides of a box of the report; None of a model, which has no boards, or without a report."""
-    found = _table(document.report, key)
-    if not found or document.model_scale is not None:
-        return None
-    factor = _factor(document)
-    return factor * found["width"], factor * found["depth"], factor * found["height"]
+    return ("nearly", str(freedom.nearly)) if freedom.count == 1 else ("known", str(freedom.count))
 
 
 def _sides(*pieces: Document) -> tuple[float, float, float]:
@@ -128,22 +118,16 @@ def _sides(*pieces: Document) -> tuple[float, float, float]:
     return x, y, z
 
 
+def _scaled(sides: tuple[float, float, float], factor: float) -> tuple[float, float, float]:
+    """Sides of a box, in the document's unit."""
+    x, y, z = sides
+    return factor * x, factor * y, factor * z
+
+
 def _factor(document: Document) -> float:
-    """From lengths of the report to those of the document."""
-    unit = document.report.get("unit", document.unit)
-    return (document.model_scale or 1.0) * conversion(str(unit), document.unit)
-
-
-def _table(tables: Mapping[str, object], key: str) -> dict[str, Any]:
-    table = tables.get(key)
-    return table if isinstance(table, dict) else {}
-
-
-def _mass(report: Mapping[str, object]) -> float | None:
-    quantities = _table(report, "quantities")
-    built = quantities.get("built") or {}
-    mass = built.get("mass_kg", {}).get("total") or quantities.get("mass_kg")
-    return None if mass is None else float(mass)
+    """From lengths that were measured to those of the document."""
+    unit = document.unit if document.measures is None else document.measures.unit
+    return (document.model_scale or 1.0) * conversion(unit, document.unit)
 
 
 def _tied(document: Document) -> Integers:
@@ -224,20 +208,19 @@ def _corner(document: Document, panel: int, corner: int) -> Array:
 
 
 def _feet(
-    document: Document, stands: Mapping[str, Any], points: Array
+    document: Document, known: Measures | None, points: Array
 ) -> tuple[tuple[float, float] | None, int]:
     """How far feet in both rows are apart, least and most, and how many there are."""
     shape = document.grid_shape
-    if not stands or shape is None:
+    if known is None or known.feet is None or shape is None:
         return None, 0
-    rows, named = stands["rows"], stands.get("points") or ()
-    inner = document.report.get("columns", shape[1])
-    beside = max(shape[1] - int(str(inner)), 0) // 2
+    rows = known.feet
+    beside = max(shape[1] - known.columns, 0) // 2
     columns = np.arange(beside, shape[1] - beside)
     count = 2 * len(columns)
-    if named:
-        first, last = ({c for r, c in named if r == row} for row in rows)
-        columns, count = np.array(sorted(first & last), np.int64), len(named)
+    if known.points:
+        first, last = ({c for r, c in known.points if r == row} for row in rows)
+        columns, count = np.array(sorted(first & last), np.int64), len(known.points)
     whole = document.boards is not None and document.boards.hinges is not None
     if whole or not len(columns):  # whole boards stand beside their vertices
         return None, count

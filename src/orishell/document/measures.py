@@ -1,0 +1,55 @@
+"""What is measured of a shell and its drawing does not show: sizes, packs, mass, feet."""
+
+from __future__ import annotations
+
+from orishell.conventions.record import record
+from orishell.motion.freedom import FreedomOfSheet
+from orishell.motion.grid import Vertex
+
+
+@record
+class SheetReport:
+    """Size of the flat sheet."""
+
+    # its bounding box
+    width: float
+    height: float
+    area: float  # area of all panels
+
+
+@record
+class BoxReport:
+    """Bounding box of a state."""
+
+    # along x, y and z
+    width: float
+    depth: float
+    height: float
+
+    @property
+    def sides(self) -> tuple[float, float, float]:
+        """All of them."""
+        return self.width, self.depth, self.height
+
+
+@record
+class Measures:
+    """What is measured of a shell, in its own unit, also where its document is that of a model."""
+
+    unit: str  # of length
+    columns: int  # of inner vertices
+    starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
+    shuts: bool  # whether its flaps are folded flat at the target and keep it from closing
+    # the box around what folds, and around that and what is clipped on
+    deployed: BoxReport
+    outside: BoxReport
+    # sides of the packs of all pieces, the longest first, and how many panels lie on each other
+    # there, at most; none where they were not measured
+    packs: tuple[tuple[float, float, float], ...]
+    layers: int
+    mass: float | None  # of all that is built (kg); None where it is not known
+    # the two rows of vertices that it stands on, and the vertices, if not on whole rows; None
+    # where it cannot stand
+    feet: tuple[int, int] | None
+    points: tuple[Vertex, ...]
+    freedom: FreedomOfSheet  # how many motions its sheet has
