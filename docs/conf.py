@@ -41,7 +41,7 @@ suppress_warnings = ["config.cache"]  # the gallery's configuration holds functi
 # The gallery runs examples/gallery/plot_*.py and writes docs/gallery.
 GALLERY = HERE.parent / "examples" / "gallery"
 if any(GALLERY.glob("plot_*.py")):
-    from live_shells import BRIEFLY, LONG, keep_shells
+    from live_shells import BRIEFLY, LONG, draw_from_kept, keep_shells
     from plots import set_looks
 
     extensions.append("sphinx_gallery.gen_gallery")
@@ -54,7 +54,7 @@ if any(GALLERY.glob("plot_*.py")):
         "abort_on_example_error": False,
         "capture_repr": (),  # "object at 0x7f..." says nothing, and another thing every time
         "image_scrapers": ("matplotlib", keep_shells),
-        "reset_modules": ("matplotlib", set_looks),
+        "reset_modules": ("matplotlib", set_looks, draw_from_kept),
         "write_computation_times": False,
         "show_memory": False,
         "show_signature": False,

@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, settings
 
 import margins
 from node_tools import BUILT_DOCS
+from reading import in_one_order, read_apart
 from samples import LEFT_OUT, examples
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    read_apart(config)
     if config.getoption("--margins"):
         margins.install(config)
 
@@ -56,6 +58,7 @@ def browser() -> Iterator[Browser]:
         yield found
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The longest first, so that no process works alone at the end.
 
@@ -68,7 +71,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             return 2 if built_beside else 0
         return 0 if item.name.startswith(LONGEST) else 1
 
-    items.sort(key=place)
+    items[:] = sorted(in_one_order(items), key=place)
 
 
 def pytest_report_teststatus(

@@ -6,12 +6,12 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 
 import ezdxf
 from ezdxf.document import Drawing
 from ezdxf.entities.lwpolyline import LWPolyline
+from kept import kept
 from pypdf import PdfReader
 
 from documents import EXAMPLES
@@ -23,7 +23,7 @@ CARD_SHELL = "figure1_card"
 """48 panels of card on paper, with flaps that are clipped on; four seconds."""
 
 
-@cache
+@kept
 def shell_of(name: str) -> Shell:
     """An example, with its pack and quantities; distances from its target are not measured."""
     skip = {*MEASURES} - {"pack", "weight", "stock"}

@@ -9,6 +9,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from kept import kept_shell
 
 from orishell import Shell
 from orishell.deployment import find_pack
@@ -16,7 +17,6 @@ from orishell.design import Setback
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.numerics.arrays import Array
-from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.solids import drive_for_height
 from samples import thorough
@@ -71,7 +71,7 @@ class Example:
         # The distance from the surface takes longest, and no other example's sizes need what goes
         # with it.
         file = read_design_file(EXAMPLES / f"{name}.toml")
-        self.shell: Shell = make_shell(file, skip=() if name.startswith("shelter") else MEASURES)
+        self.shell: Shell = kept_shell(file, skip=() if name.startswith("shelter") else MEASURES)
         self.size: dict[str, float] = self.module.measure(self.shell)
 
 
@@ -236,7 +236,7 @@ def test_figure_1_card(
         "pattern-boards-1.svg",
         "pattern.svg",
     ]
-    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), skip=MEASURES)
+    shell = kept_shell(read_design_file(EXAMPLES / "figure1_card.toml"), skip=MEASURES)
     assert shell.report.feasible
     assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
 

@@ -20,15 +20,16 @@ from typing import TYPE_CHECKING, ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from kept import kept, kept_shell
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
+from orishell import search
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import DesignFile, read_design_file
 from orishell.io.formats.html import read_viewer, viewer_is_built
 from orishell.io.view import dump_view
 from orishell.search import (
-    Problem,
     SearchResult,
     alone,
     journal_in_memory,
@@ -36,7 +37,8 @@ from orishell.search import (
     search_designs,
 )
 from orishell.search.variants import variants_data
-from orishell.shell.make import Shell, make_shell
+from orishell.shell import make
+from orishell.shell.make import Shell
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import MEASURES
 
@@ -45,6 +47,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from sphinx.application import Sphinx
+
+    from orishell.search import Journal, Problem, WorkerPool
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[1] / "examples"
@@ -65,8 +69,6 @@ LONG = ("arch_pattern", "dome", "free_roof", "saddle", "shelter_sizes", "shelter
 
 _made: dict[str, Shell] = {}
 """Whole shells that the gallery's scripts made, by the names of their design files."""
-_found: dict[str, tuple[Problem, SearchResult]] = {}
-"""What they found of grids of variants."""
 
 
 class Live(SphinxDirective):
@@ -125,10 +127,24 @@ def keep_shells(_block: object, block_vars: dict[str, Any], _conf: object) -> st
     for thing in block_vars["example_globals"].values():
         if isinstance(thing, Shell) and _is_whole(thing):
             _made[thing.file.path.stem] = thing
-        if isinstance(thing, SearchResult):
-            problem = block_vars["example_globals"]["problem"]
-            _found[problem.path.stem] = problem, thing
     return ""
+
+
+def draw_from_kept(_config: dict[str, Any], _script: str) -> None:
+    """Scripts of the gallery that make a shell or search have what was made of the same files."""
+    vars(make)["make_shell"] = kept_shell
+    vars(search)["search_designs"] = _searched_as
+
+
+def _searched_as(problem: Problem, _pool: WorkerPool, _journal: Journal) -> SearchResult:
+    return _searched(problem.path)
+
+
+@kept
+def _searched(path: Path) -> SearchResult:
+    """All variants of a design file's grid."""
+    with alone() as pool:
+        return search_designs(read_problem(path), pool, journal_in_memory())
 
 
 def _is_whole(shell: Shell) -> bool:
@@ -188,23 +204,19 @@ def page(path: Path) -> str:
 def _made_of(path: Path) -> Shell:
     file = read_design_file(path)
     if BRIEFLY:
-        return make_shell(file, clash="unexamined", skip=(*MEASURES, "structure"))
-    return make_shell(file)
+        return kept_shell(file, clash="unexamined", skip=(*MEASURES, "structure"))
+    return kept_shell(file)
 
 
 def asks_for_variants(path: Path) -> bool:
     """Whether a design file asks for all variants of a grid, to be shown with sliders."""
-    search = read_toml(path).get("search", {})
-    return search.get("method") == "grid"
+    return read_toml(path).get("search", {}).get("method") == "grid"
 
 
 def variants_page(path: Path) -> str:
     """A page with the variants of a design, as ``orishell search --write html`` makes them."""
     with alone() as pool:
-        if path.stem not in _found:
-            problem = read_problem(path)
-            _found[path.stem] = problem, search_designs(problem, pool, journal_in_memory())
-        data = variants_data(*_found[path.stem], pool)
+        data = variants_data(read_problem(path), _searched(path), pool)
     return _written(path.stem, "variants", "application/json", data.replace("<", "\\u003c"))
 
 
