@@ -1,4 +1,5 @@
 # make demo    the paper's Figure 1 shell into build/demo/
+# make quick   the tests of what changed since main, or of a room: make quick ROOM=locking; a minute
 # make test    all tests
 # make thorough  the same, with what is long and rarely fails, and eight times as many random examples
 # make least   every command once with the least versions that pyproject.toml allows, and the newest
@@ -77,7 +78,8 @@ cad: $(VENV)/.cad
 node: $(NODE)/.installed
 
 quick: $(VENV)/.test
-	$(BIN)/python -m pytest --benchmark-skip $(PARALLEL) -m "not slow"
+	tests=$$($(BIN)/python tests/worked_in.py $(ROOM)) && \
+	  $(BIN)/python -m pytest --benchmark-skip $(PARALLEL) -m "not slow" $$tests
 
 bench: $(VENV)/.test
 	$(BIN)/python -m pytest benchmarks --benchmark-only --benchmark-columns=min,median,rounds --benchmark-sort=name
