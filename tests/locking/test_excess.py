@@ -15,7 +15,9 @@ from orishell.design_file import DesignFile, check_design
 from orishell.design_file.tables import with_values
 from orishell.locking import Lock, require_pack
 from orishell.motion import largest_fold
-from orishell.shell.designed import designed, ended
+from orishell.shell.candidate import ended
+from orishell.shell.designed import designed
+from orishell.shell.steps import Work
 from samples import led_by, thorough
 
 LONG, ORTHO = "longitudinal-linear-repeating", "orthodiagonal"
@@ -98,7 +100,7 @@ def asked(design: Tables, key: str, value: float) -> DesignFile:
 
 
 def proved(file: DesignFile) -> tuple[Design, Lock]:
-    return ended(file, designed(file))
+    return ended(file, designed(file), Work())
 
 
 def check(ladder: Ladder, make: Callable[[DesignFile], object], steps: int, nearly: float) -> None:

@@ -13,8 +13,10 @@ from design_tables import Tables, formula, tables
 from orishell.conventions.errors import ClashError, Remedy
 from orishell.design_file import DesignFile, check_design
 from orishell.locking import find_lock, reaches_target
-from orishell.shell.designed import designed, ended
+from orishell.shell.candidate import ended
+from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
+from orishell.shell.steps import Work
 from samples import thorough
 
 
@@ -49,7 +51,7 @@ def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     assert "opposite flaps" in str(refusal(bend(4.0)))
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))
     asked = bend(widest)
-    _, lock = ended(asked, designed(asked))
+    _, lock = ended(asked, designed(asked), Work())
     assert lock.cause == "flaps"
     assert not works(bend(1.01 * widest))
 
@@ -66,7 +68,7 @@ def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
 def test_flaps_of_no_given_width_are_as_wide_as_is_useful() -> None:
     # The mean crease of column 1, unless it meets something.
     asked = bend("auto", 9, 24)
-    design, lock = ended(asked, designed(asked))
+    design, lock = ended(asked, designed(asked), Work())
     assert lock.cause == "flaps"
     assert design.parameters["flap"] == designed(asked).parameters["flap"]
 
@@ -84,7 +86,7 @@ def test_flaps_of_no_given_width_are_narrowed_until_they_meet_nothing() -> None:
     )
     useful = designed(asked)
     assert find_lock(useful).early
-    design, lock = ended(asked, useful)
+    design, lock = ended(asked, useful, Work())
     assert lock.cause == "flaps"
     width, most = design.parameters["flap"], useful.parameters["flap"]
     assert isinstance(width, float)
@@ -107,7 +109,7 @@ def test_other_remedies_work_too(g: Tables, key: str) -> None:
     remedy = mended(asked)
     assert list(remedy.changes) == [key]
     changed = asked.changed(remedy.changes)
-    _, lock = ended(changed, designed(changed))
+    _, lock = ended(changed, designed(changed), Work())
     assert lock.cause == "flaps"
     value = remedy.changes[key]
     assert isinstance(value, float | list)
@@ -121,6 +123,6 @@ def test_other_remedies_work_too(g: Tables, key: str) -> None:
 
 def test_a_clash_can_be_allowed() -> None:
     asked = bend(4.0)
-    design, lock = ended(asked, designed(asked), allow_clash=True)
+    design, lock = ended(asked, designed(asked), Work(clash="allowed"))
     assert lock.early
     assert design.parameters["flap"] == 4.0

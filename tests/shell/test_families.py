@@ -15,11 +15,13 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
 from orishell.design_file.file import check_design
 from orishell.families.registry import TRIED
-from orishell.shell.candidate import Candidate, find_candidate
+from orishell.shell.candidate import Candidate
 from orishell.shell.export import write_shell
-from orishell.shell.families import FamilyTrial, choose_family, packs_flat
+from orishell.shell.families import choose_family, packs_flat
+from orishell.shell.family_choice import FamilyTrial
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.steps import Step
+from orishell.shell.open_questions import find_candidate
+from orishell.shell.steps import Step, Work
 from samples import thorough
 
 VAULT: dict[str, dict[str, Any]] = {
@@ -116,9 +118,11 @@ def test_every_shell_is_made_once_and_told_at_once() -> None:
     def made(file: DesignFile, progress: Progress) -> Candidate:
         assert len(told) == len(done)
         done.append(file.family)
-        return find_candidate(file, progress)
+        return find_candidate(file, Work(progress))
 
-    found, choice = choose_family(vault(), no_progress, told.append, made)
+    found = choose_family(vault(), no_progress, made, told.append)
+    choice = found.answers.families
+    assert choice is not None
     assert done == list(TRIED)
     assert choice.tried == tuple(told)
     assert found.file.family == choice.family

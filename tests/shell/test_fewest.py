@@ -14,7 +14,8 @@ import pytest
 from orishell.conventions.errors import OrishellError
 from orishell.design_file import DesignFile, check_design
 from orishell.families.pattern import Pattern
-from orishell.shell.tolerance import measure, meet_tolerance
+from orishell.shell.size_trials import measure
+from orishell.shell.tolerance import meet_tolerance
 from samples import THOROUGH
 
 PARALLEL, ORTHODIAGONAL, LONGITUDINAL = (

@@ -12,8 +12,10 @@ from command_line import orishell
 from design_tables import formula, made, mended, refused, tables
 from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
-from orishell.shell.designed import designed, ended
+from orishell.shell.candidate import ended
+from orishell.shell.designed import designed
 from orishell.shell.make import Shell, design_shell
+from orishell.shell.steps import Work
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -179,7 +181,7 @@ def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) 
     path.write_text(SECTORS + thin + "\n[deployment]\nlargest_fold_deg = 179\n")
     file = read_design_file(path)
     design = designed(file)
-    sheet, lock = ended(file, design)
+    sheet, lock = ended(file, design, Work())
     assert lock.cause == "boards"
     assert lock.first_contact is not None
     assert lock.target_drive == lock.first_contact.clear_until

@@ -14,7 +14,6 @@ from concave_sheets import panels_through
 from orishell.clash import PathContact
 from orishell.clash.body_path import BodySearch
 from orishell.conventions.errors import ClashError, DesignError, InputError
-from orishell.conventions.progress import no_progress
 from orishell.deployment.ties import Tie, find_ties
 from orishell.design_file import check_design, read_design_file
 from orishell.io import read_pattern
@@ -23,10 +22,10 @@ from orishell.locking.clipped import find_crossing
 from orishell.locking.sheet import Sheet
 from orishell.motion.layout import Layout
 from orishell.shell import make_shell
-from orishell.shell.candidate import find_candidate
 from orishell.shell.designed import designed
+from orishell.shell.open_questions import find_candidate
 from orishell.shell.report import Report
-from orishell.shell.steps import Step
+from orishell.shell.steps import Step, Work
 from orishell.shell.verdict import find_verdict
 from orishell.structure.negligible import borne_by
 from orishell.verification.pattern import FoldingMotion, judge_pattern
@@ -52,7 +51,7 @@ def test_a_concave_panel_passes_through_none_that_is_opposite() -> None:
     assert np.rad2deg(high) == pytest.approx(128.609, abs=0.01)
 
     with pytest.raises(ClashError, match=r"panels \[0, 0\] and \[1, 1\] meet before") as refused:
-        find_candidate(read_design_file(file), no_progress)
+        find_candidate(read_design_file(file), Work())
     assert "at drive 128.60" in refused.value.place
     offered = next(iter(refused.value.candidates)).changes["pattern.fold_deg"]
     assert isinstance(offered, float)
@@ -128,7 +127,7 @@ def test_ties_that_stop_a_shell_short_are_refused_and_others_offered() -> None:
     """The feet are up to 2.532 apart on the way, and the ties 2.4906 long: own states say so."""
     file = read_design_file(HERE / "short_ties.toml")
     with pytest.raises(DesignError, match="11 of 11 ties are too short") as refused:
-        find_candidate(file, no_progress)
+        find_candidate(file, Work())
     error = refused.value
     assert "rows 0 and 10 in column 0" in error.place
     assert "its ends are 2.532 apart there, and it is 2.4906 long" in error.size
@@ -141,7 +140,7 @@ def test_ties_that_are_offered_are_slack_in_two_hundred_states() -> None:
     """Along the motion that was designed; of this sheet, which has nine, that is no proof."""
     file = read_design_file(HERE / "short_ties.toml")
     ties = [[[1, column], [9, column]] for column in range(11)]
-    found = find_candidate(file.changed({"deployment.ties": ties}), no_progress)
+    found = find_candidate(file.changed({"deployment.ties": ties}), Work())
     assert [tie.slack for tie in found.deployment.ties] == [None] * 11
     assert found.freedom.count == 9
     mechanism, limit = found.design.mechanism, found.lock.closes_to

@@ -20,8 +20,8 @@ from orishell.families.tolerance import Tolerance
 from orishell.shell import tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell
-from orishell.shell.size_trials import Choice
-from orishell.shell.tolerance import measure, meet_tolerance
+from orishell.shell.size_trials import Choice, measure
+from orishell.shell.tolerance import meet_tolerance
 from samples import led_by, thorough
 
 TARGETS = {

@@ -12,8 +12,8 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.shell import tradeoff
-from orishell.shell.size_trials import unbeaten
-from orishell.shell.tolerance import measure, meet_tolerance
+from orishell.shell.size_trials import measure, unbeaten
+from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 
 FAMILY = "orthodiagonal"

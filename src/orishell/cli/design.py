@@ -26,7 +26,7 @@ from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 
 if TYPE_CHECKING:
-    from orishell.shell.candidate import ClashPolicy
+    from orishell.shell.steps import ClashPolicy
 
 MAKING = ("cut", "paper", "kit")
 """Tasks of formats that are what [workshop] is for: else that table is not asked for."""

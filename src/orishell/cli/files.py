@@ -21,8 +21,8 @@ from orishell.io.formats import ALL, format_modules
 if TYPE_CHECKING:
     from orishell.conventions.row import Row
     from orishell.design_file import DesignFile
-    from orishell.shell.candidate import ClashPolicy
     from orishell.shell.make import Shell
+    from orishell.shell.steps import ClashPolicy
     from orishell.structure.results import Analysis
 
 

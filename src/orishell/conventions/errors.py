@@ -162,12 +162,15 @@ class Remedy:
     # Values by key, the tables in front of it: "pattern.xi_deg", "target.g.scale". None removes a
     # key.
     changes: Mapping[str, Value | None]
+    words: str = ""  # what is done, where keys and values would not say it
 
     def __or__(self, other: Remedy) -> Remedy:
         """Both changes; where they share a key, that of ``other``."""
         return Remedy({**self.changes, **other.changes})
 
     def __str__(self) -> str:
+        if self.words:
+            return self.words
         written = [_written(key, value) for key, value in self.changes.items() if value is not None]
         removed = [key.rpartition(".")[2] for key, value in self.changes.items() if value is None]
         without = [f"without {', '.join(removed)}"] if removed else []

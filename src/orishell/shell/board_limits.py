@@ -14,10 +14,15 @@ from orishell.conventions.formatting import rounded_down
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design import Design
+from orishell.design_file import DesignFile
+from orishell.document import Document
+from orishell.document.from_design import document_of_design
 from orishell.families.tolerance import Tolerance
 from orishell.locking import Lock, lock_without_clash
 from orishell.locking.report import least_share, steepest_chamfer
+from orishell.solids import build_panels
 from orishell.workshop.fitting import above
+from orishell.workshop.layout import find_oversize
 
 BOARD_ROUNDING = 1e-9
 """Boards of the shell that is made may exceed those that were tried by such a share: states that
@@ -55,11 +60,36 @@ class BoardFit:
         return max(self.bare(limits), self.steep(limits))
 
 
-def fit_boards(design: Design, limits: Tolerance, oversize: float) -> BoardFit:
-    """The boards of a design, set back for its whole motion, if they are limited."""
+NO_BOARDS = BoardFit()
+
+
+def looks_at_boards(file: DesignFile) -> bool:
+    """Whether anything is asked of what a sheet is cut into."""
+    return file.panel is not None or on_stock(file)
+
+
+def on_stock(file: DesignFile) -> bool:
+    """Whether the sheet, or boards, are cut from something that is sold in one size."""
+    return file.workshop.stock is not None or file.workshop.roll is not None
+
+
+def fit_boards(file: DesignFile, design: Design, limits: Tolerance) -> BoardFit:
+    """How much larger than its stock a part of a design is, and boards, if they are limited.
+
+    These are set back for its whole motion.
+    """
+    large = find_oversize(as_cut(file, design), file.workshop) if on_stock(file) else 0.0
     if not limits.limits_boards:
-        return BoardFit(oversize)
-    return BoardFit.of(design, lock_without_clash(design), oversize)
+        return BoardFit(large)
+    return BoardFit.of(design, lock_without_clash(design), large)
+
+
+def as_cut(file: DesignFile, design: Design) -> Document:
+    """A design as it is cut: boards are set back for the target at least, and for the pack more."""
+    if design.panel is None:
+        return document_of_design(design, file.unit)
+    built = build_panels(design, design.mechanism.target_drive)
+    return document_of_design(design, file.unit, boards=built.boards, flaps=built.flaps)
 
 
 def require_boards(limits: Tolerance, design: Design, lock: Lock) -> None:

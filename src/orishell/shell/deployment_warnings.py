@@ -6,15 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError, InputError, Remedy
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import plain
 from orishell.deployment import OwnWeight, Pack, find_pack
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.locking import Lock, find_lock
-from orishell.shell.designed import designed
+from orishell.locking import Lock
+from orishell.shell.facts import Facts
+from orishell.shell.instead import first_that_does, trying
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
@@ -27,6 +29,7 @@ def warn_of_deployment(
     design: Design,
     lock: Lock,
     report: DeploymentReport,
+    progress: Progress,
     *,
     mended: bool = True,
     one: bool = True,
@@ -37,14 +40,14 @@ def warn_of_deployment(
     one: Whether the sheet has one motion only, whose weight is said.
     """
     return [
-        *_of_pack(file, design, lock, report, mended=mended),
+        *_of_pack(file, design, lock, report, progress if mended else None),
         *_of_ties(report),
         *(_of_weight(design, report, report.weight) if report.weight and one else ()),
     ]
 
 
 def _of_pack(
-    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, *, mended: bool
+    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, mended: Progress | None
 ) -> Iterator[str]:
     packed = report.packed
     if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
@@ -65,27 +68,23 @@ def _of_pack(
         why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":
         why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
-    better = _closes_better(file, packed) if mended else None
+    better = None if mended is None else _closes_better(file, packed, mended)
     remedy = f"; with {better} it does" if better is not None else ""
     yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
 
 
-def _closes_better(file: DesignFile, packed: Pack) -> Remedy | None:
+def _closes_better(file: DesignFile, packed: Pack, progress: Progress) -> Remedy | None:
     """A change with which the shell is tried and found to close into a flat bundle."""
     remedy = file.pattern.closing
     if remedy is None or file.deployment.largest_fold < np.pi or file.panel:
         return None
-    try:
-        design = designed(file.tried(remedy.changes))
-    except (DesignError, InputError):
-        return None
-    lock = find_lock(design, tolerance=file.contact_tolerance)
-    if lock.early or lock.closes_to <= lock.target_drive:
-        return None
-    box = find_pack(design.mechanism, lock.closes_to, 1).box
-    now = packed.length * packed.width
-    flat = box.height < PLANE * box.length
-    return remedy if flat and SMALLER * box.length * box.width < now else None
+
+    def closes(made: Facts) -> bool:
+        box = find_pack(made.found.design.mechanism, made.found.lock.closes_to, 1).box
+        flat = box.height < PLANE * box.length
+        return flat and SMALLER * box.length * box.width < packed.length * packed.width
+
+    return first_that_does(file, [remedy], closes, trying(progress, "looking for a flat bundle"))
 
 
 def _of_ties(report: DeploymentReport) -> Iterator[str]:

@@ -15,7 +15,6 @@ from orishell.design import Design, PanelSpec
 from orishell.design.panel import HINGED_ONLY
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
-from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.motion.convex import require_convex
 from orishell.motion.hinges import FreeLengths, Hinges, Straightened
@@ -73,28 +72,6 @@ def design_of(file: DesignFile, pattern: Pattern, progress: Progress = no_progre
     if file.target is None:
         return pattern.design_without_target()
     return pattern.design(*file.target)
-
-
-def ended(
-    file: DesignFile, design: Design, *, allow_clash: bool = False, progress: Progress = no_progress
-) -> tuple[Design, Lock]:
-    """A file's design as it can be folded, and how its motion ends: see :func:`end_motion`.
-
-    Raises ClashError if panels of the flat sheet touch, or, unless that is allowed, panels meet
-    before the target state.
-    """
-
-    def narrower(width: float) -> Design:
-        return designed(file.changed({"pattern.flap": width}))
-
-    open_width = file.pattern.flap == "auto" and design.flap > 0
-    return end_motion(
-        design,
-        tolerance=file.contact_tolerance,
-        narrower=narrower if open_width else None,
-        allow_clash=allow_clash,
-        progress=progress,
-    )
 
 
 def _as_far_as_it_goes(design: Design) -> Design:

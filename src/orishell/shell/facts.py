@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import replace
 
 from orishell.conventions.errors import printable
@@ -10,17 +9,13 @@ from orishell.conventions.progress import Progress, followed
 from orishell.conventions.record import record
 from orishell.deployment.cutting.report import CuttingReport
 from orishell.deployment.report import DeploymentReport, with_ground, with_measures
-from orishell.design_file import DesignFile
 from orishell.document import Document, DocumentTie
 from orishell.document.from_design import document_of_motion
-from orishell.families.registry import AUTO
 from orishell.motion import FoldingMotion
 from orishell.motion.layout import LaidOut
-from orishell.shell.candidate import Candidate, ClashPolicy, find_candidate
+from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting
-from orishell.shell.families import FamilyChoice, choose_family
-from orishell.shell.steps import Clock, Step
-from orishell.shell.verdict import CONTACT, CUTTING, STOCK, STRUCTURE
+from orishell.shell.steps import CONTACT, CUTTING, STOCK, STRUCTURE, Work
 from orishell.structure.analyse import analyse
 from orishell.structure.anchors import with_anchors
 from orishell.structure.results import Analysis
@@ -39,7 +34,6 @@ class Facts:
     """What was found of a shell."""
 
     found: Candidate  # its design, lock and motion, and where it stands
-    families: FamilyChoice | None  # what each family makes of the target, if one was to be chosen
     residuals: Residuals | None  # how exactly it folds; None if that was not asked for
     assignment: AssignmentCheck | None  # mountains and valleys in its states; None likewise
     deployment: DeploymentReport  # how it is held, packed and raised, and what the ground bears
@@ -50,45 +44,38 @@ class Facts:
     not_checked: tuple[str, ...]  # what nobody looked at, in words
 
 
-def find_facts(
-    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step], clock: Clock
-) -> Facts:
-    """Design a shell and measure it.
+def find_facts(found: Candidate, work: Work) -> Facts:
+    """Measure a shell that is proved.
 
     Raises InputError or DesignError as :func:`orishell.shell.make_shell` does.
     """
-    families = None
-    if file.family == AUTO:
-        found, families = choose_family(file, progress)
-        clock.lap("family")
-    else:
-        found = find_candidate(file, progress, clash, skip, clock)
+    progress, clock = work.progress, work.clock
     file, design, lock, site = found.file, found.design, found.lock, found.site
-    residuals, assignment = _verified(found.motion, progress, "verification" not in skip)
+    residuals, assignment = _verified(found.motion, progress, work.asks("verification"))
     clock.lap("fold")
     deployment = with_measures(
         found.deployment,
         design,
         lock,
         site,
-        packed="pack" not in skip,
-        weighed="weight" not in skip,
+        packed=work.asks("pack"),
+        weighed=work.asks("weight"),
     )
     drawn = _drawn(found, deployment)
     deployment = with_ground(deployment, design, lock, site, drawn)
-    quantities = measure_quantities(drawn, file.workshop, nested="stock" not in skip)
+    quantities = measure_quantities(drawn, file.workshop, nested=work.asks("stock"))
     cutting = None
-    if "cutting" not in skip:
+    if work.asks("cutting"):
         cutting = find_cutting(design, file.workshop, found.feet, progress)
     analysis = None
-    if "structure" not in skip and file.structure is not None:
+    if work.asks("structure") and file.structure is not None:
         analysis = analyse(design, file.structure, site, progress, built=lock.built)
         deployment = with_anchors(deployment, analysis.anchors)
         clock.lap("structure")
     deviation = found.deviation
     unknown = {
         "whether panels stay rigid": residuals is None,
-        CONTACT: clash == "unexamined",
+        CONTACT: work.clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
         "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
@@ -98,7 +85,6 @@ def find_facts(
     }
     return Facts(
         found=found,
-        families=families,
         residuals=residuals,
         assignment=assignment,
         deployment=deployment,

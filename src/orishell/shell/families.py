@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, stretch
-from orishell.conventions.quantities import plain
-from orishell.conventions.record import record
-from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
 from orishell.families.registry import FAMILIES, TRIED
 from orishell.motion import Mechanism, area_of
 from orishell.motion.layout import Layout
-from orishell.shell.candidate import Candidate, find_candidate
+from orishell.shell.candidate import Candidate
+from orishell.shell.family_choice import FamilyChoice, FamilyTrial
 
 FLAT = 1e-3
 """A crease whose fold angle is this near to none or to half a turn lies flat (radians)."""
@@ -24,73 +23,22 @@ REACHED = 1e-4
 RULE = "the nearest of those that lock at the target; where none does, the nearest"
 
 
-@record
-class FamilyTrial:
-    """What a family makes of the target."""
-
-    family: str
-    # the largest distance between shell and surface, both ways (length); None if there is no shell
-    distance: float | None = None
-    panels: int | None = None  # number of panels
-    sheet_area: float | None = None  # area of its flat sheet
-    packs_flat: bool | None = None  # whether its motion ends with all panels in one plane
-    # whether anything in it stops it closing at the target, in all of its motions
-    locks: bool | None = None
-    # how many motions its sheet has; None if that is not known, or there is no shell
-    degrees_of_freedom: int | None = None
-    why_not: str = ""  # why there is no shell
-
-    def in_words(self, unit: str) -> str:
-        """The line of a table."""
-        if self.distance is None or self.panels is None or self.sheet_area is None:
-            return f"{self.family}: none; {self.why_not}"
-        return (
-            f"{self.family}: within {plain(self.distance)} {unit}, {self.panels} panels, "
-            f"{plain(self.sheet_area)} {unit}2 of sheet, "
-            f"{'packs flat' if self.packs_flat else 'does not pack flat'}, "
-            f"{'locks' if self.locks else 'does not lock'}{self._motions()}"
-        )
-
-    def _motions(self) -> str:
-        count = self.degrees_of_freedom
-        if count == 1:
-            return ""
-        return f", {'an unknown number of' if count is None else count} degrees of freedom"
-
-
-@record
-class FamilyChoice:
-    """The families that were tried, and the one that was taken."""
-
-    family: str  # that was taken
-    rule: str  # by which it was taken
-    tried: tuple[FamilyTrial, ...]
-
-    def rows(self, unit: str) -> Iterator[Row]:
-        """A row of the verdict for each family."""
-        for each in self.tried:
-            taken = ""
-            if each.family == self.family:
-                taken = " (taken: nearest that locks)" if each.locks else " (taken: none locks)"
-            yield Row("says", "family", each.in_words(unit) + taken)
-
-
 def choose_family(
     file: DesignFile,
     progress: Progress,
+    make: Callable[[DesignFile, Progress], Candidate],
     tell: Callable[[FamilyTrial], None] | None = None,
-    make: Callable[[DesignFile, Progress], Candidate] = find_candidate,
-) -> tuple[Candidate, FamilyChoice]:
-    """The shell of the best family, and what each family makes of the target.
+) -> Candidate:
+    """The shell of the best family, whose answers say what each family makes of the target.
 
     All have the rows and columns, or the tolerance, of the file.
 
     Parameters
     ----------
-    tell
-        Is told what each family makes of it as soon as that is known.
     make
         Makes the shell of a file with a family, and measures how near it is.
+    tell
+        Is told what each family makes of it as soon as that is known.
 
     Raises
     ------
@@ -120,7 +68,9 @@ def choose_family(
             keys=("shell.family",),
             size="; ".join(f"{each.family}: {each.why_not}" for each in tried),
         )
-    return best[1], FamilyChoice(best[0].family, RULE, tuple(tried))
+    trial, found = best
+    families = FamilyChoice(trial.family, RULE, tuple(tried))
+    return replace(found, answers=replace(found.answers, families=families))
 
 
 def _rank(trial: FamilyTrial) -> tuple[bool, float]:

@@ -24,17 +24,18 @@ from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, area_of, extents
 from orishell.motion.layout import Layout, points_of
 from orishell.shell.build_warnings import warn_of_building
-from orishell.shell.candidate import ClashPolicy
+from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.facts import Facts, find_facts
 from orishell.shell.fit.built_size import triangles_of
 from orishell.shell.one_motion import find_joining, warn_of_freedom
+from orishell.shell.open_questions import find_candidate
 from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import Report, describe_assignment
 from orishell.shell.size_trials import Choice
-from orishell.shell.steps import MEASURES, Clock, Step, require_steps
+from orishell.shell.steps import ClashPolicy, Step, Work, require_steps
 from orishell.shell.thickness_remedy import Stronger, find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import find_verdict
@@ -111,69 +112,33 @@ def make_shell(
         If the result is not rigid: a fault of the program.
     """
     require_steps(skip)
+    work = Work(progress, clash, skip)
     try:
-        return _made(file, progress, clash, skip)
-    except DesignError as error:
-        if clash == "unexamined" or "remedies" in skip:
-            raise
-        raise with_remedies(file, error, _tried, progress) from None
-
-
-def _tried(file: DesignFile, progress: Progress) -> Shell:
-    """The shell of a file that is tried: what cannot refuse it is left out."""
-    return _made(file, progress, "refused", ("remedies", "deviation"))
-
-
-def _analysed(file: DesignFile, progress: Progress, quick: bool) -> tuple[Analysis | None, bool]:
-    """The structure of a file that is tried, and whether all its ties are proved slack on the way.
-
-    quick: Whether it is left open if its boards reach its target.
-    """
-    policy: ClashPolicy = "unexamined" if quick else "refused"
-    shell = _made(file, progress, policy, (*MEASURES, "remedies", "stock", "verification"))
-    return shell.analysis, all(tie.slack is not False for tie in shell.report.deployment.ties)
-
-
-def _joined(file: DesignFile, progress: Progress) -> bool:
-    """Whether the shell of a file that is tried has one motion and reaches its target."""
-    skip: tuple[Step, ...] = (*MEASURES, "remedies", "stock", "structure", "verification")
-    return _made(file, progress, "refused", skip).report.freedom.one_motion
-
-
-def _reached(file: DesignFile, progress: Progress) -> bool:
-    """Whether the shell of a file that is tried is proved to reach its target."""
-    skip: tuple[Step, ...] = (*MEASURES, "remedies", "stock", "structure", "verification")
-    return _made(file, progress, "refused", skip).report.feasible is True
-
-
-def _made(
-    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
-) -> Shell:
-    """The shell of a file, which is refused without remedies."""
-    try:
-        return _step_by_step(file, progress, clash, skip)
+        return _made(find_candidate(file, work), work)
     except InputError as error:
         raise error.in_file(file.path) from None
+    except DesignError as error:
+        if clash == "unexamined" or not work.asks("remedies"):
+            raise
+        raise with_remedies(file, error, progress) from None
 
 
-def _step_by_step(
-    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
-) -> Shell:
-    clock = Clock()
-    facts = find_facts(file, progress, clash, skip, clock)
-    found, analysis = facts.found, facts.analysis
-    file, design, lock = found.file, found.design, found.lock
-    report = _report(facts, proved=clash != "unexamined", mended="remedies" not in skip)
+def _made(found: Candidate, work: Work) -> Shell:
+    """The shell of a file that leaves nothing open, and that was proved."""
+    clock, progress, mended = work.clock, work.progress, work.asks("remedies")
+    proved = work.clash != "unexamined"
+    facts = find_facts(found, work)
+    file, design, lock, analysis = found.file, found.design, found.lock, facts.analysis
+    report = _report(facts, work)
     stronger = Stronger()
-    if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
-        stronger = find_stronger(file, analysis, _analysed, progress)
+    if analysis is not None and analysis.sign == "fails" and mended:
+        stronger = find_stronger(file, analysis, progress)
         clock.lap("remedies")
     joining = None
-    if not found.freedom.one_motion and clash != "unexamined" and "remedies" not in skip:
-        joining = find_joining(file, _joined, progress)
+    if not found.freedom.one_motion and proved and mended:
+        joining = find_joining(file, progress)
         clock.lap("remedies")
-    trial = None if clash == "unexamined" or "remedies" in skip else _reached
-    two = find_two_thicknesses(file, trial, progress)
+    two = find_two_thicknesses(file, progress, mended=proved and mended)
     verdict = find_verdict(report, stronger, file.workshop.stock, joining, two)
     report = replace(report, verdict=verdict)
     document = replace(
@@ -191,19 +156,16 @@ def _step_by_step(
         site=found.site,
         motion=found.motion,
         deviation=None if found.deviation is None else found.deviation.surface,
-        choice=found.choice,
+        choice=found.answers.choice,
         document=document,
         report=report,
         seconds=clock.seconds,
     )
 
 
-def _report(facts: Facts, *, proved: bool, mended: bool) -> Report:
-    """What ``report.json`` says of a shell, but for the verdict.
-
-    proved: Whether anybody looked if panels meet. mended: Whether warnings offer what was tried.
-    """
-    found, analysis = facts.found, facts.analysis
+def _report(facts: Facts, work: Work) -> Report:
+    """What ``report.json`` says of a shell, but for the verdict."""
+    found, analysis, answers = facts.found, facts.analysis, facts.found.answers
     file, design, lock = found.file, found.design, found.lock
     width, height, _ = extents(points_of(design.mechanism, 0.0))
     opened = _box(replace(facts.drawn, clipped=()))
@@ -213,12 +175,12 @@ def _report(facts: Facts, *, proved: bool, mended: bool) -> Report:
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
-        families=facts.families,
+        families=answers.families,
         by_curves=design.by_curves,
-        turned=found.turned,
-        chosen=found.choice,
-        fitted=found.fitted,
-        feasible=lock.reaches_target if proved else None,
+        turned=answers.turned,
+        chosen=answers.choice,
+        fitted=answers.fitted,
+        feasible=None if work.clash == "unexamined" else lock.reaches_target,
         degrees_of_freedom=found.freedom.count,
         freedom=found.freedom,
         warnings=(
@@ -233,7 +195,8 @@ def _report(facts: Facts, *, proved: bool, mended: bool) -> Report:
                 design,
                 lock,
                 facts.deployment,
-                mended=mended,
+                work.progress,
+                mended=work.asks("remedies"),
                 one=found.freedom.one_motion,
             ),
             *warn_of_cutting(design, facts.cutting, file.unit),

@@ -7,39 +7,28 @@ it folds together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from orishell.conventions.errors import DesignError, InputError, Remedy, VerificationError
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import size
-from orishell.conventions.record import record
 from orishell.conventions.row import Row, Sign
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.motion.freedom import FreedomOfSheet
+from orishell.shell.instead import first_that_does, trying
 
 if TYPE_CHECKING:
     from orishell.shell.report import Report
 
 PANELS = 6_000
 """Changes are tried until the shells made have so many panels together."""
-LOOKING = "looking for what leaves one motion"
+FOLDED_ON = "flaps folded on"
 RISES = (0.05, 0.1)
 """How high g is bent over its length: the shares that are tried."""
-
-Joins = Callable[[DesignFile, Progress], bool]
-"""Makes the shell of a file, and says whether it has one motion."""
-
-
-@record
-class Joining:
-    """A change that leaves a sheet one motion, tried through the whole design."""
-
-    words: str  # what is done
-    change: Remedy
 
 
 def warn_of_freedom(freedom: FreedomOfSheet) -> list[str]:
@@ -52,34 +41,23 @@ def warn_of_freedom(freedom: FreedomOfSheet) -> list[str]:
     ]
 
 
-def find_joining(file: DesignFile, joins: Joins, progress: Progress) -> Joining | None:
-    """The first of the changes that leave one motion, tried; None if none does.
-
-    joins: Makes the shell of a file, and says whether it has one motion.
-    """
-    tried = 0
-    for each in _candidates(file):
-        try:
-            changed = file.tried(each.change.changes)
-            tried += changed.panel_count
-            if tried > PANELS:
-                return None
-            if joins(changed, lambda share, _what: progress(share, LOOKING)):
-                return each
-        except (DesignError, InputError, VerificationError):
-            continue
-    return None
+def find_joining(file: DesignFile, progress: Progress) -> Remedy | None:
+    """The first of the changes that leave one motion, tried; None if none does."""
+    work = trying(progress, "looking for what leaves one motion")
+    return first_that_does(
+        file, _candidates(file), lambda made: made.found.freedom.one_motion, work, panels=PANELS
+    )
 
 
-def _candidates(file: DesignFile) -> Iterator[Joining]:
+def _candidates(file: DesignFile) -> Iterator[Remedy]:
     """Flaps in the sheet, a zigzag row, a curved g: what is least of a change first."""
     pattern, flat = file.pattern, file.deployment.start == "flat"
     if flat and file.deployment.flap_attachment == "clipped":
-        yield Joining("flaps folded on", Remedy({"deployment.flap_attachment": "folded"}))
+        yield Remedy({"deployment.flap_attachment": "folded"}, FOLDED_ON)
     if flat and getattr(pattern, "flap", None) == 0:
-        yield Joining("flaps folded on", Remedy({"pattern.flap": "auto"}))
+        yield Remedy({"pattern.flap": "auto"}, FOLDED_ON)
     if getattr(pattern, "row", "zigzag") != "zigzag":
-        yield Joining("a zigzag row", Remedy({"pattern.row": "zigzag"}))
+        yield Remedy({"pattern.row": "zigzag"}, "a zigzag row")
     formula = value_at(file.tables, "target.g.formula")
     if isinstance(formula, str) and not value_at(file.tables, "target.g.scale"):
         g = file.g
@@ -88,15 +66,11 @@ def _candidates(file: DesignFile) -> Iterator[Joining]:
             rise = rounded(share * (high - low))
             over = rounded(4 * rise / (high - low) ** 2)
             bent = f"{formula} + {over:g}*(x - {low:g})*({high:g} - x)".replace("- -", "+ ")
-            yield Joining(
-                f"g bent by {size(rise, file.unit)} at its middle",
-                Remedy({"target.g.formula": bent}),
-            )
+            words = f"g bent by {size(rise, file.unit)} at its middle"
+            yield Remedy({"target.g.formula": bent}, words)
     if not flat and "flap" in type(pattern).model_fields:
-        yield Joining(
-            "flaps folded on, folded up from flat",
-            Remedy({"deployment.from": "flat", "deployment.ties": "none"}),
-        )
+        folded_up = {"deployment.from": "flat", "deployment.ties": "none"}
+        yield Remedy(folded_up, f"{FOLDED_ON}, folded up from flat")
 
 
 def of_one_motion(report: Report, rows: Iterable[Row]) -> Iterator[Row]:
@@ -109,7 +83,7 @@ def of_one_motion(report: Report, rows: Iterable[Row]) -> Iterator[Row]:
             yield replace(row, sign=sign, finding=f"along one of its motions: {row.finding}")
 
 
-def folds_rows(report: Report, way: Iterable[Row], joining: Joining | None) -> Iterator[Row]:
+def folds_rows(report: Report, way: Iterable[Row], joining: Remedy | None) -> Iterator[Row]:
     """Whether it folds in one motion, and what becomes of it on the way of that."""
     for row in way:
         if row.sign == "fails":
@@ -124,8 +98,8 @@ def folds_rows(report: Report, way: Iterable[Row], joining: Joining | None) -> I
         said = f"{report.freedom.in_words()}; along one of its motions: {row.finding}"
         found = Row("warns", "folds", said)
         if joining is not None:
-            words = f"with {joining.words}: one motion (tried)"
-            found = replace(found, remedy=words, changes=joining.change.changes)
+            words = f"with {joining}: one motion (tried)"
+            found = replace(found, remedy=words, changes=joining.changes)
         yield found
 
 

@@ -28,6 +28,8 @@ from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.locking import largest_quotable, reaches_target, widest_flap
 from orishell.shell.designed import designed
+from orishell.shell.instead import shell_of
+from orishell.shell.steps import Step, Work
 
 MOST_REMEDIES = 3
 """Remedies that are offered at most."""
@@ -47,18 +49,17 @@ COARSE = 2e-2
 SHARES = (0.5, 0.25, 0.1)
 """Shares of a flap, or of a curve, tried on top of another change."""
 
+UNMEASURED: tuple[Step, ...] = ("deviation",)
+"""What is not found out of a shell that is tried: it refuses none."""
 FORMULA = ("formula", "range", "scale")
 """Keys of a curve that is a formula."""
 
-Make = Callable[[DesignFile, Progress], object]
-"""Makes the shell of a file; raises what its command would end with."""
-
 
 def with_remedies(
-    file: DesignFile, refusal: DesignError, make: Make, progress: Progress = no_progress
+    file: DesignFile, refusal: DesignError, progress: Progress = no_progress
 ) -> DesignError:
     """Return the refusal with changes that were tried and work, or with why none does."""
-    search = _RemedySearch(file, make, progress)
+    search = _RemedySearch(file, progress)
     try:
         search.run(refusal)
     except _OutOfTimeError:
@@ -76,7 +77,6 @@ class _OutOfTimeError(Exception):
 @dataclass(slots=True)
 class _RemedySearch:
     file: DesignFile
-    make: Make
     progress: Progress
     until: float = field(default_factory=lambda: time.thread_time() + SECONDS)
     tried: float = 0
@@ -152,7 +152,7 @@ class _RemedySearch:
         try:
             changed = self.file.tried(remedy.changes)
             self.tried += changed.panel_count * TRIALS // PANELS
-            self.make(changed, self._watch)
+            shell_of(changed, Work(self._watch, skip=UNMEASURED))
         except DesignError as error:
             return error
         except InputError as error:

@@ -23,7 +23,7 @@ from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.motion.freedom import FreedomOfSheet
-from orishell.shell.families import FamilyChoice
+from orishell.shell.family_choice import FamilyChoice
 from orishell.shell.fit.report import FittedSize
 from orishell.shell.size_trials import Choice
 from orishell.shell.turn_search import TurnChoice

@@ -8,13 +8,19 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Generic, Self, TypeVar
 
+import numpy as np
+
 from orishell.conventions.errors import DesignError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
+from orishell.design import Design
+from orishell.deviation import SAMPLES as CAREFUL
+from orishell.deviation import find_excess, measure_deviation
 from orishell.families.tolerance import Tolerance, Variants
+from orishell.motion.quads import lengths
 from orishell.numerics.equals import NEAR as EQUAL
-from orishell.shell.board_limits import BoardFit
+from orishell.shell.board_limits import NO_BOARDS, BoardFit
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +40,26 @@ class Trial:
     def of(cls, rows: int, columns: int, error: float, shortest: float, longest: float) -> Self:
         """A design with so many inner vertices."""
         return cls(rows, columns, (rows + 1) * (columns - 1), error, shortest, longest)
+
+
+QUICK = 1_000
+"""Samples each way during the search; the result is measured with as many as for the report."""
+NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
+
+
+def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Trial:
+    """Distance of a design from its surface, and the edges of its panels, flaps left out."""
+    mechanism = design.mechanism
+    flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
+    edges = [lengths(np.diff(flat, axis=axis)) for axis in (0, 1)]
+    shortest = float(min(each.min() for each in edges))
+    longest = float(max(each.max() for each in edges))
+    if careful:
+        error = measure_deviation(design, samples=CAREFUL).max
+    else:
+        fits = tolerance.allows(shortest, longest)
+        error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
+    return Trial.of(len(flat) - 2, flat.shape[1], error, shortest, longest)
 
 
 @record
@@ -89,8 +115,6 @@ GIVEN_UP = 3
 CHOOSING = "choosing rows and columns"
 USUAL = 60
 """Designs that a search tries, about: for its progress."""
-
-NO_BOARDS = BoardFit()
 
 V = TypeVar("V")
 

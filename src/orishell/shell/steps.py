@@ -1,12 +1,15 @@
-"""The steps of the work: what may be left out, and the time each takes."""
+"""The steps of the work: what may be left out, who watches, and the time each takes."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Collection
+from dataclasses import field, replace
 from typing import Literal, get_args
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.record import record
 
 
 class Clock:
@@ -36,6 +39,37 @@ STEPS: tuple[Step, ...] = get_args(Step)
 
 MEASURES: tuple[Step, ...] = ("deviation", "pack", "weight", "cutting")
 """What is measured of a shell, and changes nothing of it."""
+
+
+CONTACT, STOCK, STRUCTURE, CUTTING = (
+    "contact between panels on the way",
+    "the layout on the stock",
+    "the structure",
+    "the play that errors of cutting ask for",
+)
+"""What may be left out on request, of which a row says that it is not known."""
+
+ClashPolicy = Literal["refused", "allowed", "unexamined"]
+"""If panels collide before the target: refuse the shell, allow it and say so, or do not check, for
+sheets of hundreds of thousands of panels."""
+
+
+@record
+class Work:
+    """How much is to be found out of a shell, and who watches."""
+
+    progress: Progress = no_progress
+    clash: ClashPolicy = "refused"
+    skip: Collection[Step] = ()  # what is not found out of it
+    clock: Clock = field(default_factory=Clock)
+
+    def asks(self, step: Step) -> bool:
+        """Whether a step is to be done."""
+        return step not in self.skip
+
+    def watched_by(self, progress: Progress) -> Work:
+        """As much work, told to another and timed by itself."""
+        return replace(self, progress=progress, clock=Clock())
 
 
 def require_steps(skip: Collection[str]) -> None:

@@ -8,8 +8,8 @@ that the same file has the same answer on any machine.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import field
+from collections.abc import Iterator, Mapping
+from dataclasses import field, replace
 from typing import Any
 
 from orishell.conventions.errors import DesignError, InputError
@@ -18,6 +18,8 @@ from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
+from orishell.shell.instead import shell_of, trying
+from orishell.shell.steps import MEASURES, Step
 from orishell.structure.case import CaseResult
 from orishell.structure.refine import seconds
 from orishell.structure.results import Analysis
@@ -38,9 +40,8 @@ FEW_CELLS = 2
 """Cells with which is tried first what is offered, where panels can have so few."""
 FOLDS = {"deployment.ties": "folds"}
 
-Shelled = tuple[Analysis | None, bool]
-"""The analysis of a file, and whether all its ties are proved slack on the way."""
-Analyse = Callable[[DesignFile, Progress, bool], Shelled]
+LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification")
+"""All that does not tell what a shell bears."""
 
 
 @record
@@ -52,14 +53,8 @@ class Stronger:
     said: str = ""  # that in words, or what was tried in vain
 
 
-def find_stronger(
-    file: DesignFile, analysis: Analysis, analysed: Analyse, progress: Progress
-) -> Stronger:
-    """What has a shell that fails carry all its cases, or what was tried and does not.
-
-    analysed: Makes the shell of a file and analyses it, without the proof that it folds if the last
-    argument says so.
-    """
+def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> Stronger:
+    """What has a shell that fails carry all its cases, or what was tried and does not."""
     if analysis.model.structure.nonlinear:
         return Stronger(
             said="what would carry its loads is not sought where large displacements are followed: "
@@ -67,7 +62,7 @@ def find_stronger(
         )
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
         return Stronger()  # thickness holds nothing, and the case says what does
-    trials = _Trials(file, analysis, analysed, progress)
+    trials = _Trials(file, analysis, progress)
     for changes in trials.proposed():
         if trials.work > WORK:
             trials.ended = True
@@ -80,10 +75,8 @@ def find_stronger(
 class _Trials:
     """Changes that are tried one after the other, each by what the last one showed."""
 
-    def __init__(
-        self, file: DesignFile, analysis: Analysis, analysed: Analyse, progress: Progress
-    ) -> None:
-        self.file, self.analysed, self.progress = file, analysed, progress
+    def __init__(self, file: DesignFile, analysis: Analysis, progress: Progress) -> None:
+        self.file, self.progress = file, progress
         self.first = self.last = analysis
         self.key = "structure.thickness" if file.panel is None else "panel.thickness"
         self.said = Quantities(file.unit)
@@ -140,21 +133,20 @@ class _Trials:
     def _analysed(self, changes: dict[str, Any], *, quick: bool) -> Analysis | None:
         """What is found of a changed shell; None if it cannot be made."""
         words = self._in_words(changes)
-
-        def watch(share: float = 0.0, _: str = "") -> None:
-            self.progress(share, f"trying {words}")
-
+        work = trying(self.progress, f"trying {words}", LOADED)
+        if quick:  # whether its boards reach its target is left open
+            work = replace(work, clash="unexamined")
         self.work += self.takes[quick]
         tried = {**changes, **self.few} if quick else changes
         try:
-            found, slack = self.analysed(self.file.tried(tried), watch, quick)
+            made = shell_of(self.file.tried(tried), work)
         except (DesignError, InputError):
             self.tried.append(f"{words} (cannot be made)")
             return None
-        if found is None or not slack:
+        if made.analysis is None or any(tie.slack is False for tie in made.deployment.ties):
             self.tried.append(f"{words} (ties that are not slack on the way)")
             return None
-        return found
+        return made.analysis
 
     def confirmed(self) -> Stronger:
         """What works as a whole, the best of what was tried first; or what was tried."""

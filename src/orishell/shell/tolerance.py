@@ -8,36 +8,31 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from orishell.conventions.errors import DesignError
 from orishell.conventions.memory import MEMORY, key_of
 from orishell.conventions.progress import Progress, no_progress
-from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.deviation import SAMPLES as CAREFUL
-from orishell.deviation import find_excess, measure_deviation
-from orishell.document import Document
-from orishell.document.from_design import document_of_design
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.tolerance import Tolerance, Variants
-from orishell.motion.quads import lengths
-from orishell.shell.board_limits import BoardFit, fit_boards
+from orishell.shell.board_limits import (
+    NO_BOARDS,
+    BoardFit,
+    as_cut,
+    fit_boards,
+    looks_at_boards,
+    on_stock,
+)
 from orishell.shell.designed import completed, designed
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import NO_BOARDS, Choice, Sizes, Trial
+from orishell.shell.size_trials import Choice, Sizes, Trial, measure
 from orishell.shell.surface_search import SurfaceSearch
-from orishell.solids import build_panels
 from orishell.workshop.fitting import SLACK, OversizeError
-from orishell.workshop.layout import find_oversize, require_stock, usable_stock
+from orishell.workshop.layout import require_stock, usable_stock
 
-QUICK = 1_000
-"""Samples each way during the search; the result is measured with as many as for the report."""
 SIZE_KEYS = frozenset({"pattern.rows", "pattern.columns"})
 """What may not be given beside a tolerance, so that no remedy names it."""
 UNSIZED = frozenset({"motion", "search"})
 """Tables that have no say in it."""
-NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 
 def meet_tolerance(
@@ -78,7 +73,7 @@ def _searched(
             return _sized_on_surface(file, limits, tolerance, progress)
         pattern, choice = choose(_sizes(file, limits), limits, progress)
     except DesignError as refusal:
-        if _on_stock(file):
+        if on_stock(file):
             return _with_any_stock(file, tolerance, progress)
         refusal.candidates = (
             each for each in refusal.candidates if not each.changes.keys() & SIZE_KEYS
@@ -101,33 +96,14 @@ def _sized_on_surface(
         design = file.pattern.sized(rows, columns).design_on(surface, told)
         trial = measure(design, True, limits)
         trial = replace(trial, rows=rows, columns=columns)
-        if file.panel is None and not _on_stock(file):
+        if not looks_at_boards(file):
             return trial, NO_BOARDS
-        return trial, _boards(file, completed(file, design), limits)
+        return trial, fit_boards(file, completed(file, design), limits)
 
     choice = SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
     sized = file.pattern.sized(choice.trial.rows, choice.trial.columns)
     table = sized.model_dump(exclude_unset=True)
     return file.changed({"tolerance": None, "pattern": table}), replace(choice, limits=tolerance)
-
-
-def _on_stock(file: DesignFile) -> bool:
-    """Whether the sheet, or boards, are cut from something that is sold in one size."""
-    return file.workshop.stock is not None or file.workshop.roll is not None
-
-
-def _boards(file: DesignFile, design: Design, limits: Tolerance) -> BoardFit:
-    """What boards of a design are like, and how much larger than its stock a part is."""
-    large = find_oversize(_document(design, file.unit), file.workshop) if _on_stock(file) else 0.0
-    return fit_boards(design, limits, large)
-
-
-def _document(design: Design, unit: str) -> Document:
-    """A design as it is cut: boards are set back for the target at least, and for the pack more."""
-    if design.panel is None:
-        return document_of_design(design, unit)
-    built = build_panels(design, design.mechanism.target_drive)
-    return document_of_design(design, unit, boards=built.boards, flaps=built.flaps)
 
 
 def _with_any_stock(
@@ -137,7 +113,7 @@ def _with_any_stock(
     free = file.changed({"workshop.stock": None, "workshop.roll": None})
     anywhere, choice = meet_tolerance(free, tolerance, progress)
     try:
-        require_stock(_document(designed(anywhere), file.unit), file.workshop)
+        require_stock(as_cut(file, designed(anywhere)), file.workshop)
     except OversizeError as error:
         nearer = "another distance in [tolerance]: no sheet was found that comes within "
         nearer += f"{tolerance.surface:g} of the surface and whose panels fit"
@@ -191,10 +167,10 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
         return in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
 
     def boards(variant: FamilyPattern, columns: int) -> BoardFit:
-        if file.panel is None and not _on_stock(file):
+        if not looks_at_boards(file):
             return NO_BOARDS
-        sized = variant.sized(variant.rows, columns)
-        return _boards(file, designed(replace(file, pattern=sized)), limits)
+        sized = replace(file, pattern=variant.sized(variant.rows, columns))
+        return fit_boards(sized, designed(sized), limits)
 
     return Sizes(
         variants=in_rows,
@@ -207,18 +183,3 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
         ripple=own.ripple,
         orderly=own.orderly,
     )
-
-
-def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Trial:
-    """Distance of a design from its surface, and the edges of its panels, flaps left out."""
-    mechanism = design.mechanism
-    flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    edges = [lengths(np.diff(flat, axis=axis)) for axis in (0, 1)]
-    shortest = float(min(each.min() for each in edges))
-    longest = float(max(each.max() for each in edges))
-    if careful:
-        error = measure_deviation(design, samples=CAREFUL).max
-    else:
-        fits = tolerance.allows(shortest, longest)
-        error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
-    return Trial.of(len(flat) - 2, flat.shape[1], error, shortest, longest)

@@ -14,8 +14,7 @@ from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.families.tolerance import Tolerance
 from orishell.shell.size_search import size_ladder
-from orishell.shell.size_trials import Trial, unbeaten
-from orishell.shell.tolerance import measure
+from orishell.shell.size_trials import Trial, measure, unbeaten
 
 MOST_PANELS = 1_000
 """Panels of the sheets that are tried, at most, but twice those of the present sheet."""

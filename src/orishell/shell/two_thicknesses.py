@@ -7,16 +7,18 @@ pack are then of panels without a thickness, which those that carry the loads do
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
-from orishell.conventions.errors import DesignError, InputError, VerificationError
+from orishell.conventions.errors import Remedy, Value
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import size
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.design_file import DesignFile
+from orishell.shell.facts import Facts
+from orishell.shell.instead import first_that_does, trying
 
 if TYPE_CHECKING:
     from orishell.shell.report import Report
@@ -25,9 +27,6 @@ GAP: Final = 0.2
 """Between boards that are tried, relative to their thickness: room for a hinge."""
 MOST_PANELS: Final = 1_500
 """Boards of more panels are not tried."""
-
-Makes = Callable[[DesignFile, Progress], bool]
-"""Makes the shell of a file, and says whether it is proved to reach its target."""
 
 
 @record
@@ -40,36 +39,30 @@ class TwoThicknesses:
 
 
 def find_two_thicknesses(
-    file: DesignFile, makes: Makes | None, progress: Progress
+    file: DesignFile, progress: Progress, *, mended: bool
 ) -> TwoThicknesses | None:
     """The thickness that only the structure of a file has; None where there are no two.
 
-    makes: Makes the shell of a file, and says whether it is proved to reach its target; None to try
-        nothing.
+    mended: Whether it is tried that panels have it where they fold, too.
     """
     if file.structure is None or file.panel is not None or file.structure.thickness is None:
         return None
     thickness = file.structure.thickness
-    changes = {
+    changes: dict[str, Value | None] = {
         "structure.thickness": None,
         "panel.thickness": thickness,
         "panel.construction": "bevel",  # solid panels, as they are analysed
         "panel.gap": rounded(GAP * thickness),
     }
-    works = makes is not None and _works(file, changes, makes, progress)
-    return TwoThicknesses(thickness, changes if works else {})
+    if mended and file.panel_count <= MOST_PANELS:
+        work = trying(progress, "trying boards of the structure's thickness")
+        if first_that_does(file, [Remedy(changes)], _reaches, work):
+            return TwoThicknesses(thickness, changes)
+    return TwoThicknesses(thickness, {})
 
 
-def _works(file: DesignFile, changes: Mapping[str, Any], makes: Makes, progress: Progress) -> bool:
-    if file.panel_count > MOST_PANELS:
-        return False
-    try:
-        return makes(
-            file.tried(changes),
-            lambda share, _what: progress(share, "trying boards of the structure's thickness"),
-        )
-    except (DesignError, InputError, VerificationError):
-        return False
+def _reaches(made: Facts) -> bool:
+    return made.found.lock.reaches_target is True
 
 
 def thickness_rows(report: Report, two: TwoThicknesses | None) -> Iterator[Row]:

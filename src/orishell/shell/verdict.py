@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
@@ -15,19 +16,13 @@ from orishell.document.sizes import size_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.not_proved import not_proved
-from orishell.shell.one_motion import Joining, folds_rows, held_of_several, of_one_motion
+from orishell.shell.one_motion import folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
+from orishell.shell.steps import CONTACT, STOCK, STRUCTURE
 from orishell.shell.thickness_remedy import Stronger
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order import order_in_words
 
-CONTACT, STOCK, STRUCTURE, CUTTING = (
-    "contact between panels on the way",
-    "the layout on the stock",
-    "the structure",
-    "the play that errors of cutting ask for",
-)
-"""What may be left out on request, of which a row says that it is not known."""
 SAID = {CONTACT, STOCK, STRUCTURE}
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
@@ -52,7 +47,7 @@ def find_verdict(
     report: Report,
     stronger: Stronger | None = None,
     stock: tuple[float, float] | None = None,
-    joining: Joining | None = None,
+    joining: Remedy | None = None,
     two: TwoThicknesses | None = None,
 ) -> tuple[Row, ...]:
     """The findings of a report, worst first.

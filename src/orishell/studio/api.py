@@ -10,7 +10,7 @@ from typing import Any, Literal, NotRequired, TypedDict
 from orishell.conventions.row import Row
 from orishell.document import FirstContact
 from orishell.io.view import Curves
-from orishell.shell.families import FamilyChoice, FamilyTrial
+from orishell.shell.family_choice import FamilyChoice, FamilyTrial
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
 from orishell.workshop.palettes import Layer

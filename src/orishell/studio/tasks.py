@@ -23,8 +23,9 @@ from orishell.families.registry import FAMILIES
 from orishell.io.formats import all_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.designed import design_of
-from orishell.shell.families import FamilyTrial, choose_family
+from orishell.shell.family_choice import FamilyTrial
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.open_questions import compare_families
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
@@ -176,8 +177,8 @@ class Task:
             tried.append(as_table(trial))
             self.send(list(tried))
 
-        _, choice = choose_family(self._design(tolerated=True), self.progress, tell)
-        return dict(as_table(choice))
+        found = compare_families(self._design(tolerated=True), self.progress, tell)
+        return dict(as_table(found.answers.families))
 
     def draw_surface(self) -> DrawnSurface:
         """The target surface, before a shell is fitted to it."""

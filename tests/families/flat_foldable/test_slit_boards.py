@@ -26,9 +26,10 @@ from orishell.locking.report import describe_panels
 from orishell.locking.sheet import Sheet
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
+from orishell.shell.candidate import ended
 from orishell.shell.designed import designed as design_asked
-from orishell.shell.designed import ended
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.steps import Work
 from orishell.solids import build_panels, find_stop
 from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import draw_boards
@@ -180,7 +181,7 @@ def dome(attachment: str) -> Shell:
 @thorough
 def test_the_widest_flaps_are_those_whose_boards_meet_nothing() -> None:
     file = check_design(DOME, Path("dome.toml")).changed({"pattern.flap": "auto"})
-    design, lock = ended(file, design_asked(file))
+    design, lock = ended(file, design_asked(file), Work())
     assert (lock.cause, lock.early) == ("flaps", False)
     wider = file.changed({"pattern.flap": WIDER * design.flap})
     contact = find_lock(design_asked(wider)).first_contact

@@ -25,8 +25,8 @@ from orishell.shell.designed import designed
 from orishell.shell.fit.built_size import BuiltShell
 from orishell.shell.fit.report import FittedSize, in_words
 from orishell.shell.fit.scaling import Scaling, first_factors, scaling_of
-from orishell.shell.size_trials import Choice
-from orishell.shell.tolerance import measure, meet_tolerance
+from orishell.shell.size_trials import Choice, measure
+from orishell.shell.tolerance import meet_tolerance
 
 EXACT = 1.0
 """Sizes may be off by so much (millimetres)."""

@@ -1,0 +1,60 @@
+"""What each family makes of a target, where the design file leaves the family open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+
+
+@record
+class FamilyTrial:
+    """What a family makes of the target."""
+
+    family: str
+    # the largest distance between shell and surface, both ways (length); None if there is no shell
+    distance: float | None = None
+    panels: int | None = None  # number of panels
+    sheet_area: float | None = None  # area of its flat sheet
+    packs_flat: bool | None = None  # whether its motion ends with all panels in one plane
+    # whether anything in it stops it closing at the target, in all of its motions
+    locks: bool | None = None
+    # how many motions its sheet has; None if that is not known, or there is no shell
+    degrees_of_freedom: int | None = None
+    why_not: str = ""  # why there is no shell
+
+    def in_words(self, unit: str) -> str:
+        """The line of a table."""
+        if self.distance is None or self.panels is None or self.sheet_area is None:
+            return f"{self.family}: none; {self.why_not}"
+        return (
+            f"{self.family}: within {plain(self.distance)} {unit}, {self.panels} panels, "
+            f"{plain(self.sheet_area)} {unit}2 of sheet, "
+            f"{'packs flat' if self.packs_flat else 'does not pack flat'}, "
+            f"{'locks' if self.locks else 'does not lock'}{self._motions()}"
+        )
+
+    def _motions(self) -> str:
+        count = self.degrees_of_freedom
+        if count == 1:
+            return ""
+        return f", {'an unknown number of' if count is None else count} degrees of freedom"
+
+
+@record
+class FamilyChoice:
+    """The families that were tried, and the one that was taken."""
+
+    family: str  # that was taken
+    rule: str  # by which it was taken
+    tried: tuple[FamilyTrial, ...]
+
+    def rows(self, unit: str) -> Iterator[Row]:
+        """A row of the verdict for each family."""
+        for each in self.tried:
+            taken = ""
+            if each.family == self.family:
+                taken = " (taken: nearest that locks)" if each.locks else " (taken: none locks)"
+            yield Row("says", "family", each.in_words(unit) + taken)
