@@ -10,8 +10,9 @@ not, a still nearer one is looked for.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import chain
 
 from orishell.conventions.errors import (
@@ -19,14 +20,17 @@ from orishell.conventions.errors import (
     DesignError,
     InputError,
     Remedy,
+    Value,
     VerificationError,
 )
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
-from orishell.design import Design
+from orishell.conventions.record import record
+from orishell.curves import Curve
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
-from orishell.locking import largest_quotable, reaches_target, widest_flap
+from orishell.locking import largest_quotable, reaches_target
+from orishell.locking.motion_end import FINE, NARROWEST, OF_BOARDS
 from orishell.shell.designed import designed
 from orishell.shell.instead import shell_of
 from orishell.shell.steps import Step, Work
@@ -129,17 +133,16 @@ class _RemedySearch:
 
     def _approach(self, base: Remedy, keys: frozenset[str], works: Remedy, fails: Remedy) -> None:
         """Come nearer to a number that does not work from one that does."""
-        if len(keys) != 1:
+        differing = [key for key in keys if works.changes[key] != fails.changes[key]]
+        if len(differing) != 1:
             return
-        (key,) = keys
+        (key,) = differing
         good, bad = works.changes[key], fails.changes[key]
-        if not (isinstance(good, float) and isinstance(bad, float)):
-            return
         for _ in range(HALVINGS):
-            middle = rounded(0.5 * (good + bad))
-            if middle in (good, bad):
+            middle = _middle(good, bad)
+            if middle in (good, bad, None):
                 break
-            remedy = base | Remedy({key: middle})
+            remedy = base | works | Remedy({key: middle})
             if self._try(remedy) is None:
                 good, self.found[keys] = middle, remedy
             else:
@@ -168,72 +171,50 @@ class _RemedySearch:
             raise _OutOfTimeError
 
     def _further(self, remedy: Remedy, reason: DesignError) -> Iterator[Remedy]:
+        """Changes on top of one that is refused for another reason."""
         yield from reason.candidates
         if isinstance(reason, ClashError):
-            yield from _shrunk(self.file.tried(remedy.changes), reason.flap)
+            yield from _coarsely(_numbers(self.file.tried(remedy.changes), reason))
 
     def _apart(self, clash: ClashError) -> Iterator[Remedy]:
-        """The widest flaps, the largest f and the longest part of g that keep panels apart."""
-        file = self.file
-        if clash.thick:
-            if file.fit is not None:
-                yield from _shrunk(file, clash.flap)
-                yield from _thinned(file)
-                return
-            if clash.flap:
-                yield from self._narrower()
-            yield from self._thinner()
+        """The widest flaps, the thickest panels, the largest f and part of g that do not meet."""
+        file, numbers = self.file, _numbers(self.file, clash)
+        large = file.panel_count > PANELS / TRIALS and not clash.thick
+        if large or file.fit is not None or file.tolerance is not None:
+            yield from _coarsely(numbers)
             return
-        if file.target is None:
-            return
-        if file.fit is not None or file.tolerance is not None or file.panel_count > PANELS / TRIALS:
-            yield from _shrunk(file, clash.flap)
-            return
-        # Where the sheet meets itself without flaps, no width of flaps helps.
-        if clash.flap and self._reaches_target(Remedy({"pattern.flap": 0.0})):
-            yield from self._narrower()
-        for resized in (_scaled_f, _shortened_g):
+        for number in numbers:
+            # Where the sheet meets itself without flaps, no width of flaps helps.
+            if number.of_flaps and not clash.thick and not self._clear(number, 0.0, whole=True):
+                continue
+            works = partial(self._clear, number)
+            found = largest_quotable(works, number.asked, number.smallest, number.accuracy)
+            if found is not None:
+                yield number.change(found)
 
-            def works(share: float, resized: Resized = resized) -> bool:
-                return self._reaches_target(resized(file, share))
+    def _clear(self, number: _Number, value: float, *, whole: bool = False) -> bool:
+        """Whether a shell can be designed with another number, and does not meet on its way.
 
-            share = largest_quotable(works, 1.0, SMALLEST_CURVE, COARSE)
-            if share is not None:
-                yield resized(file, share)
-
-    def _narrower(self) -> Iterator[Remedy]:
-        """The widest flaps that meet nothing."""
-
-        def narrower(width: float) -> Design:
-            self._watch()
-            return designed(self.file.tried({"pattern.flap": width}))
-
-        tolerance = self.file.contact_tolerance
-        width = widest_flap(designed(self.file), narrower, tolerance)
-        if width is not None:
-            yield Remedy({"pattern.flap": width})
-
-    def _thinner(self) -> Iterator[Remedy]:
-        """The thickest panels whose boards do not meet."""
-        panel = self.file.panel
-        assert panel is not None
-
-        def works(thickness: float) -> bool:
-            return self._reaches_target(Remedy({"panel.thickness": thickness}))
-
-        smallest = max(THINNEST, 2 * panel.membrane / panel.thickness)
-        found = largest_quotable(works, panel.thickness, smallest, COARSE)
-        if found is not None:
-            yield Remedy({"panel.thickness": found})
-
-    def _reaches_target(self, remedy: Remedy) -> bool:
-        """Whether a changed shell can be designed, and its panels meet not before its target."""
+        whole: Whether all of it is looked at, where the number is of flaps.
+        """
         self._watch()
         try:
-            design = designed(self.file.tried(remedy.changes))
+            design = designed(self.file.tried(number.change(value).changes))
         except (DesignError, InputError):
             return False
-        return reaches_target(design, self.file.contact_tolerance)
+        flaps_only = number.of_flaps and not whole
+        return reaches_target(design, self.file.contact_tolerance, flaps_only=flaps_only)
+
+
+def _middle(good: Value | None, bad: Value | None) -> Value | None:
+    """The number midway; None between what are none. Of odd numbers, as rows are, it is odd."""
+    match good, bad:
+        case float(), float():
+            return rounded(0.5 * (good + bad))
+        case int(), int():
+            step = 2 if good % 2 and bad % 2 else 1
+            return good + step * round((bad - good) / (2 * step))
+    return None
 
 
 def _in_place_of(file: DesignFile, remedy: Remedy) -> Remedy:
@@ -249,33 +230,43 @@ def _in_place_of(file: DesignFile, remedy: Remedy) -> Remedy:
     )
 
 
-def _shrunk(file: DesignFile, flap: float) -> Iterator[Remedy]:
-    """Much narrower flaps, a much smaller f, a much shorter g."""
-    if file.target is None:
-        return
-    if flap:
-        yield from (Remedy({"pattern.flap": rounded(share * flap)}) for share in SHARES)
-    if file.fit is not None:  # which scales f and g again
-        return
-    yield from (_scaled_f(file, share) for share in SHARES)
-    yield from (_shortened_g(file, share) for share in SHARES)
+@record
+class _Number:
+    """A number that is made smaller until panels do not meet."""
+
+    asked: float
+    change: Callable[[float], Remedy]  # what the file says for another one
+    smallest: float = SMALLEST_CURVE  # share of it that is looked for
+    accuracy: float = COARSE  # to this share of it
+    of_flaps: bool = False  # whether only flaps depend on it
 
 
-def _thinned(file: DesignFile) -> Iterator[Remedy]:
-    """Much thinner panels."""
-    assert file.panel is not None
-    thickness = file.panel.thickness
-    yield from (Remedy({"panel.thickness": rounded(share * thickness)}) for share in SHARES)
+def _numbers(file: DesignFile, clash: ClashError) -> Iterator[_Number]:
+    """What keeps panels apart if it is smaller: flaps, panels, f, the part of g that is kept."""
+    if clash.flap:
+        fine = FINE if file.panel is None else OF_BOARDS
+        yield _Number(clash.flap, partial(_written, "pattern.flap"), NARROWEST, fine, True)
+    if clash.thick:
+        assert file.panel is not None
+        thickness, membrane = file.panel.thickness, file.panel.membrane
+        thinnest = max(THINNEST, 2 * membrane / thickness)
+        yield _Number(thickness, partial(_written, "panel.thickness"), thinnest)
+    elif file.target is not None and file.fit is None:  # a fit scales f and g again
+        f, g = file.target
+        yield _Number(1.0, lambda share: _written("target.f.scale", f.scale_times(share)))
+        yield _Number(1.0, lambda share: _shortened(g, share))
 
 
-Resized = Callable[[DesignFile, float], Remedy]
+def _coarsely(numbers: Iterable[_Number]) -> Iterator[Remedy]:
+    """Much smaller numbers."""
+    for each in numbers:
+        yield from (each.change(rounded(share * each.asked)) for share in SHARES)
 
 
-def _scaled_f(file: DesignFile, share: float) -> Remedy:
-    return Remedy({"target.f.scale": file.f.scale_times(share)})
+def _written(key: str, value: Value) -> Remedy:
+    return Remedy({key: value})
 
 
-def _shortened_g(file: DesignFile, share: float) -> Remedy:
-    g = file.g
+def _shortened(g: Curve, share: float) -> Remedy:
     low, high = g.drawn_part(g.start, g.start + share * (g.stop - g.start))
     return Remedy({f"target.g.{g.key}": [rounded(low, 10), rounded(high, 10)]})

@@ -15,10 +15,8 @@ from dataclasses import dataclass, field
 from itertools import product, repeat
 from typing import Generic, TypeVar
 
-from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import rounded
+from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
 from orishell.numerics.equals import smallest_of
 from orishell.shell.board_limits import refuse_boards
@@ -31,6 +29,7 @@ from orishell.shell.size_trials import (
     Trial,
     Trials,
     Tried,
+    refuse_distance,
     unbeaten,
 )
 
@@ -247,24 +246,13 @@ class SizeSearch(Generic[V]):
         ]
         variant, nearest = smallest_of(allowed or trials.made, lambda each: each[1].error)
         nearest = trials.carefully(variant, nearest)
-        edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
         share = NEARER if nearest.panels < MANY else FARTHER
-        return DesignError(
-            f"no shell of this family comes within {limits.surface:g} of the surface",
-            place=f"with {edges if limits.limits_edges else ''}at most {trials.sizes.most} rows "
-            "and columns",
-            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
-            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to "
-            f"{plain(nearest.longest)}",
-            candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
-            if allowed
-            else (),
-            excess=max(
-                nearest.error / limits.surface,
-                limits.panel_min / nearest.shortest,
-                nearest.longest / limits.panel_max,
-            )
-            - 1,
+        return refuse_distance(
+            nearest,
+            limits,
+            "comes",
+            f"{trials.sizes.most} rows and columns",
+            share if allowed else None,
         )
 
 

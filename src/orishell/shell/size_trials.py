@@ -10,9 +10,10 @@ from typing import Generic, Self, TypeVar
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.deviation import SAMPLES as CAREFUL
@@ -40,6 +41,32 @@ class Trial:
     def of(cls, rows: int, columns: int, error: float, shortest: float, longest: float) -> Self:
         """A design with so many inner vertices."""
         return cls(rows, columns, (rows + 1) * (columns - 1), error, shortest, longest)
+
+
+def refuse_distance(
+    nearest: Trial, limits: Tolerance, said: str, sizes: str, offered: float | None
+) -> DesignError:
+    """The error where no sheet is near enough to its surface, of the nearest that was made.
+
+    said, sizes: What is said of shells, and of the sizes that were tried.
+    offered: What may be met, relative to the nearest; None to offer nothing.
+    """
+    edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
+    return DesignError(
+        f"no shell of this family {said} within {limits.surface:g} of the surface",
+        place=f"with {edges if limits.limits_edges else ''}at most {sizes}",
+        size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {plain(nearest.error)} "
+        f"away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
+        candidates=()
+        if offered is None
+        else [Remedy({"tolerance.surface": rounded(offered * nearest.error)})],
+        excess=max(
+            nearest.error / limits.surface,
+            limits.panel_min / nearest.shortest,
+            nearest.longest / limits.panel_max,
+        )
+        - 1,
+    )
 
 
 QUICK = 1_000

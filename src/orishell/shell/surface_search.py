@@ -11,14 +11,12 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import rounded
+from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, stretch
-from orishell.conventions.quantities import plain
 from orishell.families.tolerance import Tolerance
 from orishell.numerics.equals import smallest_of
 from orishell.shell.board_limits import BoardFit, refuse_boards
-from orishell.shell.size_trials import CHOOSING, Choice, Trial, unbeaten
+from orishell.shell.size_trials import CHOOSING, Choice, Trial, refuse_distance, unbeaten
 
 FIRST, FEWEST_PANELS, MOST_PANELS = 8, 4, 32
 """Panels along the longer side of the surface: at first, at least and at most."""
@@ -116,14 +114,6 @@ class SurfaceSearch:
             nearest, boards = smallest_of(self.bare, lambda each: each[1].misses(limits))
             return refuse_boards(nearest.rows, nearest.columns, limits, boards)
         nearest = smallest_of(self.made, lambda each: each.error)
-        edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
-        return DesignError(
-            f"no shell of this family was found within {limits.surface:g} of the surface",
-            place=f"with {edges if limits.limits_edges else ''}at most {MOST_PANELS} panels "
-            "along a side",
-            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
-            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to "
-            f"{plain(nearest.longest)}",
-            candidates=[Remedy({"tolerance.surface": rounded(SAFE * nearest.error)})],
-            excess=nearest.error / limits.surface - 1,
+        return refuse_distance(
+            nearest, limits, "was found", f"{MOST_PANELS} panels along a side", SAFE
         )

@@ -27,7 +27,7 @@ from orishell.numerics.arrays import Array
 from orishell.numerics.equals import largest_of
 from orishell.studio.api import DroppedCurve
 from orishell.studio.dropped_file import dropped_file
-from orishell.studio.ranges import few_points
+from orishell.studio.few_points import few_points
 
 DRAWN = 200
 """Points of a curve that are drawn, about."""

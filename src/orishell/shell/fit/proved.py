@@ -8,15 +8,13 @@ back), they are found anew. Sizes that are not asked for keep the target's own: 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol, TypeVar
 
 import numpy as np
 
 from orishell.conventions.errors import ClashError
 from orishell.conventions.progress import Progress
-from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.locking import Lock
+from orishell.shell.candidate import Candidate
 from orishell.shell.fit.report import FittedSize
 from orishell.shell.fit.search import SizeFit
 from orishell.shell.size_trials import Choice
@@ -25,24 +23,9 @@ ROUNDS = 4
 """Shells that are proved, one after the other, at most."""
 
 
-class Made(Protocol):
-    """What a proved shell has of which this module asks."""
-
-    @property
-    def design(self) -> Design:
-        """What the family made of it."""
-
-    @property
-    def lock(self) -> Lock:
-        """How its motion ends."""
-
-
-M = TypeVar("M", bound=Made)
-
-
 def fit_size(
-    file: DesignFile, prove: Callable[[DesignFile], M], progress: Progress
-) -> tuple[M, Choice | None, FittedSize]:
+    file: DesignFile, prove: Callable[[DesignFile], Candidate], progress: Progress
+) -> tuple[Candidate, Choice | None, FittedSize]:
     """The shell of a file with the sizes that it asks for, and how these were reached.
 
     With how rows and columns were chosen, if they were. ``prove`` makes the shell of a file whose
