@@ -11,7 +11,8 @@ from orishell.conventions.arguments import path_of
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
-from orishell.io.fold_reader import FoldFile, FoldFrame
+from orishell.io.fold_content import FoldFrame
+from orishell.io.fold_reader import FoldFile
 from orishell.io.format import DEFAULT_SETTINGS, Settings
 from orishell.io.output import OutputDirectory
 from orishell.motion.mesh import measure_mesh_folds

@@ -1,120 +1,14 @@
-"""The frames of a FOLD file as arrays, or the first entry that does not fit."""
+"""The frames of a FOLD file: keys and values of each, and what it inherits from another."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.source_file import read_source_file
-from orishell.io.format import plain_line
-from orishell.motion.mesh import QuadMesh
-from orishell.numerics.arrays import Array, Integers
-
-T = TypeVar("T")
-
-
-def number_table(
-    value: Any, where: str, row: str, *, widths: tuple[int, ...], whole: bool = False
-) -> NDArray[Any]:
-    """A list of lists of numbers, all of one length, as array (rows, width).
-
-    ``row`` is what one row is ("vertex", "panel"), ``widths`` the lengths that it may have.
-
-    Raises InputError: Naming the first row that does not fit.
-    """
-    if not isinstance(value, list):
-        raise misfit(value, where, "a list")
-    if not value:
-        raise InputError("this list is empty", where=where)
-    try:
-        table = np.array(value)
-    except (ValueError, OverflowError):
-        table = np.array(None)
-    kinds = "iu" if whole else "iuf"
-    if table.ndim == 2 and table.shape[1] in widths and table.dtype.kind in kinds:
-        return table
-    raise _first_misfit(value, where, row, widths, whole)
-
-
-def require_vertices(
-    rows: Integers, vertex_count: int, where: str, *, count: Integers | None = None
-) -> None:
-    """Refuse numbers of vertices (N, K) that are not there; rows have so many (N,), or K each.
-
-    Raises InputError: Naming the first row with one.
-    """
-    missing = (rows < 0) | (rows >= vertex_count)
-    if count is not None:
-        missing &= np.arange(rows.shape[1]) < count[:, None]
-    if missing.any():
-        row = int(missing.any(axis=1).argmax())
-        here = rows[row, : None if count is None else count[row]]
-        raise InputError(
-            "there is no such vertex",
-            where=f"{where}[{row}]",
-            got=str(here.tolist()),
-            expected=f"numbers from 0 to {vertex_count - 1}",
-        )
-
-
-def number_list(value: list[Any], where: str, entry: str) -> Array:
-    """A list of numbers as array, NaN where it has null.
-
-    Raises InputError: Naming the first entry that is no number.
-    """
-    for index, number in enumerate(value):
-        if not _is_number(number, whole=False) and number is not None:
-            raise misfit(number, f"{where}[{index}]", f"a number for each {entry}")
-    return np.array([np.nan if number is None else float(number) for number in value])
-
-
-def misfit(value: Any, where: str, expected: str) -> InputError:
-    """The error for a value of the wrong kind."""
-    return InputError("this value does not fit", where=where, got=shown(value), expected=expected)
-
-
-def shown(value: Any) -> str:
-    """A value as messages quote it."""
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-def _first_misfit(
-    value: list[Any], where: str, row: str, widths: tuple[int, ...], whole: bool
-) -> InputError:
-    numbers = "whole numbers" if whole else "numbers"
-    accepted = [entry for entry in value if _is_row(entry, widths, whole)]
-    if accepted:
-        widths = (len(accepted[0]),)
-    expected = f"{' or '.join(map(str, widths))} {numbers} for each {row}"
-    for index, entry in enumerate(value):
-        if not _is_row(entry, widths, whole):
-            return InputError(
-                f"{row} {index} does not fit",
-                where=f"{where}[{index}]",
-                got=f"{len(entry)} {numbers}" if _is_row(entry, None, whole) else shown(entry),
-                expected=expected,
-            )
-    return InputError("the numbers are too large", where=where, expected=expected)
-
-
-def _is_row(entry: Any, widths: tuple[int, ...] | None, whole: bool) -> bool:
-    return (
-        isinstance(entry, list)
-        and (widths is None or len(entry) in widths)
-        and all(_is_number(number, whole) for number in entry)
-    )
-
-
-def _is_number(value: Any, whole: bool) -> bool:
-    return isinstance(value, int if whole else (int, float)) and not isinstance(value, bool)
-
+from orishell.io.fold_values import misfit, shown
 
 INHERITED = ("vertices_coords", "faces_vertices")
 """What a frame needs and may take from its parent. Edges are the same in all frames. Fold angles
@@ -122,10 +16,6 @@ are those of one state, and what a frame is (``frame_classes``) is said of that 
 folded state that inherits the mesh of a crease pattern is not a crease pattern."""
 
 MAX_BYTES = 5_000_000_000
-
-
-class FramesError(InputError):
-    """Frames that are not states of one sheet."""
 
 
 @record
@@ -142,26 +32,6 @@ class Frames:
     def first(self) -> Frames:
         """The key frame alone."""
         return Frames(self.raw[:1], self.sources[:1])
-
-    def common(self, key: str, read: Callable[[Any, str], T]) -> T | None:
-        """What is read from the values of a key, the same in all frames; None if none has it.
-
-        ``read`` is given a value and its place, as messages name it.
-        """
-        known: T | None = None
-        for number, frame in enumerate(self.raw):
-            if key in frame:
-                where = self.place(number, key)
-                found = read(frame[key], where)
-                if known is not None and not np.array_equal(np.asarray(known), np.asarray(found)):
-                    raise FramesError(
-                        "the frames differ in more than their coordinates and fold angles",
-                        where=where,
-                        expected="the same list in every frame that has one",
-                        remedy="write each model to a file of its own",
-                    )
-                known = found
-        return known
 
     def place(self, number: int, key: str) -> str:
         """A key as messages name it."""
@@ -236,33 +106,3 @@ def _read_json(path: Path) -> dict[str, Any]:
     if not isinstance(content, dict):
         raise InputError("this is not FOLD", got=shown(content), expected="an object with keys")
     return content
-
-
-def read_title(frames: Frames) -> str:
-    """What the file calls itself, without line breaks; empty if it does not."""
-    return plain_line(_text(frames.raw[0].get("file_title", ""), "file_title")[:200])
-
-
-def read_unit(frames: Frames) -> str:
-    """The unit of length of all frames; "unit" if none is named."""
-    unit = frames.common("frame_unit", _text)
-    return "unit" if unit is None else unit
-
-
-def _text(value: Any, where: str) -> str:
-    if not isinstance(value, str):
-        raise misfit(value, where, "a text")
-    return value
-
-
-def read_grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
-    """Rows and columns of vertices that the file states, if its panels do form that grid."""
-    for frame in frames.raw:
-        match frame.get("orishell:grid_shape"):
-            case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
-                corners = np.sort(mesh.faces, axis=1)
-                first = corners[:, :1]
-                fits = corners == first + np.array([0, 1, columns, columns + 1])
-                if fits.all() and (first % columns != columns - 1).all():
-                    return rows, columns
-    return None

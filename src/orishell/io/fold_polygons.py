@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.io.fold_frames import misfit, require_vertices, shown
+from orishell.io.fold_values import misfit, require_vertices, shown
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 

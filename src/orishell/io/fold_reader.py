@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,43 +10,12 @@ import numpy as np
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.record import record
-from orishell.io.fold_frames import (
-    Frames,
-    misfit,
-    read_frames,
-    read_grid_shape,
-    read_title,
-    read_unit,
-)
-from orishell.io.fold_keys import (
-    read_assignment,
-    read_classes,
-    read_coordinates,
-    read_fold_angles,
-    read_vertex_numbers,
-)
-from orishell.io.fold_polygons import find_corners, read_polygons
+from orishell.io.fold_content import FACES, FoldContent, FoldFrame, read_content
+from orishell.io.fold_frames import Frames, read_frames
+from orishell.io.fold_polygons import find_corners
+from orishell.io.fold_values import misfit
 from orishell.motion.mesh import QuadMesh, build_mesh
-from orishell.numerics.arrays import Array, Integers
-
-
-@record
-class FoldFrame:
-    """One state of the sheet."""
-
-    number: int  # the frame's number in the file: 0 is the key frame
-    classes: tuple[str, ...]  # its own ``frame_classes``
-    positions: Array  # vertices (V, 3), read-only; z is 0 where the file gives two coordinates
-    # Fold angles (E,) that the frame itself gives, NaN where it gives none; None if it has no such
-    # list or inherits it. In degrees, as in the file: not a bit is lost.
-    fold_angles_deg: Array | None
-    drive_deg: float | None  # drive angle, where the frame says it
-    title: str = ""  # its ``frame_title``; empty if it has none
-
-    @property
-    def fold_angles(self) -> Array | None:
-        """Fold angles (E,) that the frame itself gives (radians)."""
-        return None if self.fold_angles_deg is None else np.deg2rad(self.fold_angles_deg)
+from orishell.numerics.arrays import Integers
 
 
 @record
@@ -87,51 +57,38 @@ def fold_of_frames(path: Path, frames: Frames) -> FoldFile:
 
     Raises InputError: As :func:`read_fold`, without the file's name.
     """
-    coordinates = read_coordinates(frames)
-    vertex_count = len(next(iter(coordinates.values())))
-    faces = _faces(frames, coordinates, vertex_count)
-    edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, vertex_count)
-    assignment = read_assignment(frames, edges)
+    content = read_content(frames)
+    corners, loops = _faces(frames, content)
+    assignment = content.assignment
     cut = None if assignment is None else np.array([letter == "C" for letter in assignment])
-    mesh = build_mesh(faces[0], vertex_count, edges, cut, faces[1])
+    mesh = build_mesh(corners, content.vertex_count, content.edges, cut, loops)
     return FoldFile(
-        path,
-        read_title(frames) or printable(path.stem),
-        read_unit(frames),
-        mesh,
-        assignment,
-        read_grid_shape(frames, mesh),
-        tuple(
-            FoldFrame(
-                number,
-                read_classes(frames, number),
-                positions,
-                read_fold_angles(frames, number, edges),
-                _drive(frames, number),
-                str(frames.raw[number].get("frame_title", "")),
-            )
-            for number, positions in coordinates.items()
+        path=path,
+        title=content.title or printable(path.stem),
+        unit=content.unit,
+        mesh=mesh,
+        assignment=assignment,
+        grid_shape=_grid_shape(frames, mesh),
+        frames=tuple(
+            replace(each, drive_deg=_drive(frames, each.number)) for each in content.frames
         ),
     )
 
 
-def _faces(
-    frames: Frames, coordinates: dict[int, Array], vertex_count: int
-) -> tuple[Integers, Integers]:
+def _faces(frames: Frames, content: FoldContent) -> tuple[Integers, Integers]:
     """Corners (F, 4) of all panels, and all vertices (F, K) around them, -1 behind the last."""
-    for number in coordinates:
-        if "faces_vertices" not in frames.sources[number]:
+    for number in (each.number for each in content.frames):
+        if FACES not in frames.sources[number]:
             raise InputError(
                 "this key is missing",
-                where=frames.place(number, "faces_vertices"),
-                remedy="add faces_vertices"
+                where=frames.place(number, FACES),
+                remedy=f"add {FACES}"
                 + (", or frame_parent and frame_inherit: true" if number else ""),
             )
-    key = "faces_vertices"
-    loops = frames.common(key, lambda value, where: read_polygons(value, where, vertex_count))
+    loops = content.faces
     if loops is None:
-        raise InputError("this key is missing in every frame", where=key)
-    corners = find_corners(loops, next(iter(coordinates.values())), key)
+        raise InputError("this key is missing in every frame", where=FACES)
+    corners = find_corners(loops, content.frames[0].positions, FACES)
     # A panel begins with a corner.
     place = (loops == corners[:, :1]).argmax(axis=1)[:, None]
     count = (loops >= 0).sum(axis=1)[:, None]
@@ -147,3 +104,16 @@ def _drive(frames: Frames, number: int) -> float | None:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise misfit(value, frames.place(number, "orishell:drive_deg"), "a number")
     return float(value)
+
+
+def _grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
+    """Rows and columns of vertices that the file states, if its panels do form that grid."""
+    for frame in frames.raw:
+        match frame.get("orishell:grid_shape"):
+            case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
+                corners = np.sort(mesh.faces, axis=1)
+                first = corners[:, :1]
+                fits = corners == first + np.array([0, 1, columns, columns + 1])
+                if fits.all() and (first % columns != columns - 1).all():
+                    return rows, columns
+    return None

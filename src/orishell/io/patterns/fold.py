@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,15 +11,9 @@ from numpy.typing import NDArray
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.quantities import MILLIMETRES, counted
 from orishell.conventions.record import record
-from orishell.io.fold_frames import Frames, FramesError, read_title, read_unit
-from orishell.io.fold_keys import (
-    read_assignment,
-    read_classes,
-    read_coordinates,
-    read_fold_angles,
-    read_vertex_numbers,
-)
-from orishell.io.fold_polygons import read_polygons, require_different
+from orishell.io.fold_content import FACES, FoldContent, FoldFrame, FramesError, read_content
+from orishell.io.fold_frames import Frames
+from orishell.io.fold_polygons import require_different
 from orishell.io.format import plain_line
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.connectivity import PiecesError, require_apart, require_one_piece
@@ -30,15 +25,16 @@ from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.panel_sides import join_loops, sides_of
 from orishell.numerics.arrays import Array, Integers
 
-FACES = "faces_vertices"
+CREASES = "creasePattern"
+"""What a frame of a flat sheet calls itself."""
 
 
 @record
 class _File:
-    """The arrays of a file."""
+    """The sheet of a file: its edges and letters, and which frame is flat."""
 
-    positions: dict[int, Array]  # vertices (V, 3) by frame
-    flat: int | None  # the frame of the flat sheet
+    frames: tuple[FoldFrame, ...]  # with coordinates; the flat one as it is seen from above
+    flat: FoldFrame | None  # the frame of the flat sheet
     folded: bool  # whether that frame calls itself a folded form: it may be folded flat
     edges: Integers | None  # vertices (E, 2)
     letters: NDArray[np.str_] | None  # (E,)
@@ -46,22 +42,28 @@ class _File:
     @property
     def first(self) -> Array:
         """Vertices (V, 3) of the flat sheet, or else of the first frame that has any."""
-        return self.positions[next(iter(self.positions)) if self.flat is None else self.flat]
+        return (self.flat or self.frames[0]).positions
+
+
+@record
+class _NotFlat:
+    """Panels of a sheet that has no flat state."""
+
+    faces: Integers
+    edges: Integers
+    edge_faces: Integers
+    letters: NDArray[np.str_]
+    reason: str  # why not, in a sentence
 
 
 @record
 class _Sheet:
     """The pattern of a file, and what of the file it is made of."""
 
-    flat: CreasePattern | None
-    not_flat: str
-    faces: Integers
-    edges: Integers
-    edge_faces: Integers
-    letters: NDArray[np.str_]
-    frame: int | None  # the frame that the flat sheet is of; None if it was laid out
+    panels: CreasePattern | _NotFlat
     vertices: Integers | None  # which of the file's vertices; None if it has others
     chosen: Integers | None  # which of the file's edges; None if it has others
+    frame: FoldFrame | None = None  # the frame that the flat sheet is of; None if there is none
     angles: Array | None = None  # fold angles (E,) where the edges are others (radians)
 
 
@@ -94,73 +96,68 @@ def read_fold_pattern(path: Path, frames: Frames, weld: float | None) -> ReadPat
 
 
 def _read(path: Path, frames: Frames, weld: float | None, notes: list[str]) -> ReadPattern:
-    positions = read_coordinates(frames)
-    count = len(next(iter(positions.values())))
-    edges = read_vertex_numbers(frames, "edges_vertices", "edge", 2, count)
-    degrees = {number: read_fold_angles(frames, number, edges) for number in positions}
-    letters = _letters(read_assignment(frames, edges), degrees, notes)
-    faces = frames.common(FACES, lambda value, where: read_polygons(value, where, count))
-    crease_patterns = [n for n in positions if "creasePattern" in read_classes(frames, n)]
-    seen = {number: seen_from_above(each) for number, each in positions.items()}
-    level = [number for number, each in seen.items() if each is not None]
-    named = [number for number in level if number in crease_patterns]
-    flat = next(iter(named or level), None)
-    of_flat = None if flat is None else seen[flat]
-    if flat is not None and of_flat is not None:
-        positions[flat] = of_flat
-    file = _File(
-        positions,
-        flat,
-        flat is not None and flat not in named and "foldedForm" in read_classes(frames, flat),
-        edges,
-        letters,
-    )
-    if faces is None:
-        asked = None if file.flat is None else degrees[file.flat]
-        sheet = _of_edges(file, asked, weld, notes)
+    content = read_content(frames)
+    file = _file(content, notes)
+    if content.faces is None:
+        sheet = _of_edges(file, weld, notes)
     else:
-        sheet = _of_faces(file, faces, weld, notes)
+        sheet = _of_faces(file, content.faces, weld, notes)
 
-    def angles(number: int | None) -> Array | None:
-        given = None if number is None else degrees[number]
-        return None if given is None or sheet.chosen is None else np.deg2rad(given[sheet.chosen])
+    def angles(frame: FoldFrame) -> Array | None:
+        given = frame.fold_angles
+        return None if given is None or sheet.chosen is None else given[sheet.chosen]
 
-    folded = [n for n in positions if n != sheet.frame and n not in crease_patterns]
+    folded = [
+        each for each in file.frames if each is not sheet.frame and CREASES not in each.classes
+    ]
     if sheet.vertices is None and folded:
         notes.append("lines cross where the file has no vertex: folded states are left out")
-    asked_angles = sheet.angles if sheet.angles is not None else angles(sheet.frame)
-    unit = read_unit(frames)
+    asked = angles(sheet.frame) if sheet.angles is None and sheet.frame else sheet.angles
+    panels = sheet.panels
     return ReadPattern(
         path=path,
-        title=read_title(frames) or printable(path.stem),
-        unit=unit if unit in MILLIMETRES else "unit",
-        flat=sheet.flat,
-        not_flat=sheet.not_flat,
-        faces=sheet.faces,
-        edges=sheet.edges,
-        edge_faces=sheet.edge_faces,
-        letters=sheet.letters,
-        fold_angles=np.full(len(sheet.edges), np.nan) if asked_angles is None else asked_angles,
+        title=content.title or printable(path.stem),
+        unit=content.unit if content.unit in MILLIMETRES else "unit",
+        flat=panels if isinstance(panels, CreasePattern) else None,
+        not_flat=panels.reason if isinstance(panels, _NotFlat) else "",
+        faces=panels.faces,
+        edges=panels.edges,
+        edge_faces=panels.edge_faces,
+        letters=panels.letters,
+        fold_angles=np.full(len(panels.edges), np.nan) if asked is None else asked,
         states=tuple(
-            PatternState(
-                plain_line(str(frames.raw[number].get("frame_title", ""))[:200]),
-                positions[number][sheet.vertices],
-                angles(number),
-            )
-            for number in folded
+            PatternState(plain_line(each.title[:200]), each.positions[sheet.vertices], angles(each))
+            for each in folded
             if sheet.vertices is not None
         ),
         notes=tuple(notes),
     )
 
 
-def _letters(
-    given: tuple[str, ...] | None, degrees: dict[int, Array | None], notes: list[str]
-) -> NDArray[np.str_] | None:
+def _file(content: FoldContent, notes: list[str]) -> _File:
+    """The sheet of a file: flat is the first frame in a plane, of those that say so if any do."""
+    seen = [(each, seen_from_above(each.positions)) for each in content.frames]
+    level = [replace(each, positions=above) for each, above in seen if above is not None]
+    named = [each for each in level if CREASES in each.classes]
+    flat = next(iter(named or level), None)
+    return _File(
+        frames=tuple(
+            flat if flat is not None and each.number == flat.number else each
+            for each in content.frames
+        ),
+        flat=flat,
+        folded=flat is not None and not named and "foldedForm" in flat.classes,
+        edges=content.edges,
+        letters=_letters(content, notes),
+    )
+
+
+def _letters(content: FoldContent, notes: list[str]) -> NDArray[np.str_] | None:
     """Letter (E,) of every edge: by the first fold angles where the file gives none."""
-    if given is not None:
-        return np.array(given, dtype=np.str_)
-    angles = next((each for each in degrees.values() if each is not None and each.any()), None)
+    if content.assignment is not None:
+        return np.array(content.assignment, dtype=np.str_)
+    given = (each.fold_angles_deg for each in content.frames)
+    angles = next((each for each in given if each is not None and each.any()), None)
     if angles is None:
         return None
     notes.append("the file has no edges_assignment: letters are those of its fold angles")
@@ -168,7 +165,7 @@ def _letters(
     return np.where(np.isnan(angles), "U", letters)
 
 
-def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: list[str]) -> _Sheet:
+def _of_edges(file: _File, weld: float | None, notes: list[str]) -> _Sheet:
     """The panels between the edges of a file that lists none."""
     if file.edges is None or file.flat is None:
         raise InputError(
@@ -176,12 +173,12 @@ def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: lis
             where=FACES,
             remedy=f"add {FACES}, or edges_vertices and flat vertices_coords",
         )
-    count = len(file.edges)
+    count, angles = len(file.edges), file.flat.fold_angles
     points = file.first[:, :2]
     lines = Lines(
         points[file.edges],
         np.full(count, "U") if file.letters is None else file.letters,
-        np.full(count, np.nan) if degrees is None else np.deg2rad(degrees),
+        np.full(count, np.nan) if angles is None else angles,
         np.arange(count),
         tuple(f"edge {number}" for number in range(count)),
     )
@@ -192,7 +189,7 @@ def _of_edges(file: _File, degrees: Array | None, weld: float | None, notes: lis
     _, first, place = np.unique(both, axis=0, return_index=True, return_inverse=True)
     vertices = first[place.ravel()[len(points) :]]
     known = vertices if (vertices < len(points)).all() else None
-    return _with_flat(pattern, file.flat, known, None, found.angles)
+    return _Sheet(pattern, known, None, file.flat, found.angles)
 
 
 def _of_faces(file: _File, faces: Integers, weld: float | None, notes: list[str]) -> _Sheet:
@@ -241,7 +238,7 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
             if not file.folded:
                 raise
         else:
-            return _with_flat(flat, file.flat, used, chosen)
+            return _Sheet(flat, used, chosen, file.flat)
     joined = join_loops(loops, len(used), edges, None if letters is None else letters == "C")
     require_one_piece(joined.edge_faces[joined.crease], len(loops))
     laid = lay_out(positions, joined)
@@ -258,37 +255,8 @@ def _sheet(file: _File, faces: Integers, weld: float | None, notes: list[str]) -
             notes.append("the file has no flat sheet: it was laid out from the first state")
             if without:
                 notes.append("the file has no letters: they are those of its folded state")
-            return _with_flat(flat, None, used, chosen)
+            return _Sheet(flat, used, chosen)
     known = np.full(len(joined.edges), "U") if letters is None else letters
-    return _Sheet(
-        flat=None,
-        not_flat=reason,
-        faces=joined.loops,
-        edges=joined.edges,
-        edge_faces=joined.edge_faces,
-        letters=np.where((joined.edge_faces < 0).any(axis=1), "B", known),
-        frame=None,
-        vertices=used,
-        chosen=chosen,
-    )
-
-
-def _with_flat(
-    flat: CreasePattern,
-    frame: int | None,
-    vertices: Integers | None,
-    chosen: Integers | None,
-    angles: Array | None = None,
-) -> _Sheet:
-    return _Sheet(
-        flat=flat,
-        not_flat="",
-        faces=flat.faces,
-        edges=flat.edges,
-        edge_faces=flat.edge_faces,
-        letters=flat.letters,
-        frame=frame,
-        vertices=vertices,
-        chosen=chosen,
-        angles=angles,
-    )
+    letters = np.where((joined.edge_faces < 0).any(axis=1), "B", known)
+    loose = _NotFlat(joined.loops, joined.edges, joined.edge_faces, letters, reason)
+    return _Sheet(loose, used, chosen)

@@ -12,7 +12,7 @@ from orishell.curves.svg.shapes import draw_shape, line_ends
 from orishell.curves.svg.styles import UNPAINTED, inherited, read_styled
 from orishell.curves.svg.tree import NUMBER, Element
 from orishell.curves.svg.walk import Context, Walk, has_physical_size, name_of
-from orishell.io.fold_keys import LETTERS
+from orishell.io.fold_content import LETTERS
 from orishell.io.patterns.line_styles import (
     IGNORED,
     letter_of_colour,
