@@ -25,9 +25,8 @@ import cloudpickle
 
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
-from orishell.shell.candidate import ClashPolicy
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.steps import Step
+from orishell.shell.steps import ClashPolicy, Step
 
 ROOT = Path(__file__).parents[2]
 PLACE = ROOT / "build" / "kept"
