@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from orishell.design import Design
 from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.sheet import drawn_sheet
-from orishell.families.flat_foldable.locks.columns import FlapColumns
+from orishell.families.flat_foldable.locks.flaps import FlapColumns
 from orishell.families.flat_foldable.locks.straight import straight_bordered, with_parallel_borders
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.named import graded_net

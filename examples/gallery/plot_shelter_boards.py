@@ -23,8 +23,8 @@ from matplotlib.figure import Figure
 from orishell.deployment import find_pack
 from orishell.design import Setback
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
-from orishell.plot.hinge_section import find_hinge_section
 from orishell.plot.scene import WIDTH
+from orishell.plot.sections import find_hinge_section
 from orishell.solids import drive_for_height
 from orishell.workshop import Drawing
 from orishell.workshop.palettes import load_palette

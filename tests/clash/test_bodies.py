@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
-from orishell.clash.bodies import Apartness, Bodies, BodyState
+from orishell.clash.bodies import Apartness, Bodies, BodyState, opposite_panels
 from orishell.clash.broad_phase import PanelTree
-from orishell.clash.near_pairs import opposite_panels
 from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards

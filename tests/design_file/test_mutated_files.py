@@ -51,7 +51,7 @@ PRELOADED = (
     "orishell.shell.pictures",
     "orishell.search.problem",
     "orishell.cli.main",
-    "orishell.cli.summary",
+    "orishell.cli.design",
     "matplotlib.backends.backend_agg",
 )
 """What a process would import else; each file's process has it from the one it is forked from."""

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from orishell.plot.tradeoff import plot_front
+from orishell.plot.graphs import plot_front
 
 
 @pytest.mark.parametrize("figures", [1, 2, 3, 4])

@@ -13,7 +13,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import FoldingMotion, Mechanism
 from orishell.motion.boards import Boards
 from orishell.plot import HingeSection, find_hinge_section, plot_overview
-from orishell.plot.hinge_section import folded
+from orishell.plot.sections import folded
 from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
 
 SANDWICH = PanelSpec(thickness=0.03, membrane=0.002, gap=0.004)

@@ -16,9 +16,14 @@ from orishell.polylines import (
     theta_interval,
     xi_limit,
 )
-from orishell.polylines.batches import Search, batched, rotated_search, run_search
 from orishell.polylines.closeness import distances_to_polyline
-from orishell.polylines.staircase import search_staircase
+from orishell.polylines.staircase import (
+    Search,
+    batched,
+    rotated_search,
+    run_search,
+    search_staircase,
+)
 from orishell.polylines.staircase_angles import MIN_EVENNESS, WIDEST_XI
 from samples import examples
 from strategies import curves, graph, numbers, points

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from design_tables import formula, tables
-from orishell.cli.summary import summarize
+from orishell.cli.design import summarize
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.record import as_table
 from orishell.design import Surface

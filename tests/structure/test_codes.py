@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
-from orishell.structure.arrangements import arranged
+from orishell.structure.combinations import arranged
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Exposure, Load, case_loads
 from orishell.structure.mesh.sheet import mesh_sheet

@@ -15,7 +15,7 @@ import pytest
 
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.corotational import Corotational, Moved
-from orishell.structure.mesh.folds import Folds
+from orishell.structure.mesh.hinges import Folds
 from orishell.structure.mesh.rotations import exponentials, logarithms
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import DOFS, Facets

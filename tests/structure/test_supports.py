@@ -16,7 +16,7 @@ from orishell.design_file import read_design_file
 from orishell.structure import Analysis, LoadCase, Structure, Support
 from orishell.structure.analyse import analyse
 from orishell.structure.equilibrium import Equilibrium
-from orishell.structure.point_supports import buckles_at_points
+from orishell.structure.results import buckles_at_points
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

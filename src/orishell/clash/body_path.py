@@ -20,10 +20,9 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.clash.acceleration_bounds import NormalBounds
-from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
+from orishell.clash.bodies import Apartness, Bodies, BodyState, NearPairs, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
-from orishell.clash.near_pairs import NearPairs
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
     BASE,

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.bodies import Bodies
+from orishell.clash.bodies import Bodies, NearPairs
 from orishell.clash.broad_phase import Pairs, joined, selected
-from orishell.clash.near_pairs import NearPairs
 from orishell.motion.boards import ARM, KNUCKLE
 from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Booleans, Integers

@@ -1,8 +1,9 @@
-"""``orishell design``: from a design file to a verified shell and its files."""
+"""``orishell design``: from a design file to a verified shell, its files and its summary."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -16,17 +17,52 @@ from orishell.cli.files import (
     bar,
     designed,
     directory,
+    lines_of,
     require_carried,
     require_loads,
     say,
+    shortened,
     state_named,
     warn_of_unused,
 )
-from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 
 if TYPE_CHECKING:
+    from orishell.shell.make import Shell
     from orishell.shell.steps import ClashPolicy
+
+
+def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterator[str]:
+    """Lines that say what was designed, what was found, and which files were written."""
+    report = shell.report
+    bill = report.quantities
+    clipped = f", {bill.clipped} of them clipped on" if bill.clipped else ""
+    yield (
+        f"{report.family}: {report.rows} x {report.columns} inner vertices, "
+        f"{bill.panels} panels{clipped}"
+    )
+    if report.chosen is not None:
+        yield (
+            f"chosen for {report.chosen.tolerance:g} {report.unit} from the surface, with the "
+            f"fewest panels of {report.chosen.designs_tried} designs tried{_on_stock(shell)}"
+        )
+    for row in report.verdict:
+        yield from lines_of(row)
+    yield from (f"wrote     {text}" for text in shortened(written))
+    yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
+
+
+def _on_stock(shell: Shell) -> str:
+    """That panels were chosen to fit the stock, without its margins."""
+    from orishell.workshop.layout import usable_stock
+
+    workshop = shell.file.workshop
+    if workshop.stock is None:
+        return ""
+    wide, high = usable_stock(workshop)
+    unit = shell.report.unit
+    return f" whose panels fit {wide:g} x {high:g} {unit}, the stock without its margins"
+
 
 MAKING = ("cut", "paper", "kit")
 """Tasks of formats that are what [workshop] is for: else that table is not asked for."""

@@ -1,6 +1,6 @@
 """Planar curves: from formulas, from points, from drawings."""
 
-from orishell.curves.curve import Curve, curve_from_formulas
+from orishell.curves.curve import Curve, curve_from_formulas, nearby_origin
 from orishell.curves.dxf import read_dxf
 from orishell.curves.formula import (
     Formula,
@@ -8,7 +8,6 @@ from orishell.curves.formula import (
     parse_formula,
     parse_formula_of_two,
 )
-from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.joining import Chain, run_along_axis
 from orishell.curves.memo import remembered

@@ -9,9 +9,8 @@ from orishell.design.design import (
     warn_of_no_lock,
 )
 from orishell.design.formula_surface import FormulaSurface
-from orishell.design.hinge import HingeSpec
 from orishell.design.mesh_surface import MeshSurface
-from orishell.design.panel import Construction, PanelSpec, Setback
+from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback
 from orishell.design.path import Path
 from orishell.design.piece import Piece
 from orishell.design.plan_rectangle import PlanRectangle

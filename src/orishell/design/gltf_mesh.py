@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.source_file import read_source_file
-from orishell.design.mesh_file_error import MeshFileError
+from orishell.design.mesh_errors import MeshFileError
 
 TRIANGLES, FAN = 4, 6
 LARGEST_INTEGERS: Final = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535}

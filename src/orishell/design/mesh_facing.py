@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.design.mesh_refusal import ELSE_PART, place_in_words, refused_mesh
+from orishell.design.mesh_errors import ELSE_PART, place_in_words, refused_mesh
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_smallest

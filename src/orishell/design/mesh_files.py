@@ -21,7 +21,7 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.conventions.source_file import read_source_file
 from orishell.design.gltf_mesh import plain_gltf
-from orishell.design.mesh_file_error import MeshFileError
+from orishell.design.mesh_errors import MeshFileError
 from orishell.design.mesh_text import plain_obj, plain_stl
 from orishell.design.ply_mesh import read_ply
 from orishell.numerics.arrays import Array, Integers

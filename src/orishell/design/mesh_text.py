@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from orishell.design.mesh_file_error import MeshFileError, text_of
+from orishell.design.mesh_errors import MeshFileError, text_of
 
 MOST_ELEMENTS = 4_000_000
 """Vertices, and triangles, of an OBJ file, at most."""

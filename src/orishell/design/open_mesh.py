@@ -6,8 +6,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.design.mesh_errors import ELSE_PART, place_in_words, refused_mesh
 from orishell.design.mesh_facing import require_no_folds
-from orishell.design.mesh_refusal import ELSE_PART, place_in_words, refused_mesh
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import descending, first_largest, first_smallest

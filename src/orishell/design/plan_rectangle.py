@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.design.mesh_errors import place_in_words, refused_mesh
 from orishell.design.mesh_facing import require_graph, vertex_normals
-from orishell.design.mesh_refusal import place_in_words, refused_mesh
 from orishell.design.open_mesh import SAME, OpenMesh, joined_vertices, open_piece
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from orishell.design.mesh_file_error import MeshFileError
+from orishell.design.mesh_errors import MeshFileError
 from orishell.numerics.arrays import Array, Integers
 
 LONGEST_HEAD: Final = 100_000

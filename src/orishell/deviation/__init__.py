@@ -3,18 +3,19 @@
 Derived in docs/theory/deviation.md.
 """
 
-from orishell.deviation.locked import drawn_shell, locked_shell
 from orishell.deviation.measure import (
     COARSE,
     SAMPLES,
     Deviation,
     Distances,
+    drawn_shell,
     find_excess,
+    locked_shell,
     measure_approach,
     measure_deviation,
     measure_distance,
 )
-from orishell.deviation.signed import SignedDistances, measure_points, measure_signed
+from orishell.deviation.of_boards import SignedDistances, measure_points, measure_signed
 
 __all__ = [
     "COARSE",

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import AskedSurface, Lattice, MeshSurface
-from orishell.design.shifted import Shifted
+from orishell.design.asked import Shifted
 from orishell.motion.grid import Grid
 from orishell.motion.quads import area_vectors, grid_corners, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers

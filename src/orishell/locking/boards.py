@@ -12,10 +12,9 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from orishell.clash import PathContact, PathResult
-from orishell.clash.bodies import Apartness, Bodies
+from orishell.clash.bodies import Apartness, Bodies, opposite_panels
 from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.broad_phase import Pairs
-from orishell.clash.near_pairs import opposite_panels
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record

@@ -17,8 +17,8 @@ from itertools import product
 import numpy as np
 
 from orishell.clash import PathContact, find_contacts, overlap_depths
+from orishell.clash.bodies import opposite_panels
 from orishell.clash.broad_phase import selected
-from orishell.clash.near_pairs import opposite_panels
 from orishell.clash.state import deepest_contact
 from orishell.conventions.errors import ClashError, DesignError, Remedy
 from orishell.design import Design

@@ -8,8 +8,8 @@ import numpy as np
 
 from orishell.conventions.colours import LIGHT
 from orishell.numerics.arrays import Array
-from orishell.plot.hinge_section import HingeSection, Profile, folded
 from orishell.plot.scene import BORDER, LEGEND, TITLE, WIDTH, add_part, set_title
+from orishell.plot.sections import HingeSection, Profile, folded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

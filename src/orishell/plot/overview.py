@@ -19,8 +19,6 @@ from orishell.motion.layout import Layout, edge_signs, points_of
 from orishell.motion.quads import grid_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
-from orishell.plot.hinge_section import HingeSection
-from orishell.plot.offset_section import OffsetSection, draw_offset_section, offset_height
 from orishell.plot.scene import (
     BORDER,
     HEADING,
@@ -39,6 +37,7 @@ from orishell.plot.scene import (
     save,
     set_title,
 )
+from orishell.plot.sections import HingeSection, OffsetSection, draw_offset_section, offset_height
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,8 +14,14 @@ from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_smallest, largest_of
-from orishell.polylines.batches import Search, batched, rotated_search, run_search
-from orishell.polylines.staircase import Staircase, search_staircase
+from orishell.polylines.staircase import (
+    Search,
+    Staircase,
+    batched,
+    rotated_search,
+    run_search,
+    search_staircase,
+)
 
 MIN_EVENNESS = 0.25
 """"auto" keeps the shortest edge above this fraction of the mean (0.5 is usual: the two end edges

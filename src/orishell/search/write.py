@@ -19,7 +19,7 @@ from orishell.design_file.inputs import input_files
 from orishell.design_file.tables import Values, with_values
 from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
-from orishell.plot.tradeoff import plot_front
+from orishell.plot.graphs import plot_front
 from orishell.search.evaluate import Outcome
 from orishell.search.front import Front, beaten, scores
 from orishell.search.page import require_page, write_page

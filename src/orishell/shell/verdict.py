@@ -11,7 +11,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.verdict import ground_rows, weight_rows
-from orishell.deviation.verdict import surface_rows
+from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport

@@ -17,7 +17,6 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
-from orishell.structure.chamfers import Thinned, most_thinned
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.flaps import between_flaps, hung_area, kept_apart
 from orishell.structure.loads import Exposure
@@ -34,7 +33,7 @@ from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.supports import Supports, find_supports
-from orishell.structure.whole_boards import corners_at_vertices, plates_of
+from orishell.structure.whole_boards import Thinned, corners_at_vertices, most_thinned, plates_of
 
 
 @record

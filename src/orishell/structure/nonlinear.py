@@ -23,8 +23,7 @@ from orishell.structure.footings import to_nearest
 from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational
-from orishell.structure.mesh.folds import Folds
-from orishell.structure.mesh.hinges import crease_springs, rigid_stiffness
+from orishell.structure.mesh.hinges import Folds, crease_springs, rigid_stiffness
 from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model

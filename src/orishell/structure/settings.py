@@ -14,8 +14,7 @@ from pydantic_core import PydanticCustomError
 from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table
-from orishell.structure.arrangements import arranged
-from orishell.structure.combinations import Expression, Factors, combine
+from orishell.structure.combinations import Expression, Factors, arranged, combine
 from orishell.structure.load_settings import (
     LOADS,
     NO_CODE,

@@ -16,11 +16,11 @@ from orishell.conventions.quantities import Quantities, plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign
 from orishell.numerics.equals import SOLVED, classes
-from orishell.structure.chamfers import MOST_THINNED, thinned_boards
 from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.utilisation import NAMED
+from orishell.structure.whole_boards import MOST_THINNED, thinned_boards
 
 Kind = Literal[
     "moves",

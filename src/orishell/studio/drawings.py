@@ -12,7 +12,7 @@ from orishell.families.recognised import recognise
 from orishell.io.patterns.read import ENDINGS
 from orishell.motion.drawing import Drawing
 from orishell.studio.api import DroppedTarget
-from orishell.studio.dropped_file import dropped_file
+from orishell.studio.dropped import dropped_file
 from orishell.verification.pattern.rows import of_family
 
 LIKE = 1e-3

@@ -1,9 +1,12 @@
-"""Curves that are dropped onto the page, and target curves as it draws them."""
+"""Files that are dropped onto the page, and target curves as it draws them."""
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import re
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -22,12 +25,39 @@ from orishell.curves import (
 )
 from orishell.curves.pieces import Bezier
 from orishell.design_file.target import MOST_POINTS
+from orishell.io.output import scratch
 from orishell.io.view import Drawn
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import largest_of
 from orishell.studio.api import DroppedCurve
-from orishell.studio.dropped_file import dropped_file
 from orishell.studio.few_points import few_points
+
+
+@contextmanager
+def dropped_file(name: str, content: str, endings: Collection[str], what: str) -> Iterator[Path]:
+    """Hold a file by its content, which is in base64; errors name it as the page does.
+
+    Raises InputError if it has none of the endings of ``what``, or no such content.
+    """
+    ending = Path(name).suffix.lower()
+    if ending not in endings:
+        expected = ", ".join(endings)
+        raise InputError(f"this is not a file of {what}", where=name, got=ending, expected=expected)
+    try:
+        data = base64.b64decode(content, validate=True)
+    except ValueError:
+        raise InputError("the content is not base64", where=name) from None
+    with scratch() as directory:
+        path = directory / f"dropped{ending}"
+        path.write_bytes(data)
+        try:
+            yield path
+        except InputError as error:
+            for field, text in vars(error).items():
+                if isinstance(text, str):
+                    setattr(error, field, text.replace(str(path), name))
+            raise
+
 
 DRAWN = 200
 """Points of a curve that are drawn, about."""

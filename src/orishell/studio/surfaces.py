@@ -15,7 +15,7 @@ from orishell.design.open_mesh import open_mesh
 from orishell.design_file import DesignFile
 from orishell.numerics.arrays import Array
 from orishell.studio.api import DrawnSurface, DroppedTarget, Patch
-from orishell.studio.dropped_file import dropped_file
+from orishell.studio.dropped import dropped_file
 
 COARSE, ENOUGH = 6, 0.8
 """Panels along the longer side of the sheet that is shown first, and the share of the panels that

@@ -21,7 +21,7 @@ from mechanisms import (
 from orishell.conventions.errors import DesignError
 from orishell.design_file import read_design_file
 from orishell.families.flat_foldable.design import SheetKind, design_flat_foldable
-from orishell.families.flat_foldable.locks.columns import FlapColumns, with_flaps
+from orishell.families.flat_foldable.locks.flaps import FlapColumns, with_flaps
 from orishell.families.flat_foldable.locks.straight import straight_bordered
 from orishell.families.flat_foldable.net import Net
 from orishell.locking import find_lock

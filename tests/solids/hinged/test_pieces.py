@@ -19,7 +19,7 @@ from orishell.design_file import check_design, read_design_file
 from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
 from orishell.locking import find_lock
-from orishell.locking.joined import join_pieces
+from orishell.locking.lock import join_pieces
 from orishell.motion import Mechanism, diagonal
 from orishell.motion.hinges import Hinges
 from orishell.motion.mechanism import panel_normals

@@ -13,8 +13,7 @@ import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.quantities import MILLIMETRES
-from orishell.curves.dxf.entities import Drawn
-from orishell.curves.dxf.planes import draw_in_plane
+from orishell.curves.dxf.entities import Drawn, draw_in_plane
 from orishell.curves.dxf.selection import chosen_curves, handle_of
 from orishell.curves.files import MAX_BYTES, name_parts, read_source, require_kind
 from orishell.curves.joining import Chain, join_pieces

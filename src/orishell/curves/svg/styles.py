@@ -12,9 +12,15 @@ from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
 from orishell.conventions.errors import InputError
-from orishell.curves.svg.declared import Declarations, cascaded, declarations, nested
 from orishell.curves.svg.parsed import read_tree
-from orishell.curves.svg.tree import MAX_ELEMENTS, Element
+from orishell.curves.svg.tree import (
+    MAX_ELEMENTS,
+    Declarations,
+    Element,
+    cascaded,
+    declarations,
+    nested,
+)
 
 if TYPE_CHECKING:
     from cssselect2 import Matcher

@@ -13,13 +13,14 @@ import numpy as np
 
 from orishell.conventions.record import Angle, record
 from orishell.families.recognised.conditions import (
+    Sectors,
     flat_foldable,
     longitudinal,
     miura,
     one_straight_row,
     orthodiagonal,
+    sectors_of,
 )
-from orishell.families.recognised.sectors import Sectors, sectors_of
 from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array
 

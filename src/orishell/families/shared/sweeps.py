@@ -17,8 +17,8 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Curve, curve_from_points, remembered, trace_curve
 from orishell.design import Approached, Design, PiecedSurface, Surface
+from orishell.design.asked import Shifted
 from orishell.design.piece import Piece
-from orishell.design.shifted import Shifted
 from orishell.families.shared.sweep_fit import Sweep, SweepLimits, fit_upright
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import smallest_of

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.conventions.errors import InputError
-from orishell.curves.dxf.entities import draw_entity
-from orishell.curves.dxf.planes import require_one_plane
+from orishell.curves.dxf.entities import draw_entity, require_one_plane
 from orishell.curves.dxf.read import read_entities
 from orishell.curves.dxf.selection import visible_curves
 from orishell.io.patterns.line_styles import IGNORED, letter_of_colour, letter_of_layer

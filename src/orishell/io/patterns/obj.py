@@ -6,7 +6,7 @@ from pathlib import Path
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.source_file import read_source_file
-from orishell.design.mesh_file_error import MeshFileError
+from orishell.design.mesh_errors import MeshFileError
 from orishell.design.mesh_text import plain_obj
 from orishell.io.fold_frames import MAX_BYTES, Frames
 

@@ -11,9 +11,9 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
-from orishell.structure.solve.condense import condense
 from orishell.structure.solve.conditions import Conditions, put_rows
 from orishell.structure.solve.factorised import Factorised
+from orishell.structure.solve.fronts import condense
 
 LOOSE, LOOSEST = 3e-14, 3
 """A matrix is singular if some shape is less stiff than this share of its largest entry; iterations

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.parted import find_near
+from orishell.clash.sampled import find_near
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import Angle, record
 from orishell.motion.crease_pattern import CreasePattern

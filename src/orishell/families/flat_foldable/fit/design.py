@@ -10,21 +10,61 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.memory import MEMORY, key_of
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.curves.memo import remembered
 from orishell.design import Design, PiecedSurface
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.initial_guesses import Fit, Task
-from orishell.families.flat_foldable.fit.memory import recall_fit
-from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT
+from orishell.families.flat_foldable.fit.continuation import THOROUGH
+from orishell.families.flat_foldable.fit.figures import measure
+from orishell.families.flat_foldable.fit.initial_guesses import SECTOR, Fit, Start, Task, fit_sheet
+from orishell.families.flat_foldable.fit.residuals import Problem
+from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT, Unknowns
 from orishell.families.flat_foldable.ground import Ground, grounded
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.placement import posed
 from orishell.families.shared.folding import turned
+from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
+
+
+def recall_fit(
+    task: Task, *, direction: int | None, folded: float | None, progress: Progress
+) -> Fit | None:
+    """What :func:`fit_sheet` finds; made of its unknowns again, to the last bit, once it was."""
+    piece, conditions = task.piece, task.conditions
+    key = key_of(
+        "fit",
+        task.rows,
+        task.columns,
+        conditions,
+        task.straight,
+        direction,
+        folded,
+        arrays=(piece.vertices, piece.normals, piece.triangles, *piece.sides),
+    )
+    fresh: list[Fit | None] = []
+
+    def find() -> tuple[Start, Array] | None:
+        fit = fit_sheet(task, direction=direction, folded=folded, progress=progress)
+        fresh.append(fit)
+        return None if fit is None else (fit.start, fit.fitted.unknowns)
+
+    known = MEMORY.recall(key, find)
+    if fresh or known is None:
+        return fresh[0] if fresh else None
+    start, unknowns = known
+    seen = start.on(piece)
+    of = Unknowns.covering(
+        seen, task.rows, task.columns, SECTOR, start.folded, straight=task.straight
+    )
+    fitted = Problem(seen, of, THOROUGH.final, conditions).at(unknowns)
+    assert fitted is not None
+    return Fit(start, of, fitted, measure(seen, fitted, of.size, float(unknowns[OFFSET])))
+
 
 LOOSE = 0.01
 """Vertices that leave the offset surfaces by a larger share of the diagonal draw a warning."""
