@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 DESIGN = "window.__orishell.store.design.value"
 STATE = "document.querySelector('[data-testid=search]').dataset.state"
 POINTS = "document.querySelectorAll('.search .point').length"
-MADE = "document.querySelectorAll('.search .point, .search .beaten circle').length"
+DOTS = "(document.querySelector('.search .beaten')?.getAttribute('d') ?? '').split('M').length - 1"
+MADE = f"{POINTS} + {DOTS}"
 SIZE_RANGES = {"rows": (3, 7), "columns": (4, 7)}
 SHARE = {"pattern.rows": {"low": 3, "high": 7, "step": 2}, "pattern.columns": {"low": 4, "high": 7}}
 

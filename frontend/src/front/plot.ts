@@ -1,8 +1,8 @@
 // The plot of two objectives: points of the front are chosen in it, by pointer or by keys.
 
 import type { FrontPage } from "../shared/api-types.ts";
-import { Chooser, type Point } from "../shared/chooser.ts";
-import { axisAcross, axisUp, type Scale } from "../shared/plot.ts";
+import type { Point } from "../shared/chooser.ts";
+import { Scatter } from "../shared/scatter.ts";
 import { svg } from "../shared/svg.ts";
 import { scaleOf } from "./scales.ts";
 import { written } from "../shared/written.ts";
@@ -16,22 +16,20 @@ const BOTTOM = 46;
 const LINE = 110;
 
 export class Plot {
-  readonly element = svg("svg", { class: "front-plot" });
   /** Members are chosen, or with shift compared. */
   onPick: (number: number, compared: boolean) => void = () => {};
   /** Designs that lie outside. */
   outside = 0;
-  private readonly back = svg("g", { "aria-hidden": "true" });
-  private readonly chooser: Chooser;
+  private readonly scatter = new Scatter("Designs that no other beats", {
+    walked: (number) => this.onPick(number, false),
+    picked: (number, compared) => this.onPick(number, compared),
+  });
+  readonly element = this.scatter.element;
   private readonly objectives: number;
 
   constructor(private readonly page: FrontPage, private pair: [number, number]) {
     this.objectives = page.figures.filter(({ minimised }) => minimised).length;
-    this.chooser = new Chooser(this.element, "Designs that no other beats", {
-      walked: (number) => this.onPick(number, false),
-      picked: (number, compared) => this.onPick(number, compared),
-    });
-    this.element.append(this.back, this.chooser.element);
+    this.element.classList.add("front-plot");
   }
 
   show(pair: [number, number]): void {
@@ -40,35 +38,41 @@ export class Plot {
   }
 
   mark(chosen: number, pinned: number | null): void {
-    this.chooser.mark(chosen, chosen, pinned ?? undefined);
+    this.scatter.chooser.mark(chosen, chosen, pinned ?? undefined);
   }
 
   draw(): void {
     const width = this.element.parentElement!.clientWidth;
     if (!width) return;
-    const height = this.objectives > 1 ? Math.round(Math.min(430, Math.max(250, 0.68 * width))) : LINE;
+    const { page, pair, objectives } = this;
+    const plane = objectives > 1;
+    const height = plane ? Math.round(Math.min(430, Math.max(250, 0.68 * width))) : LINE;
     for (const [name, value] of Object.entries({ width, height, viewBox: `0 0 ${width} ${height}` })) {
       this.element.setAttribute(name, String(value));
     }
-    const { members, beaten, baseline: begun, knee } = this.page;
-    const at = (figures: number[]): Point => [figures[this.pair[0]]!, this.objectives > 1 ? figures[this.pair[1]]! : 0];
-    const front = members.map(({ figures }) => at(figures));
-    const others = beaten.map(at), start = begun ? [at(begun)] : [];
-    const [x, y] = ([0, 1] as const).map((axis) => {
+    const frame = { left: LEFT, right: width - RIGHT, top: TOP, bottom: height - BOTTOM };
+    const at = (figures: number[]): Point => [figures[pair[0]]!, plane ? figures[pair[1]]! : 0];
+    const front = page.members.map(({ figures }) => at(figures));
+    const others = page.beaten.map(at), start = page.baseline ? [at(page.baseline)] : [];
+    const scale = (axis: 0 | 1, from: number, to: number) => {
       const [one, seen, rest] = [front, start, others].map((points) => points.map((point) => point[axis])) as [number[], number[], number[]];
-      return axis ? scaleOf(one, seen, rest, height - BOTTOM, TOP) : scaleOf(one, seen, rest, LEFT, width - RIGHT);
-    }) as [Scale, Scale];
-    const place = ([u, v]: Point): Point => [x.at(u), y.at(v)];
-    const within = others.filter(([u, v]) => x.has(u) && y.has(v));
-    this.outside = others.length - within.length;
-    const places = front.map(place);
-
-    const dots = within.map((point) => `M${place(point).map((each) => each.toFixed(1)).join(" ")}h0`).join("");
-    const drawn: SVGElement[] = [...this.axes(x, y, width, height), svg("path", { class: "beaten", d: dots })];
-    if (this.objectives === 2) drawn.push(svg("polyline", { class: "line", points: places.map(String).join(" ") }));
-    for (const [u, v] of start.map(place)) drawn.push(svg("path", { class: "begun", d: square(u, v) }));
-    this.back.replaceChildren(...drawn);
-    this.chooser.draw(places.map((at, number) => ({ at, label: this.label(number) })), knee);
+      return scaleOf(one, seen, rest, from, to);
+    };
+    const x = scale(0, frame.left, frame.right), y = scale(1, frame.bottom, frame.top);
+    const dots = others.filter(([u, v]) => x.has(u) && y.has(v));
+    this.outside = others.length - dots.length;
+    this.scatter.marks.replaceChildren(...start.map(([u, v]) => svg("path", { class: "begun", d: square(x.at(u), y.at(v)) })));
+    const name = (axis: 0 | 1): string => page.figures[pair[axis]]!.name;
+    this.scatter.draw({
+      frame,
+      across: { scale: x, about: width / 80, name: name(0) },
+      up: { scale: y, about: height / 45, name: plane ? name(1) : "" },
+      written,
+      dots,
+      best: front.map((each, number) => ({ at: each, label: this.label(number) })),
+      joined: objectives === 2,
+      knee: page.knee,
+    });
   }
 
   private label(number: number): string {
@@ -76,15 +80,6 @@ export class Plot {
     const member = members[number]!;
     const said = figures.slice(0, this.objectives).map(({ name }, k) => `${name} ${written(member.figures[k])}`);
     return [nameOf(member.file), ...said].join(", ");
-  }
-
-  private axes(x: Scale, y: Scale, width: number, height: number): SVGElement[] {
-    const frame = { left: LEFT, right: width - RIGHT, top: TOP, bottom: height - BOTTOM };
-    const axis = (scale: Scale, about: number, number: 0 | 1) => ({
-      ticks: scale.ticks(about), at: (value: number) => scale.at(value), written, name: this.page.figures[this.pair[number]]!.name,
-    });
-    const across = axisAcross(frame, axis(x, width / 80, 0));
-    return this.objectives < 2 ? across : [...across, ...axisUp(frame, axis(y, height / 45, 1))];
   }
 }
 

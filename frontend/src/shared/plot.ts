@@ -6,7 +6,7 @@ import { svg } from "./svg.ts";
 const ROOM = 0.06;
 
 export class Scale {
-  constructor(readonly low: number, readonly high: number, private readonly from: number, private readonly to: number) {}
+  constructor(readonly low: number, readonly high: number, protected readonly from: number, protected readonly to: number) {}
 
   /** The scale that shows all values, with some room. */
   static of(values: readonly number[], from: number, to: number): Scale {
@@ -42,17 +42,18 @@ export interface Frame {
   bottom: number;
 }
 
-/** One of the axes: its ticks, where they are, how they are written and what the axis is of. */
+/** One of the axes: its scale, about how many ticks it has, and what it is of. */
 export interface Axis {
-  ticks: readonly number[];
-  at: (value: number) => number;
-  written: (value: number) => string;
+  scale: Pick<Scale, "at" | "ticks">;
+  about?: number;
   name: string;
 }
 
-export function axisAcross({ left, right, top, bottom }: Frame, { ticks, at, written, name }: Axis): SVGElement[] {
-  const lines = ticks.flatMap((tick) => {
-    const x = at(tick);
+type Written = (value: number) => string;
+
+export function axisAcross({ left, right, top, bottom }: Frame, { scale, about, name }: Axis, written: Written): SVGElement[] {
+  const lines = scale.ticks(about).flatMap((tick) => {
+    const x = scale.at(tick);
     return [
       svg("line", { class: "grid", x1: x, x2: x, y1: top, y2: bottom }),
       svg("text", { x, y: bottom + 15, "text-anchor": "middle" }, written(tick)),
@@ -61,10 +62,10 @@ export function axisAcross({ left, right, top, bottom }: Frame, { ticks, at, wri
   return [...lines, svg("text", { class: "axis", x: (left + right) / 2, y: bottom + 33, "text-anchor": "middle" }, name)];
 }
 
-export function axisUp({ left, right, top, bottom }: Frame, { ticks, at, written, name }: Axis): SVGElement[] {
+export function axisUp({ left, right, top, bottom }: Frame, { scale, about, name }: Axis, written: Written): SVGElement[] {
   const middle = (top + bottom) / 2;
-  const lines = ticks.flatMap((tick) => {
-    const y = at(tick);
+  const lines = scale.ticks(about).flatMap((tick) => {
+    const y = scale.at(tick);
     return [
       svg("line", { class: "grid", x1: left, x2: right, y1: y, y2: y }),
       svg("text", { x: left - 6, y: y + 4, "text-anchor": "end" }, written(tick)),

@@ -1,6 +1,7 @@
 // Sheets of many sizes, and which of them to take: arithmetic of the trade-off, without the page.
 
 import type { Tradeoff, Trial } from "../../shared/api-types.ts";
+import { Scale } from "../../shared/plot.ts";
 import { changed } from "../state/changed.ts";
 import type { Design, Tolerance } from "../state/types.ts";
 
@@ -43,28 +44,21 @@ export function withTolerance(design: Design, tolerance: Tolerance): Design {
 }
 
 /** A logarithmic scale from values to places. */
-export class LogScale {
-  constructor(
-    readonly low: number,
-    readonly high: number,
-    private readonly from: number,
-    private readonly to: number,
-  ) {}
-
+export class LogScale extends Scale {
   /** The scale that shows all values with some room. */
-  static of(values: readonly number[], from: number, to: number): LogScale {
+  static override of(values: readonly number[], from: number, to: number): LogScale {
     const [low, high] = [Math.min(...values), Math.max(...values)];
     const room = Math.max(high / low, 2) ** 0.06;
     return new LogScale(low / room, high * room, from, to);
   }
 
-  at(value: number): number {
+  override at(value: number): number {
     const share = Math.log(value / this.low) / Math.log(this.high / this.low);
     return this.from + share * (this.to - this.from);
   }
 
   /** 1, 2 and 5 times powers of ten; only the powers where that would be too many. */
-  ticks(most = 7): number[] {
+  override ticks(most = 7): number[] {
     const found = (leads: number[]): number[] => {
       const ticks: number[] = [];
       for (let power = Math.floor(Math.log10(this.low)); power <= Math.log10(this.high); power++) {

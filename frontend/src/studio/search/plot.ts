@@ -1,19 +1,15 @@
 // The plot of a search: designs that others beat faint, those that none beats as points to choose.
 
 import type { SearchedDesign } from "../../shared/api-types.ts";
-import { Chooser } from "../../shared/chooser.ts";
-import { axisAcross, axisUp, Scale } from "../../shared/plot.ts";
-import { h, s, setAttribute, uniqueId } from "../parts/dom.ts";
+import type { Point } from "../../shared/chooser.ts";
+import { Scale } from "../../shared/plot.ts";
+import { Scatter } from "../../shared/scatter.ts";
+import { frameOf, plotFigure } from "../parts/plot-figure.ts";
+import { s } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Found, Member } from "./found.ts";
 
-const WIDTH = 352;
-const HEIGHT = 240;
-const LEFT = 52;
-const RIGHT = 10;
-const TOP = 10;
-const BOTTOM = 38;
-const FRAME = { left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: HEIGHT - BOTTOM };
+const FRAME = frameOf(352, 240);
 const SQUARE = 9;
 
 export interface PlotEvents {
@@ -27,11 +23,10 @@ export type Axis = string | null;
 
 export class SearchPlot {
   readonly element: HTMLElement;
-  private readonly frame = s("g", {});
-  private readonly cloud = s("g", { class: "beaten", "aria-hidden": "true" });
-  private readonly line = s("polyline", { class: "line" });
-  private readonly begun = s("rect", { class: "begun", width: SQUARE, height: SQUARE }, s("title", {}, "the design as it was opened"));
-  private readonly chooser: Chooser;
+  private readonly scatter = new Scatter("Designs that no other beats", {
+    walked: (place) => this.look(place),
+    picked: (place) => this.pick(place),
+  });
   private found: Found | null = null;
   /** Number of the design that is looked at; the knee until another is. */
   private at = -1;
@@ -39,48 +34,37 @@ export class SearchPlot {
   private open: Member | null = null;
 
   constructor(private readonly events: PlotEvents) {
-    const id = uniqueId("search");
-    const drawing = s("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "data-testid": "search-plot" });
-    this.chooser = new Chooser(drawing, "Designs that no other beats", {
-      walked: (place) => this.look(place),
-      picked: (place) => this.pick(place),
-    });
-    drawing.append(this.frame, this.cloud, this.line, this.begun, this.chooser.element);
-    this.element = h(
-      "figure",
-      { class: "front-figure", "aria-labelledby": id },
-      drawing,
-      h("figcaption", { id, class: "note" }, "Click a point, or walk with arrow keys and press Enter: the open design becomes that one. Grey: another is better. Square: the design as it was."),
-    );
+    this.element = plotFigure(this.scatter, FRAME, "search-plot", "Click a point, or walk with arrow keys and press Enter: the open design becomes that one. Grey: another is better. Square: the design as it was.");
   }
 
   draw(found: Found, [x, y]: [Axis, Axis], words: (member: Member) => string): void {
     this.found = found;
-    const { designs, front, baseline: begun, objectives } = found;
+    const { designs, front, baseline: begun, objectives, knee } = found;
     const valueOf = (axis: Axis, design: SearchedDesign): number => (axis === null ? designs.indexOf(design) + 1 : design.figures[axis]!);
-    const shown = begun && x !== null ? [...designs, begun] : designs;
-    const across = Scale.of(shown.map((each) => valueOf(x, each)), LEFT, WIDTH - RIGHT);
-    const up = Scale.of(shown.map((each) => valueOf(y, each)), HEIGHT - BOTTOM, TOP);
-    const place = (each: SearchedDesign): [number, number] => [across.at(valueOf(x, each)), up.at(valueOf(y, each))];
+    const start = begun && x !== null ? [begun] : [];
+    const shown = [...designs, ...start];
+    const across = Scale.of(shown.map((each) => valueOf(x, each)), FRAME.left, FRAME.right);
+    const up = Scale.of(shown.map((each) => valueOf(y, each)), FRAME.bottom, FRAME.top);
+    const at = (each: SearchedDesign): Point => [valueOf(x, each), valueOf(y, each)];
     const label = (axis: Axis): string => objectives.find(({ name }) => name === axis)?.label ?? "designs, in the order in which they were made";
-    this.frame.replaceChildren(
-      ...axisAcross(FRAME, { ticks: across.ticks(), at: (value) => across.at(value), written: short, name: label(x) }),
-      ...axisUp(FRAME, { ticks: up.ticks(5), at: (value) => up.at(value), written: short, name: label(y) }),
-    );
     const best = new Set(front.map(({ design }) => design));
-    this.cloud.replaceChildren(...designs.filter((each) => !best.has(each)).map((each) => circle("", place(each), 2.5)));
-    const walked = objectives.length === 2 ? front.map(({ design }) => place(design).join(",")) : [];
-    setAttribute(this.line, "points", walked.join(" "));
-    this.begun.toggleAttribute("hidden", shown === designs);
-    if (shown !== designs) {
-      const [left, top] = place(begun!);
-      setAttribute(this.begun, "x", left - SQUARE / 2);
-      setAttribute(this.begun, "y", top - SQUARE / 2);
-    }
-    if (!this.chosen || !front.some(({ number }) => number === this.at)) this.at = front[found.knee]?.number ?? -1;
+    this.scatter.marks.replaceChildren(...start.map(at).map(([u, v]) => s(
+      "rect",
+      { class: "begun", width: SQUARE, height: SQUARE, x: across.at(u) - SQUARE / 2, y: up.at(v) - SQUARE / 2 },
+      s("title", {}, "the design as it was opened"),
+    )));
+    if (!this.chosen || !front.some(({ number }) => number === this.at)) this.at = front[knee]?.number ?? -1;
     this.show();
-    const choices = front.map((member, number) => ({ at: place(member.design), label: words(member), testid: `searched-${number}` }));
-    this.chooser.draw(choices, found.knee);
+    this.scatter.draw({
+      frame: FRAME,
+      across: { scale: across, name: label(x) },
+      up: { scale: up, about: 5, name: label(y) },
+      written: short,
+      dots: designs.filter((each) => !best.has(each)).map(at),
+      best: front.map((member, number) => ({ at: at(member.design), label: words(member), testid: `searched-${number}` })),
+      joined: objectives.length === 2,
+      knee,
+    });
   }
 
   /** Another search begins. */
@@ -88,8 +72,7 @@ export class SearchPlot {
     this.found = null;
     this.chosen = false;
     this.open = null;
-    this.chooser.draw([]);
-    this.cloud.replaceChildren();
+    this.scatter.chooser.draw([]);
   }
 
   /** Mark the member that the open design is. */
@@ -107,7 +90,7 @@ export class SearchPlot {
   }
 
   private show(): void {
-    this.chooser.mark(this.place, this.open ? this.found!.front.indexOf(this.open) : -1);
+    this.scatter.chooser.mark(this.place, this.open ? this.found!.front.indexOf(this.open) : -1);
   }
 
   private look(place: number): void {
@@ -123,8 +106,4 @@ export class SearchPlot {
     this.look(place);
     if (this.member) this.events.picked(this.member);
   }
-}
-
-function circle(name: string, [cx, cy]: [number, number], r: number): SVGCircleElement {
-  return s("circle", { class: name || null, cx, cy, r });
 }
