@@ -10,10 +10,14 @@ from pathlib import Path
 from threading import get_ident
 
 import kept
+import numpy as np
 import pytest
 
 from documents import EXAMPLES
+from fitted_shells import fitted
 from orishell.design_file import read_design_file
+from orishell.deviation import measure_deviation
+from orishell.deviation.triangles import Triangles
 from orishell.io.formats import find_formats
 from orishell.shell import export
 from orishell.shell.make import Shell, make_shell
@@ -53,6 +57,24 @@ def test_a_kept_shell_is_the_one_that_is_made(
     expected = files_of(made, tmp_path / "made", monkeypatch)
     assert {"shell.fold", "report.json", "shell.obj"} <= set(expected)
     assert files_of(again, tmp_path / "again", monkeypatch) == expected
+
+
+def test_a_fitted_design_is_kept_and_its_distances_are_the_same(forget: Forget) -> None:
+    """Trees of boxes, which find distances from its surface, are made anew."""
+    design = kept.kept(lambda: fitted("roof", 4))
+    first = design()
+    forget()
+    again = design()
+    assert again is not first
+    one, other = (measure_deviation(each, samples=20) for each in (first, again))
+    assert (other.max, other.rms, other.p95) == (one.max, one.rms, one.p95)
+    triangles = Triangles.scattered(np.eye(3), np.array([[0, 1, 2]]))
+    points = np.linspace(0, 1, 30).reshape(10, 3)
+    whole = kept.kept(lambda: triangles)
+    assert whole() is triangles
+    forget()
+    feet = whole().nearest(points).feet
+    np.testing.assert_array_equal(feet, triangles.nearest(points).feet)
 
 
 def test_another_file_or_another_question_has_another_shell(forget: Forget) -> None:

@@ -9,6 +9,7 @@ making waits for it.
 from __future__ import annotations
 
 import fcntl
+import io
 import os
 import pickle
 import shutil
@@ -24,7 +25,10 @@ from typing import Any, ParamSpec, TypeVar
 import cloudpickle
 
 from orishell.conventions.progress import Progress, no_progress
+from orishell.design.piece import Piece
 from orishell.design_file import DesignFile
+from orishell.deviation.triangles import Triangles
+from orishell.numerics.arrays import Array, Integers
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import ClashPolicy, Step
 
@@ -52,8 +56,9 @@ def kept(makes: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
 
     @wraps(makes)
     def found(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
-        asked = (makes.__qualname__, args, sorted(kwargs.items()))
-        name = _digest(repr(asked).encode(), _bytes(makes.__code__.co_filename))
+        code = makes.__code__
+        asked = (code.co_qualname, code.co_firstlineno, args, sorted(kwargs.items()))
+        name = _digest(repr(asked).encode(), _bytes(code.co_filename))
         return _found(name, lambda: makes(*args, **kwargs))
 
     return found
@@ -82,8 +87,32 @@ def _found(name: str, makes: Callable[[], Any]) -> Any:
                 _read[name] = pickle.loads(path.read_bytes())
             else:
                 _read[name] = makes()
-                _write(path, cloudpickle.dumps(_read[name]))
+                _write(path, _dumps(_read[name]))
     return _read[name]
+
+
+class _Pickler(cloudpickle.Pickler):
+    """Leaves out libigl's trees of boxes, which cannot be written: they are made anew."""
+
+    def reducer_override(self, thing: Any) -> Any:
+        """How a thing is written that has a tree; all else as usual."""
+        if isinstance(thing, Triangles):
+            return _with_tree, (thing.vertices, thing.corners, thing.columns, thing.turning)
+        if isinstance(thing, Piece) and "_tree" in vars(thing):
+            makes, parts, state = thing.__reduce_ex__(2)[:3]
+            return makes, parts, {name: value for name, value in state.items() if name != "_tree"}
+        return super().reducer_override(thing)
+
+
+def _with_tree(vertices: Array, corners: Integers, columns: int, turning: Any) -> Triangles:
+    tree = Triangles.scattered(vertices, corners).tree
+    return Triangles(vertices, corners, columns, turning, tree)
+
+
+def _dumps(thing: Any) -> bytes:
+    file = io.BytesIO()
+    _Pickler(file).dump(thing)
+    return file.getvalue()
 
 
 def _write(path: Path, content: bytes) -> None:
