@@ -36,7 +36,7 @@ from orishell.shell.remedies import with_remedies
 from orishell.shell.report import Report, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import ClashPolicy, Step, Work, require_steps
-from orishell.shell.thickness_remedy import Stronger, find_stronger
+from orishell.shell.thickness_remedy import find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import find_verdict
 from orishell.structure.results import Analysis
@@ -130,7 +130,7 @@ def _made(found: Candidate, work: Work) -> Shell:
     facts = find_facts(found, work)
     file, design, lock, analysis = found.file, found.design, found.lock, facts.analysis
     report = _report(facts, work)
-    stronger = Stronger()
+    stronger = None
     if analysis is not None and analysis.sign == "fails" and mended:
         stronger = find_stronger(file, analysis, progress)
         clock.lap("remedies")

@@ -26,9 +26,9 @@ from orishell.conventions.errors import (
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
-from orishell.curves import Curve
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
+from orishell.families.shared.candidates import part
 from orishell.locking import largest_quotable, reaches_target
 from orishell.locking.motion_end import FINE, NARROWEST, OF_BOARDS
 from orishell.shell.designed import designed
@@ -254,7 +254,9 @@ def _numbers(file: DesignFile, clash: ClashError) -> Iterator[_Number]:
     elif file.target is not None and file.fit is None:  # a fit scales f and g again
         f, g = file.target
         yield _Number(1.0, lambda share: _written("target.f.scale", f.scale_times(share)))
-        yield _Number(1.0, lambda share: _shortened(g, share))
+        yield _Number(
+            1.0, lambda share: part("g", g, g.start, g.start + share * (g.stop - g.start))
+        )
 
 
 def _coarsely(numbers: Iterable[_Number]) -> Iterator[Remedy]:
@@ -265,8 +267,3 @@ def _coarsely(numbers: Iterable[_Number]) -> Iterator[Remedy]:
 
 def _written(key: str, value: Value) -> Remedy:
     return Remedy({key: value})
-
-
-def _shortened(g: Curve, share: float) -> Remedy:
-    low, high = g.drawn_part(g.start, g.start + share * (g.stop - g.start))
-    return Remedy({f"target.g.{g.key}": [rounded(low, 10), rounded(high, 10)]})

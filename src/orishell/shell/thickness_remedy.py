@@ -9,14 +9,13 @@ that the same file has the same answer on any machine.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import field, replace
+from dataclasses import replace
 from typing import Any
 
-from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
-from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.steps import MEASURES, Step
@@ -44,24 +43,16 @@ LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification")
 """All that does not tell what a shell bears."""
 
 
-@record
-class Stronger:
-    """What has a shell carry its loads, and what was tried."""
-
-    # values of keys with which no case fails; empty if nothing was found
-    changes: Mapping[str, Any] = field(default_factory=dict)
-    said: str = ""  # that in words, or what was tried in vain
-
-
-def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> Stronger:
-    """What has a shell that fails carry all its cases, or what was tried and does not."""
+def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> Remedy | None:
+    """What has a shell that fails carry all its cases, or no change and what was tried in vain."""
     if analysis.model.structure.nonlinear:
-        return Stronger(
-            said="what would carry its loads is not sought where large displacements are followed: "
-            "with nonlinear = false it is"
+        return Remedy(
+            {},
+            "what would carry its loads is not sought where large displacements are followed: "
+            "with nonlinear = false it is",
         )
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
-        return Stronger()  # thickness holds nothing, and the case says what does
+        return None  # thickness holds nothing, and the case says what does
     trials = _Trials(file, analysis, progress)
     for changes in trials.proposed():
         if trials.work > WORK:
@@ -148,22 +139,22 @@ class _Trials:
             return None
         return made.analysis
 
-    def confirmed(self) -> Stronger:
+    def confirmed(self) -> Remedy | None:
         """What works as a whole, the best of what was tried first; or what was tried."""
         for _, changes in sorted(self.promise, key=lambda each: each[0])[:CONFIRMED]:
             found, words = self._analysed(changes, quick=False), self._in_words(changes)
             if found is None:
                 continue
             if found.carries:
-                return Stronger(changes, f"{words} carry all cases (tried)")
+                return Remedy(changes, f"{words} carry all cases (tried)")
             if found.sign == "warns":
                 rest = f"whether they carry it is {found.in_words()}"
-                return Stronger(changes, f"with {words} no case fails (tried); {rest}")
+                return Remedy(changes, f"with {words} no case fails (tried); {rest}")
             self.tried.append(words)
         if not self.tried:
-            return Stronger()
+            return None
         end = ", and more would take too long" if self.ended else ""
-        return Stronger(said=f"tried, and not enough: {', '.join(self.tried)}{end}")
+        return Remedy({}, f"tried, and not enough: {', '.join(self.tried)}{end}")
 
     def _in_words(self, changes: Mapping[str, Any]) -> str:
         parts = []

@@ -19,7 +19,6 @@ from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.shell.steps import CONTACT, STOCK, STRUCTURE
-from orishell.shell.thickness_remedy import Stronger
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order import order_in_words
 
@@ -45,7 +44,7 @@ CLOSING = {
 
 def find_verdict(
     report: Report,
-    stronger: Stronger | None = None,
+    stronger: Remedy | None = None,
     stock: tuple[float, float] | None = None,
     joining: Remedy | None = None,
     two: TwoThicknesses | None = None,
@@ -58,7 +57,7 @@ def find_verdict(
     two: The thickness that only its structure has.
     """
     rows = [
-        *_stands(report, stronger or Stronger()),
+        *_stands(report, stronger or Remedy({})),
         *folds_rows(report, _way(report), joining),
         *_locks(report),
         *_packs(report, said=two is not None),
@@ -83,11 +82,11 @@ def find_verdict(
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
 
-def _stands(report: Report, stronger: Stronger) -> Iterator[Row]:
+def _stands(report: Report, stronger: Remedy) -> Iterator[Row]:
     """Whether the shell carries its load cases."""
     structure = report.structure
     if structure is not None:
-        yield Row(structure.sign, "stands", structure.in_words(), stronger.said, stronger.changes)
+        yield Row(structure.sign, "stands", structure.in_words(), str(stronger), stronger.changes)
     elif STRUCTURE in report.not_checked:
         yield Row("warns", "stands", "not known: the structure was not analysed")
 
