@@ -3,8 +3,8 @@
 A family knows what its own conditions leave open (``DesignError.candidates``), not whether panels
 then meet, or whether the shell fits the stock and its ties. So each candidate is typed into the
 file, and the shell made from it, before a message offers it; where that fails for a further reason,
-that reason's candidates are tried on top. Between a value that works and a nearer one that does
-not, a still nearer one is looked for.
+that reason's candidates are tried on top, and so on. Between a value that works and a nearer one
+that does not, a still nearer one is looked for.
 """
 
 from __future__ import annotations
@@ -42,6 +42,8 @@ SECONDS = 10.0
 TRIALS, PANELS, SEARCHES = 18, 15_000, 3
 """Designs tried at most; of large sheets as many as have so many panels together, of files
 whose rows and columns must be searched for so many."""
+DEEPER = 2 * TRIALS
+"""Designs after which no third change is tried on top of two."""
 HALVINGS = 4
 """Trials between a value that works and a nearer one that does not."""
 SMALLEST_CURVE = 0.05
@@ -106,8 +108,10 @@ class _RemedySearch:
             self._look(Remedy({}), chain(refusal.candidates, self._apart(refusal)), 1)
         else:
             self._look(Remedy({}), iter(refusal.candidates), MOST_REMEDIES)
-        for remedy, reason in list(self.failures):
-            if self.found:
+        single = len(self.failures)
+        # They grow by what is tried on top of them.
+        for number, (remedy, reason) in enumerate(self.failures):
+            if self.found or (number >= single and self.tried >= DEEPER):
                 break
             self._look(remedy, self._further(remedy, reason), 1)
 
@@ -126,8 +130,7 @@ class _RemedySearch:
                     self._approach(base, keys, candidate, nearer[keys])
             else:
                 nearer[keys] = candidate
-                if not base.changes:
-                    self.failures.append((candidate, reason))
+                self.failures.append((base | candidate, reason))
             if len(self.found) == most or self.tried >= TRIALS:
                 break
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Collection
-from dataclasses import field, replace
+from dataclasses import field
 from typing import Literal, get_args
 
 from orishell.conventions.errors import InputError
@@ -66,10 +66,6 @@ class Work:
     def asks(self, step: Step) -> bool:
         """Whether a step is to be done."""
         return step not in self.skip
-
-    def watched_by(self, progress: Progress) -> Work:
-        """As much work, told to another and timed by itself."""
-        return replace(self, progress=progress, clock=Clock())
 
 
 def require_steps(skip: Collection[str]) -> None:
