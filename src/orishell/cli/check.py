@@ -173,18 +173,20 @@ def _print_verdict(verdict: PatternVerdict) -> None:
 def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> None:
     from orishell.verification.pattern.rows import of_freedom
 
-    report = inspection.as_dict()
-    flat, frames = report["flat_frame"], len(report["frames"])
-    parts = [counted(report["panels"], "panel"), counted(report["creases"], "crease")]
-    parts.append(counted(report["inner_vertices"], "inner vertex", "inner vertices"))
-    say(f"{report['file']}: {', '.join(parts)}")
+    file, flat = inspection.file, inspection.flat_frame
+    parts = [
+        counted(len(file.mesh.faces), "panel"),
+        counted(inspection.creases, "crease"),
+        counted(inspection.inner_vertices, "inner vertex", "inner vertices"),
+    ]
+    say(f"{file.path}: {', '.join(parts)}")
     say(
-        f"frames    {frames}, "
+        f"frames    {len(file.frames)}, "
         + ("none of them flat" if flat is None else f"flat sheet in frame {flat}")
-        + f", diagonal {plain(report['diagonal'])} {report['unit']}"
+        + f", diagonal {plain(inspection.sheet.diagonal)} {file.unit}"
     )
-    if report["turned_panels"]:
-        say(f"turned    {report['turned_panels']} panels listed the other way round")
+    if inspection.turned_panels:
+        say(f"turned    {inspection.turned_panels} panels listed the other way round")
     width = max(len(check.name) for check in inspection.checks)
     for each in inspection.checks:
         outcome = "PASS" if each.passed else "FAIL"

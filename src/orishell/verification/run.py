@@ -109,6 +109,26 @@ class Inspection:
         """Whether every test passed."""
         return all(check.passed for check in self.checks)
 
+    @property
+    def inner_vertices(self) -> int:
+        """Number of vertices that panels surround."""
+        return len(self.sheet.inner)
+
+    @property
+    def creases(self) -> int:
+        """Number of edges that join two panels."""
+        return int(self.file.mesh.crease.sum())
+
+    @property
+    def turned_panels(self) -> int:
+        """Number of panels that are listed the other way round."""
+        return int((self.file.mesh.reversed_faces ^ (self.sheet.up < 0)).sum())
+
+    @property
+    def flat_frame(self) -> int | None:
+        """Number of the frame of the flat sheet; None if no frame is flat."""
+        return self.sheet.frame.number if self.sheet.flat else None
+
     def as_dict(self) -> dict[str, Any]:
         """The report that ``orishell check --json`` prints."""
         mesh = self.file.mesh
@@ -118,13 +138,13 @@ class Inspection:
             "passed": self.passed,
             "panels": len(mesh.faces),
             "vertices": mesh.vertex_count,
-            "creases": int(mesh.crease.sum()),
-            "inner_vertices": len(self.sheet.inner),
+            "creases": self.creases,
+            "inner_vertices": self.inner_vertices,
             "pieces": int(mesh.pieces.max()) + 1,
-            "turned_panels": int((mesh.reversed_faces ^ (self.sheet.up < 0)).sum()),
+            "turned_panels": self.turned_panels,
             "frames": [frame.number for frame in self.file.frames],
             "reference_frame": self.sheet.frame.number,
-            "flat_frame": self.sheet.frame.number if self.sheet.flat else None,
+            "flat_frame": self.flat_frame,
             "diagonal": self.sheet.diagonal,
             "tolerance": self.tolerance,
             "degrees_of_freedom": self.degrees_of_freedom,
