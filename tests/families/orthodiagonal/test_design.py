@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from orishell.conventions.errors import CurveError, DesignError, Remedy
+from orishell.conventions.errors import CurveError, DesignError
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
 from samples import THOROUGH, led_by
@@ -259,20 +259,15 @@ def test_no_heading_is_offered_where_none_works() -> None:
     # f's plane crosses g at many headings, but rows meet at all of them: the crossing interval,
     # like the paper's condition, is only necessary.
     roof, bowl = graph("-abs(x)", -1, 1), graph("-sqrt(4-x**2)", -1.5, 1.5)
-    asked = request(roof, bowl, depth=0.1, heading=np.pi)
-    turned = asked.candidates(asked.refusal())[0]
-    assert turned.options["heading"] < np.pi
-    # There a smaller g is what helps.
-    first = next(iter(turned.refusal().candidates))
-    assert set(first.changes) == {"target.g.scale"}
-    assert turned.changed(first).design()
+    error = request(roof, bowl, depth=0.1, heading=np.pi).refusal()
+    first = next(iter(error.candidates))
+    assert set(first.changes) == {"target.g.scale", "pattern.heading_deg"}
+    assert request(roof, bowl, depth=0.1, heading=np.pi).changed(first).design()
     # Flaps of a given width may be too wide there.
-    wide = asked.changed(Remedy({"pattern.flap": 0.5}))
-    of_turned = wide.candidates(wide.refusal())[0].refusal().candidates
-    assert any(each.changes.get("pattern.flap") == "auto" for each in of_turned)
+    wide = request(roof, bowl, depth=0.1, heading=np.pi, flap=0.5)
+    assert next(iter(wide.refusal().candidates)).changes["pattern.flap"] == "auto"
     # Who wants no flaps is not offered any.
-    bare = asked.changed(Remedy({"pattern.flap": 0.0}))
-    turned = bare.candidates(bare.refusal())[0]
-    first = next(iter(turned.refusal().candidates))
+    bare = request(roof, bowl, depth=0.1, heading=np.pi, flap=0)
+    first = next(iter(bare.refusal().candidates))
     assert "pattern.flap" not in first.changes
-    assert turned.changed(first).design().mechanism.grid.columns == 13
+    assert bare.changed(first).design().mechanism.grid.columns == 13

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import chain, islice
+from itertools import chain
 
 import numpy as np
 
@@ -37,8 +37,6 @@ from orishell.polylines import Zigzag, choose_depth
 
 DEPTHS = 40
 """Depths tried in either direction in search of one that works."""
-DEPTHS_OFFERED = 3
-"""Depths tried at most of those that need another heading, too."""
 SMALLEST_SCALE = 1e-3
 """A g that would have to be smaller than this share of itself is not offered."""
 DEEPEST, SHALLOWEST = 40.0, 0.1
@@ -81,7 +79,7 @@ def refuse(
             limits,
             search.headings_of(admissible)
             if len(admissible)
-            else [_heading(sum(crossing) / 2)],  # rows meet there, and that refusal says what helps
+            else search.at_another_heading(sum(crossing) / 2),
         )
     roomy = [each.room(heading) for each in demands if replace(each, flap=None).admit(heading)]
     if roomy:
@@ -115,15 +113,14 @@ class HeadingSearch:
     heading: float
 
     def run(self, admissible: Array) -> Iterator[Remedy]:
-        """Other headings, a smaller g, another depth; else depths at which one of these helps."""
+        """Other headings, a smaller g, another depth; if none of these helps, two at once."""
         found = False
         for remedy in chain(self.headings_of(admissible), self.scales(), self.depths()):
             found = True
             yield remedy
         if not found:
-            yield from islice(self.depths_of_any_heading(), DEPTHS_OFFERED)
-            best = choose_depth(self.f, len(self.zigzag.angles))
-            yield Remedy({"pattern.depth": rounded(best)})
+            yield from self.at_another_depth()
+            yield from self.smaller_at_the_best_depth()
 
     def without_flaps(self) -> HeadingSearch:
         """The search for flaps as wide as there is room for."""
@@ -170,18 +167,36 @@ class HeadingSearch:
                 if works(depth):
                     yield Remedy({"pattern.depth": as_typed(depth, works)})
 
-    def depths_of_any_heading(self) -> Iterator[Remedy]:
-        """Greater depths at which the rows admit some heading."""
+    def at_another_depth(self) -> Iterator[Remedy]:
+        """Greater depths that admit any heading, with the middle of the widest interval."""
         asked = self.zigzag.depth
         for depth in np.geomspace(asked, DEEPEST * asked, DEPTHS)[1:]:
             typed = rounded(float(depth))
-            zigzags = sound_zigzags(self.f, len(self.zigzag.angles), typed)
-            if any(len(self.headings.of(trial).intervals()) for trial in zigzags):
-                yield Remedy({"pattern.depth": typed})
+            for trial in sound_zigzags(self.f, len(self.zigzag.angles), typed):
+                intervals = self.headings.of(trial).intervals()
+                if len(intervals):
+                    widest = intervals[first_largest(np.ptp(intervals, axis=1))]
+                    middle = rounded(tidy_degrees(float(widest.mean())), 6)
+                    yield Remedy({"pattern.depth": typed, "pattern.heading_deg": middle})
+                    break
 
+    def smaller_at_the_best_depth(self) -> Iterator[Remedy]:
+        """Smaller sizes of g at the depth that "auto" takes."""
+        rows = len(self.zigzag.angles)
+        depth = rounded(choose_depth(self.f, rows))
+        for trial in sound_zigzags(self.f, rows, depth):
+            for scale in replace(self, headings=self.headings.of(trial)).scales():
+                yield scale | Remedy({"pattern.depth": depth})
 
-def _heading(heading: float) -> Remedy:
-    return Remedy({"pattern.heading_deg": rounded(tidy_degrees(heading), 6)})
+    def at_another_heading(self, heading: float) -> Iterator[Remedy]:
+        """What works at a heading at which f's plane crosses g, without flaps that are too wide."""
+        degrees = rounded(tidy_degrees(heading), 6)
+        there = replace(self.without_flaps(), heading=float(np.deg2rad(degrees)))
+        turned = Remedy({"pattern.heading_deg": degrees})
+        if self.headings.flap:
+            turned |= NARROWER
+        for remedy in chain(there.scales(), there.depths(), there.smaller_at_the_best_depth()):
+            yield remedy | turned
 
 
 def _turns_too_far(g: Trace, headings: HeadingConditions) -> DesignError:
