@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import runpy
-from functools import cache
 from pathlib import Path
 from typing import Any
+
+from kept import kept
 
 from orishell.design import Design
 from orishell.design_file.surface import SurfaceTable
@@ -18,7 +19,7 @@ SURFACES: dict[str, dict[str, Any]] = {
 }
 
 
-@cache
+@kept
 def fitted(surface: str, panels: int = 8) -> Design:
     """The design of so many panels each way on a surface of ``examples/surfaces.py``."""
     pattern = FlatFoldablePattern(rows=panels - 1, columns=panels - 1, direction_deg=0, fold_deg=92)

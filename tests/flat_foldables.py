@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from mechanisms import flat_foldable, parallel, random_net, upright
@@ -31,6 +33,7 @@ def boarded(mechanism: Mechanism, build: PanelSpec, hinges: Hinges | None = None
     )
 
 
+@cache
 def random_sheet(seed: int) -> Mechanism:
     """A sheet by its number: parallel repeating, orthodiagonal, or a flat-foldable net.
 

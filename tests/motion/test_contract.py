@@ -29,7 +29,7 @@ from orishell.motion import (
 from orishell.motion.grid import crease_signs
 from orishell.verification.residuals import measure_residuals
 from rigid import distance_after_motion
-from samples import THOROUGH, thorough
+from samples import THOROUGH, led_by, thorough
 from strategies import graph
 
 Array = np.ndarray
@@ -244,7 +244,7 @@ def test_large_parallel_sheets_keep_twelve_digits(size: int, g: str, spacing: st
         pytest.param(99, "0.1*exp(-(x-2)**2/0.5) + 0.02*x**2", marks=thorough),
     ],
 )
-@pytest.mark.parametrize("spacing", ["curvature", "equal"])
+@pytest.mark.parametrize("spacing", led_by(["curvature", "equal"]))
 def test_large_orthodiagonal_sheets_keep_twelve_digits(size: int, g: str, spacing: str) -> None:
     for f in (PARABOLA, LEANING):
         mechanism = design_orthodiagonal(

@@ -67,7 +67,7 @@ MET: list[tuple[Tables, Tables]] = [
 ]
 
 
-@pytest.mark.parametrize(("panel", "limits"), led_by(MET, 2))
+@pytest.mark.parametrize(("panel", "limits"), led_by(MET))
 def test_a_shell_is_found_whose_boards_are_as_asked(panel: Tables, limits: Tables) -> None:
     require_met(made(panel, limits))
 

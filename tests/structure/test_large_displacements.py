@@ -212,6 +212,7 @@ def roof(thickness: float, cells: int) -> tuple[Array, Array, Array]:
     return np.array(factors), np.array(sinks), np.array(unstable)
 
 
+@thorough
 def test_a_hinged_roof_snaps_through() -> None:
     """12.7 mm, P 3000: up to 0.742 of it, down to 0.173, and up again (their table 8)."""
     factors, sinks, unstable = roof(12.7, 16)

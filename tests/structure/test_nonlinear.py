@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ from orishell.structure.analyse import analyse
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure, Support, SupportKind
-from samples import thorough
+from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PARABOLA = {"formula": "-x**2", "range": [-1, 1]}
@@ -24,6 +25,7 @@ ZIGZAG = {"formula": "0.1*cos(2*pi*x)", "range": [0, 2]}
 PATTERN = {"rows": 7, "columns": 5, "heading_deg": 90, "spacing": "equal", "depth": 0.05}
 
 
+@cache
 def asked(
     kind: SupportKind, mass: float, *, flap: float = 0.0, crease: Any = "rigid", **keys: Any
 ) -> Analysis:
@@ -63,19 +65,19 @@ def linear(followed: Analysis) -> Equilibrium:
 
 
 SMALL = [
-    {"kind": "pinned"},
-    {"kind": "pinned", "crease": "free", "flap": 0.03},
     {"kind": "fixed", "crease": 50.0},
-    {"kind": "sliding", "tied": True},
     {"kind": "sliding", "tied": True, "tie_stiffness": 2e5},
     {"kind": "sliding", "tied": True, "crease": "free", "flap": 0.03},
+    {"kind": "friction", "friction": 0.4},  # some feet slip, and some lift off
+    {"kind": "pinned"},
+    {"kind": "pinned", "crease": "free", "flap": 0.03},
+    {"kind": "sliding", "tied": True},
     {"kind": "friction", "friction": 10.0},
     {"kind": "friction", "friction": 0.5},  # some feet slip
-    {"kind": "friction", "friction": 0.4},  # and some lift off
 ]
 
 
-@pytest.mark.parametrize("keys", SMALL)
+@pytest.mark.parametrize("keys", led_by(SMALL, 4))
 def test_small_loads_do_what_linear_theory_says(keys: dict[str, Any]) -> None:
     """To 1e-4, whatever holds the shell: a thousandth of a kilogram per square metre."""
     followed = asked(mass=1e-3, **keys)

@@ -17,7 +17,7 @@ from orishell.structure import Analysis, LoadCase, Structure, Support
 from orishell.structure.analyse import analyse
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.results import buckles_at_points
-from samples import thorough
+from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 OWN = (LoadCase(name="own weight", self_weight=True),)
@@ -101,7 +101,7 @@ def test_a_patch_converges(strip: Design) -> None:
     assert not buckles_at_points(fine)
 
 
-@pytest.mark.parametrize("cells", [4, 6])
+@pytest.mark.parametrize("cells", led_by([4, 6]))
 def test_points_that_spoil_buckling_are_warned_of(strip: Design, cells: int) -> None:
     """Soft enough for the factor to matter; with cells of any size, and not if edges are held."""
     soft = analysed(strip, POINTS, cells, modulus=2e8)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from functools import cache
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ every = pytest.mark.parametrize(
 )
 
 
+@cache
 def made(
     family: str, kind: JointKind
 ) -> tuple[Document, tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:

@@ -40,7 +40,7 @@ columns = {panels - 1}
 """
 
 
-@pytest.mark.parametrize("seed", led_by([0, 1, *range(2, 100)], 2))
+@pytest.mark.parametrize("seed", led_by([1, 0, *range(2, 100)]))
 def test_shell_passes_all_checks_or_is_refused_with_what_was_reached(
     seed: int, tmp_path: Path
 ) -> None:

@@ -34,7 +34,7 @@ def test_candidates_mend_what_they_are_named_for(asked: Request) -> None:
                 assert other.condition[:20] != error.condition[:20]  # noqa: PT017
 
 
-@pytest.mark.parametrize("degrees", led_by([60, 130, 75, 110], 2))
+@pytest.mark.parametrize("degrees", led_by([60, 130, 75, 110]))
 def test_heading_outside_its_interval(degrees: float) -> None:
     what = request(heading=np.deg2rad(degrees))
     error = what.refusal()
