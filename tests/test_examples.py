@@ -168,7 +168,7 @@ def test_shelter_is_cut_from_boards() -> None:
     size = shelter.size
     area = sheet_area(shelter.shell.motion.flat.positions)
     assert size["sheet"] == pytest.approx(area, rel=1e-12)
-    flaps = sum(board.areas().sum() for board in shelter.shell.document.clipped)
+    flaps = sum(board.areas().sum() for board in shelter.shell.document.attached)
     assert size["flaps"] == pytest.approx(flaps, rel=1e-9)
     assert size["mass"] == pytest.approx(1.9 * (area + flaps), rel=1e-12)
     assert size["boards"] * 2.44 * 1.22 > area + flaps
@@ -265,7 +265,7 @@ def test_shelter_of_boards(
     assert shell.document.boards is not None
     areas = [shell.document.boards.areas().sum()]
     areas += [
-        piece.boards.areas().sum() for piece in shell.document.clipped if piece.boards is not None
+        piece.boards.areas().sum() for piece in shell.document.attached if piece.boards is not None
     ]
     assert size["board area"] == pytest.approx(sum(areas), rel=1e-9)
     assert size["mass of boards"] == pytest.approx(0.00475 * 190 * size["board area"], rel=1e-9)

@@ -90,7 +90,7 @@ def bodies(shell: Shell, drive: float) -> Array:
         return points
     beside = [
         flap.shell.positions if flap.boards is None else flap.boards_in(flap.shell).reshape(-1, 3)
-        for flap in document.clipped
+        for flap in document.attached
     ]
     return np.concatenate([points, *beside])
 

@@ -42,7 +42,7 @@ def sheet(rows: int, columns: int, fold: float) -> tuple[np.ndarray, Grid, Creas
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 def test_boards_of_a_shell(family: str, construction: Construction) -> None:
     document = thick_document(family, construction)
-    for piece in (document, *document.clipped):
+    for piece in (document, *document.attached):
         assert piece.boards is not None
         found = volumes(piece.boards, piece.boards_in(piece.shell))
         np.testing.assert_allclose(found, piece.boards.volumes(), rtol=1e-12)

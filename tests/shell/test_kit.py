@@ -114,8 +114,8 @@ def test_sizes_of_a_model_are_those_of_the_shell_to_scale() -> None:
     shell = shell_of(CARD_SHELL)
     document = replace(shell.document, states=states_of(shell.motion))
     model = make_card_model(document, shell.file.workshop)
-    clipped = [replace(piece, panel=None, boards=None) for piece in document.clipped]
-    bare = replace(document, panel=None, boards=None, clipped=tuple(clipped))
+    clipped = [replace(piece, panel=None, boards=None) for piece in document.attached]
+    bare = replace(document, panel=None, boards=None, attached=tuple(clipped))
     known, small = find_facts(bare), find_facts(model.document)
     whole = find_facts(replace(bare, measures=None))  # without boards
     assert shell.document.unit == "mm"

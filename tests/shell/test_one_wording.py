@@ -166,7 +166,7 @@ def test_sizes_are_those_of_the_written_shell(doors: Any) -> None:
     shell = shell_of(doors[0])
     document, report = shell.document, shell.report
     opened = np.ptp(find_surface(document, document.named["target"])[0], axis=0)
-    clipped = [find_surface(each, "target")[0] for each in document.clipped]
+    clipped = [find_surface(each, "target")[0] for each in document.attached]
     if document.boards is None:
         everything = [document.shell.positions, *clipped]
         whole = np.ptp(np.concatenate(everything), axis=0)
@@ -174,7 +174,7 @@ def test_sizes_are_those_of_the_written_shell(doors: Any) -> None:
     else:
         whole = opened  # boards that are clipped on are among them
     assert astuple(report.outside) == pytest.approx(whole, rel=1e-12)
-    assert (report.outside == report.deployed) == (not document.clipped)
+    assert (report.outside == report.deployed) == (not document.attached)
 
 
 def astuple(of: Any) -> tuple[float, float, float]:

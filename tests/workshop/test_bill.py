@@ -19,7 +19,7 @@ from orishell.motion.grid import Grid
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import nest_boards
 from orishell.workshop.quantities import PanelBill, measure_panels
 
@@ -106,7 +106,7 @@ def test_panels_without_a_thickness_have_no_bill() -> None:
 def test_boards_one_by_one(construction: str) -> None:
     """Areas, masses and the centre of mass are those of all boards, clipped ones too."""
     document = boarded_document(construction, clipped=True)
-    everything, bill = with_clipped(document), bill_of(document)
+    everything, bill = laid_flat(document), bill_of(document)
     boards, build = everything.boards, document.panel
     assert boards is not None
     assert build is not None
@@ -117,7 +117,7 @@ def test_boards_one_by_one(construction: str) -> None:
     assert bill.membrane_area == pytest.approx(membrane, rel=1e-12)
     assert bill.mass_kg.membrane == pytest.approx(1e-9 * 800 * 0.2 * membrane, rel=1e-12)
     mass, moment = 0.0, np.zeros(3)
-    for piece in (document, *document.clipped):
+    for piece in (document, *document.attached):
         assert piece.boards is not None
         carried = piece.boards_in(piece.shell)
         for corners, volume in zip(carried, piece.boards.volumes(), strict=True):

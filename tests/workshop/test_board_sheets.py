@@ -17,7 +17,7 @@ from orishell.conventions.errors import InputError
 from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import board_parts, draw_boards, nest_boards
 from orishell.workshop.boards import part_name
 from orishell.workshop.layout import require_stock
@@ -41,13 +41,13 @@ def engraved(drawing: Drawing) -> list[str]:
 
 
 def boards_of(document: Document) -> Boards:
-    boards = with_clipped(document).boards
+    boards = laid_flat(document).boards
     assert boards is not None
     return boards
 
 
 def part_names(document: Document, side: int) -> list[str]:
-    everything, boards = with_clipped(document), boards_of(document)
+    everything, boards = laid_flat(document), boards_of(document)
     return [part_name(everything, int(k)) for k in np.flatnonzero(boards.sides == side)]
 
 

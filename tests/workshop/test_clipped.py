@@ -18,7 +18,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.layout import lay_out
 from orishell.workshop.quantities import measure_quantities
 from orishell.workshop.sheets import draw_sheets, measure_waste
@@ -65,7 +65,7 @@ def test_boards_meet_the_border_columns_at_the_target(example: str) -> None:
     document = document_of(example)
     assert document.grid_shape is not None
     sheet = document.shell.positions.reshape(*document.grid_shape, 3)
-    left, right = (board.shell.positions.reshape(-1, 2, 3) for board in document.clipped)
+    left, right = (board.shell.positions.reshape(-1, 2, 3) for board in document.attached)
     size = float(np.ptp(sheet.reshape(-1, 3), axis=0).max())
     assert np.abs(left[:, 1] - sheet[:, 0]).max() <= 1e-12 * size
     assert np.abs(right[:, 0] - sheet[:, -1]).max() <= 1e-12 * size
@@ -78,7 +78,7 @@ def test_boards_are_the_flaps_of_the_sheet_that_has_them_folded(example: str) ->
     assert mechanism is not None
     faces = mechanism.grid.faces_vertices().reshape(mechanism.grid.rows - 1, -1, 4)
     flat = mechanism.positions(0.0).reshape(-1, 3)
-    for board, column in zip(document.clipped, mechanism.flap_columns, strict=True):
+    for board, column in zip(document.attached, mechanism.flap_columns, strict=True):
         expected = sides(flat[faces[:, column]])
         for points in (board.require_flat(), board.shell.positions):
             found = sides(points[board.mesh.faces])
@@ -94,13 +94,13 @@ def test_panels_of_boards_are_called_by_the_place_beside_the_sheet() -> None:
     document = document_of("figure1")
     assert document.grid_shape is not None
     rows, columns = document.grid_shape
-    left, right = document.clipped
+    left, right = document.attached
     assert [left.panel_name(k) for k in (0, 1)] == ["0,-1", "1,-1"]
     assert right.panel_name(rows - 2) == f"{rows - 2},{columns - 1}"
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     assert everything.panel_name(columns) == document.panel_name(columns)
     assert everything.panel_name(len(document.mesh.faces)) == "0,-1"
-    assert with_clipped(everything) is everything
+    assert laid_flat(everything) is everything
 
 
 @pytest.mark.parametrize("example", SHELLS)
@@ -108,24 +108,24 @@ def test_without_stock_boards_lie_beside_the_sheet(example: str) -> None:
     document = document_of(example)
     (drawing,) = draw_sheets(document, Workshop(labels="panels"))
     parts = outlines(drawing)
-    assert len(parts) == 1 + len(document.clipped) == 3
+    assert len(parts) == 1 + len(document.attached) == 3
     for one, two in itertools.combinations(parts, 2):
         assert one.distance(two) > 0
     found = measure_quantities(document, Workshop())
     assert sum(part.area for part in parts) == pytest.approx(found.area, rel=1e-9)
     assert sum(part.length for part in parts) == pytest.approx(found.outline_length, rel=1e-9)
     written = {text.words for text in drawing.texts}
-    assert written >= {board.panel_name(0) for board in document.clipped}
+    assert written >= {board.panel_name(0) for board in document.attached}
 
 
 def test_quantities_count_boards() -> None:
     document, workshop = document_of("figure2"), Workshop(areal_density=2.0)
-    bare = measure_quantities(replace(document, clipped=()), workshop)
+    bare = measure_quantities(replace(document, attached=()), workshop)
     found = measure_quantities(document, workshop)
-    panels = [len(board.mesh.faces) for board in document.clipped]
+    panels = [len(board.mesh.faces) for board in document.attached]
     assert bare.clipped == 0
     assert found.clipped == found.panels - bare.panels == sum(panels)
-    more = sum(float(board.areas().sum()) for board in document.clipped)
+    more = sum(float(board.areas().sum()) for board in document.attached)
     assert found.area - bare.area == pytest.approx(more)
     assert found.mass_kg == pytest.approx(2 * found.area)
 
@@ -141,7 +141,7 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
     document = document_of(example)
     workshop = stock_for(document, share)
     layout = lay_out(document, workshop)
-    own, everything = len(document.mesh.faces), len(with_clipped(document).mesh.faces)
+    own, everything = len(document.mesh.faces), len(laid_flat(document).mesh.faces)
     panels = np.concatenate([part.panels for part in layout.parts])
     assert (np.sort(panels) == np.arange(everything)).all()
     kinds = [set((part.panels >= own).tolist()) for part in layout.parts]
@@ -164,7 +164,7 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
 @pytest.mark.parametrize("example", SHELLS)
 def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
     """The same pieces as one sheet, as another program may list them."""
-    everything = with_clipped(document_of(example))
+    everything = laid_flat(document_of(example))
     layout = lay_out(everything, stock_for(everything, 0.5))
     for part in layout.parts:
         assert len(set(everything.mesh.pieces[part.panels].tolist())) == 1
@@ -174,11 +174,11 @@ def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
 def test_layouts_with_and_without_boards_are_not_confused() -> None:
     document = document_of("figure2")
     workshop = stock_for(document, 0.5)
-    bare = lay_out(replace(document, clipped=()), workshop)
+    bare = lay_out(replace(document, attached=()), workshop)
     assert len(lay_out(document, workshop).parts) > len(bare.parts)
 
 
 def test_a_sheet_without_boards_is_drawn_as_it_is() -> None:
     document = demo_document()
-    assert document.clipped == ()
-    assert with_clipped(document) is document
+    assert document.attached == ()
+    assert laid_flat(document) is document

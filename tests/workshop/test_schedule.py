@@ -20,7 +20,7 @@ from orishell.io.formats.tables import write_tables
 from orishell.shell.make import make_shell
 from orishell.shell.steps import Step
 from orishell.workshop import Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.schedule import find_schedule
 from samples import led_by
 
@@ -55,7 +55,7 @@ def table(document: Document, path: Path, workshop: Workshop | None = None) -> l
 def test_every_crease_is_there_once_with_its_length(name: str, tmp_path: Path) -> None:
     """Every pair of panels that share two vertices; lengths from their coordinates, to rounding."""
     document = documents()[name]
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     rows = table(document, tmp_path)
     pairs = [frozenset({int(row["panel_1"]), int(row["panel_2"])}) for row in rows]
     faces = [set(loop[loop >= 0].tolist()) for loop in everything.mesh.loops]
@@ -125,7 +125,7 @@ def test_examples_have_every_crease_once(name: str, tmp_path: Path) -> None:
     file = read_design_file(EXAMPLES / name)
     document = make_shell(file, clash="unexamined", skip=SKIPPED).document
     rows = table(document, tmp_path)
-    assert len(rows) == int(with_clipped(document).mesh.crease.sum())
+    assert len(rows) == int(laid_flat(document).mesh.crease.sum())
     assert len({row["crease"] for row in rows}) == len(rows)
 
 

@@ -11,7 +11,7 @@ from orishell.deployment.plans import polygon
 from orishell.deployment.standing import Standing
 from orishell.deployment.swept import Sweep, at_target, find_sweep
 from orishell.design import Design
-from orishell.document import Document
+from orishell.document import SHELL, Document
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array
@@ -35,7 +35,7 @@ def plan_ground(
         return None
     mechanism, hinges = design.mechanism, design.hinges
     standing = Standing.of(mechanism, feet.rows, feet.columns(mechanism), hinges)
-    occupied, beside = Occupied.by(mechanism, boards), _clipped(document)
+    occupied, beside = Occupied.by(mechanism, boards), _beside(document)
     sweep = None
     if not design.in_pieces:
         sweep = find_sweep(standing, occupied, end, beside)
@@ -71,12 +71,9 @@ def feet_places(design: Design, feet: Feet) -> Array:
     return np.asarray(pairs.at(mechanism.target_drive)[:, 0])
 
 
-def _clipped(document: Document) -> Array | None:
-    """Corners (K, 3) of what is clipped on at the target; None if nothing is."""
-    points = [
-        each.shell.positions if each.boards is None else each.boards_in(each.shell).reshape(-1, 3)
-        for each in document.clipped
-    ]
+def _beside(document: Document) -> Array | None:
+    """Corners (K, 3) of parts that go with the sheet, at the target; None if none do."""
+    points = [part.corners(state) for part, state in document.parts_in(SHELL)[1:]]
     return np.concatenate(points) if points else None
 
 

@@ -1,15 +1,13 @@
 """The document that files are written from: of a designed shell, or of any FOLD file."""
 
 from orishell.document.document import (
-    FLAT,
     LARGEST_COORDINATE,
-    SHELL,
     Document,
-    DocumentState,
     DocumentTie,
     FirstContact,
 )
 from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
+from orishell.document.part import FLAT, SHELL, DocumentState, Part
 
 __all__ = [
     "FLAT",
@@ -22,4 +20,5 @@ __all__ = [
     "LoadedCase",
     "LoadedCreases",
     "LoadedShell",
+    "Part",
 ]

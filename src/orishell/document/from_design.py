@@ -12,7 +12,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
-from orishell.document import SHELL, Document, DocumentState
+from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
@@ -63,7 +63,7 @@ def document_of_motion(
         panel=panel,
         boards=boards,
         names=_names(Layout.of(mechanism)) if beside else (),
-        clipped=() if clipped is None else _clipped(clipped, unit, panel, flaps),
+        attached=() if clipped is None else _clipped(clipped, unit, panel, flaps),
     )
 
 
@@ -92,8 +92,8 @@ def document_of_design(
 
 def _clipped(
     mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
-) -> tuple[Document, ...]:
-    """The flaps of a sheet, each a document of its own."""
+) -> tuple[Part, ...]:
+    """The flaps that are clipped on a sheet, each a part."""
     if isinstance(mechanism, LaidOut):
         return tuple(_clipped_pairs(mechanism, unit, panel, boards))
     return _clipped_strips(mechanism, unit, panel, boards)
@@ -101,7 +101,7 @@ def _clipped(
 
 def _clipped_pairs(
     mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
-) -> Iterator[Document]:
+) -> Iterator[Part]:
     """Slit flaps, two at a time with the crease between them, in the sheet's frame.
 
     Panels are called as they are where they fold with the sheet.
@@ -116,7 +116,7 @@ def _clipped_pairs(
         letters = np.where(mesh.crease, "V" if fold > 0 else "M", "B")
         angles = _degrees(np.full(len(letters), fold), mesh.crease)
         upper, lower = (names[each] for each in pair)
-        yield Document(
+        yield Part(
             title=f"Boards {upper} and {lower}, clipped on",
             unit=unit,
             mesh=mesh,
@@ -124,18 +124,17 @@ def _clipped_pairs(
             flat=_clean(flat[own]),
             fold_angles_deg=angles,
             states=(DocumentState(_clean(points[own]), angles, tidy_degrees(target)),),
-            grid_shape=None,
-            curves={},
             named={SHELL: 0},
             panel=panel,
             boards=boards and _of_pair(boards, pair),
             names=(upper, lower),
+            kind="flap",
         )
 
 
 def _clipped_strips(
     mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
-) -> tuple[Document, ...]:
+) -> tuple[Part, ...]:
     """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.
 
     Panels have the row and column that they have beside the sheet: left of column 0 is column -1.
@@ -154,7 +153,7 @@ def _clipped_strips(
         angles = _degrees(folds.on_edges(), mine.on_edges() != 0)
         positions = _clean(target.positions[:, ends].reshape(-1, 3))
         strips.append(
-            Document(
+            Part(
                 title=f"Board clipped on beside column {max(column - 1, 0)}",
                 unit=unit,
                 mesh=mesh,
@@ -163,11 +162,11 @@ def _clipped_strips(
                 fold_angles_deg=angles,
                 states=(DocumentState(positions, angles, tidy_degrees(target.drive)),),
                 grid_shape=(strip.rows, strip.columns),
-                curves={},
                 named={SHELL: 0},
                 panel=panel,
                 boards=boards and _of_column(boards, flap, grid.columns - 1),
                 names=tuple(f"{row},{column}" for row in range(grid.rows - 1)),
+                kind="flap",
             )
         )
     return tuple(strips)

@@ -18,8 +18,8 @@ LEADING = 1.35
 """From line to line, in sizes of letters."""
 BACK = 0.88
 """How light the back of the sheet is."""
-CLIPPED = 0.6
-"""How light what is clipped on is."""
+BESIDE = 0.6
+"""How light parts beside the sheet are."""
 DOT = 2.2 * np.array([[np.cos(turn), np.sin(turn)] for turn in np.linspace(0, 2 * np.pi, 13)[:-1]])
 """What marks a foot."""
 
@@ -96,9 +96,9 @@ def picture(
     """Panels in the middle of a room, as large as they fit."""
     move, scale = fitted(drawing.box, corner, room)
     panels = np.round(drawing.outlines * scale + move, 2)
-    kinds = zip(panels, drawing.fronts.tolist(), drawing.clipped.tolist(), strict=True)
-    for outline, front, clipped in kinds:
-        yield Drawn(outline, fill=CLIPPED if clipped else 1.0 if front else BACK)
+    kinds = zip(panels, drawing.fronts.tolist(), drawing.beside.tolist(), strict=True)
+    for outline, front, beside in kinds:
+        yield Drawn(outline, fill=BESIDE if beside else 1.0 if front else BACK)
     for line in np.round(drawing.lines * scale + move, 2):
         yield Drawn(line, closed=False, dashed=True)
     for point in np.round(drawing.points * scale + move, 2):

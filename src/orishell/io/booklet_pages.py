@@ -108,9 +108,7 @@ class _Book:
         lines.append(say("cover.sheet", size=box(facts.sheet, self.unit)))
         if facts.mass is not None:
             lines.append(say("cover.mass", mass=f"{plain(facts.mass, 3)} kg"))
-        lines.append(
-            say("cover.panels", count=len(self.document.mesh.faces) + facts.clipped_panels)
-        )
+        lines.append(say("cover.panels", count=len(self.document.mesh.faces) + facts.flap_panels))
         boards = sum(part.count for part in parts if part.name in ("top", "bottom", "solid"))
         if boards:
             lines.append(say("cover.parts", count=boards))

@@ -8,11 +8,11 @@ from typing import Final
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.document import Document, DocumentState
+from orishell.document import DocumentState, Part
 from orishell.motion.boards import Boards
 from orishell.motion.quads import ALIKE, reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.assembly import lying_beside
+from orishell.workshop.assembly import parts_lying
 
 TRIANGLES: Final[Integers] = np.array([[[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]]])
 """Corners of a panel's two triangles (2, 2, 3), which go round as the panel does: split from
@@ -89,7 +89,7 @@ def _normalised(vectors: Array, otherwise: Integers | int) -> Array:
 
 @record
 class Solids:
-    """Boards of the sheet, or of one strip of flaps that is clipped on, where they are."""
+    """Boards of a part of a shell, where they are."""
 
     names: tuple[str, ...]  # What they are called, as in "3,12 top"
     boards: Boards  # The boards (B)
@@ -120,24 +120,22 @@ class SolidMesh:
             )
 
 
-def solids_in(document: Document, which: int | str) -> tuple[Solids, ...]:
-    """The boards in a state; at the target, those that are clipped on come after the sheet's."""
-    clipped = (_solids(flap, flap.shell) for flap in document.clipped_at(which))
-    return (_solids(document, document.state(which)), *clipped)
+def solids_in(document: Part, which: int | str) -> tuple[Solids, ...]:
+    """The boards of all parts that are there in a state, the sheet's first."""
+    return tuple(_solids(part, state) for part, state in document.parts_in(which))
 
 
-def solids_lying(document: Document) -> tuple[Solids, ...]:
-    """The boards as they are cut: the flat sheet, z up, and what is clipped on lies beside it."""
-    sheet = _solids(document, _lying(document.require_flat()))
-    beside = zip(document.clipped, lying_beside(document), strict=True)
-    return (sheet, *(_solids(flap, _lying(flat)) for flap, flat in beside))
+def solids_lying(document: Part) -> tuple[Solids, ...]:
+    """The boards as they are cut: the flat sheet, z up, and all other parts lie beside it."""
+    each = zip(document.parts, parts_lying(document), strict=True)
+    return tuple(_solids(part, _lying(flat)) for part, flat in each)
 
 
-def find_surface(document: Document, which: int | str) -> tuple[Array, Integers]:
+def find_surface(document: Part, which: int | str) -> tuple[Array, Integers]:
     """Vertices (N, 3) in a state, and corners of panels (F, 4) or of the boards' triangles (F, 3).
 
-    Where panels have a thickness it is the closed surfaces of their boards, those that are clipped
-    on at the target last.
+    Where panels have a thickness it is the closed surfaces of the boards of all parts that are
+    there, the sheet's first.
     """
     if document.boards is None:
         return document.state(which).positions, document.mesh.faces
@@ -166,11 +164,11 @@ def mesh_of(solids: tuple[Solids, ...]) -> SolidMesh:
     )
 
 
-def _solids(document: Document, state: DocumentState) -> Solids:
-    corners = document.boards_in(state)
-    assert document.boards is not None
-    names = tuple(document.board_name(board) for board in range(len(document.boards)))
-    return Solids(names, document.boards, corners)
+def _solids(part: Part, state: DocumentState) -> Solids:
+    corners = part.boards_in(state)
+    assert part.boards is not None
+    names = tuple(part.board_name(board) for board in range(len(part.boards)))
+    return Solids(names, part.boards, corners)
 
 
 def _lying(flat: Array) -> DocumentState:

@@ -3,8 +3,8 @@
 Little endian: the length N of the header (uint32), the header (JSON in UTF-8, filled up with spaces
 to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
-they lie in the flat sheet, and carried by their panels, which whole boards shift. Strips of flaps
-that are clipped on are views within the view, about the same ``origin``. A shell that was analysed
+they lie in the flat sheet, and carried by their panels, which whole boards shift. Parts that
+go with the sheet are views within the view, about the same ``origin``. A shell that was analysed
 as a structure is given as it was meshed, with displacements, stresses (in MPa) and loads on panels
 of every load case, and the nodes that are held.
 """
@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import as_table
 from orishell.conventions.row import Sign
-from orishell.document import Document, DocumentState, FirstContact
+from orishell.document import Document, DocumentState, FirstContact, Part
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.document.sizes import rows_of_panels
 from orishell.numerics.arrays import Array
@@ -92,11 +92,38 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
     if not document.report:
         document = replace(document, report={"verdict": as_table(rows_of_panels(document))})
-    return _dump_about(origin, document, curves)
+    more: dict[str, Any] = {} if curves is None else {"curves": curves}
+    if document.loaded is not None:
+        more["cases"] = [
+            {"name": case.name, "sign": case.sign, "balanced": case.balanced}
+            for case in document.loaded.cases
+        ]
+        strength = document.loaded.strength
+        more["strength"] = None if strength is None else strength / _megapascals(document)
+    told = {"report": dict(document.report), "contact": document.contact}
+    arrays, world = _arrays_beside(document, origin), document.in_world(origin)
+    return _dump_about(origin, document, world, beside=arrays, told=told, more=more)
 
 
-def _dump_about(origin: Array, document: Document, curves: Curves | None) -> bytes:
-    """The view of a document, with coordinates in space from an origin (3,) in its frame."""
+ALONE: Mapping[str, Any] = {"report": {}, "contact": None}
+"""What is known of a part beside the sheet."""
+
+
+def _dump_about(
+    origin: Array,
+    document: Part,
+    world: Array,
+    *,
+    beside: Mapping[str, NDArray[Any]],
+    told: Mapping[str, Any],
+    more: Mapping[str, Any],
+) -> bytes:
+    """The view of a part, with coordinates in space from an origin (3,) in its frame.
+
+    world: Where that is in the world (3,).
+    beside: Further arrays by name, behind its own.
+    told, more: Further fields of the header, before and behind those that say where arrays are.
+    """
     import orjson
 
     count = len(document.states)
@@ -104,15 +131,15 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
     taken = np.rint(np.linspace(0, count - 1, min(count, most))).astype(int)
     numbers = sorted({*map(int, taken), *document.named.values()})
     states = [document.states[number] for number in numbers]
-    arrays = _arrays(document, states, origin)
+    arrays = {**_arrays(document, states, origin), **beside}
     places: dict[str, ArrayPlace] = {}
     offset = 0
     for name, array in arrays.items():
         kind: Any = str(array.dtype)
         places[name] = {"type": kind, "shape": list(array.shape), "offset": offset}
         offset += -(-array.nbytes // 4) * 4
-    x, y, z = document.in_world(origin).tolist()
-    header: Header = {
+    x, y, z = world.tolist()
+    header: dict[str, Any] = {
         "version": VERSION,
         "title": document.title,
         "unit": document.unit,
@@ -120,38 +147,28 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
         "origin": (x, y, z),
         "drives_deg": [state.drive_deg for state in states],
         "named": {name: numbers.index(number) for name, number in document.named.items()},
-        "report": dict(document.report),
-        "contact": document.contact,
+        **told,
         "arrays": places,
+        **({"names": list(document.names)} if document.names else {}),
+        **more,
     }
-    if document.names:
-        header["names"] = list(document.names)
-    if curves is not None:
-        header["curves"] = curves
-    if document.loaded is not None:
-        header["cases"] = [
-            {"name": case.name, "sign": case.sign, "balanced": case.balanced}
-            for case in document.loaded.cases
-        ]
-        strength = document.loaded.strength
-        header["strength"] = None if strength is None else strength / _megapascals(document)
     text = orjson.dumps(header)
     text += b" " * (-len(text) % 4)
     blocks = [array.tobytes() + b"\0" * (-array.nbytes % 4) for array in arrays.values()]
     return b"".join([struct.pack("<I", len(text)), text, *blocks])
 
 
+def _placed(points: Array, origin: Array) -> NDArray[np.float32]:
+    return np.asarray(points - origin, dtype="<f4")
+
+
 def _arrays(
-    document: Document, states: Sequence[DocumentState], origin: Array
+    document: Part, states: Sequence[DocumentState], origin: Array
 ) -> dict[str, NDArray[Any]]:
-    """Arrays by name, in the order of the file."""
-
-    def placed(points: Array) -> NDArray[np.float32]:
-        return np.asarray(points - origin, dtype="<f4")
-
+    """Arrays of a part by name, in the order of the file."""
     mesh = document.mesh
     flat = np.zeros((0, 2)) if document.flat is None else document.flat
-    positions = [placed(state.positions) for state in states]
+    positions = [_placed(state.positions, origin) for state in states]
     letters = np.array(document.assignment)
     shown = letters != "J"  # what is joined is one panel
     arrays: dict[str, NDArray[Any]] = {
@@ -172,16 +189,22 @@ def _arrays(
                 for state in states
             ]
             arrays["panel_shifts"] = np.array(moved, "<f4")
-    for name, curve in document.curves.items():
-        arrays[f"curve_{name}"] = placed(curve)
+    return arrays
+
+
+def _arrays_beside(document: Document, origin: Array) -> dict[str, NDArray[Any]]:
+    """Arrays of all that is not the sheet by name, in the order of the file."""
+    arrays: dict[str, NDArray[Any]] = {
+        f"curve_{name}": _placed(curve, origin) for name, curve in document.curves.items()
+    }
     if document.surface is not None:
-        arrays["surface"] = placed(document.surface)
+        arrays["surface"] = _placed(document.surface, origin)
     if document.distances is not None:
         arrays["distance"] = document.distances.astype("<f4")
     if document.loaded is not None:
         loaded, cases = document.loaded, document.loaded.cases
         arrays |= {
-            "loaded_points": placed(loaded.points),
+            "loaded_points": _placed(loaded.points, origin),
             "loaded_triangles": loaded.triangles.astype("<u4"),
             "loaded_panels": loaded.panels.astype("<u4"),
             "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
@@ -192,8 +215,9 @@ def _arrays(
             "panel_loads": np.stack([_on_panels(loaded, case) for case in cases]).astype("<f4"),
             "held": _held(loaded).astype("<u4"),
         }
-    for number, strip in enumerate(document.clipped):
-        arrays[f"clipped_{number}"] = np.frombuffer(_dump_about(origin, strip, None), "u1")
+    for number, part in enumerate(document.attached):
+        view = _dump_about(origin, part, origin, beside={}, told=ALONE, more={})
+        arrays[f"clipped_{number}"] = np.frombuffer(view, "u1")
     return arrays
 
 

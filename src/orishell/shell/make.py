@@ -168,7 +168,7 @@ def _report(facts: Facts, work: Work) -> Report:
     found, analysis, answers = facts.found, facts.analysis, facts.found.answers
     file, design, lock = found.file, found.design, found.lock
     width, height, _ = extents(points_of(design.mechanism, 0.0))
-    opened = _box(replace(facts.drawn, clipped=()))
+    opened = _box(facts.drawn.sheet)
     return Report(
         family=file.family,
         unit=file.unit,
@@ -210,7 +210,7 @@ def _report(facts: Facts, work: Work) -> Report:
         deviation=found.deviation,
         sheet=SheetReport(width, height, area_of(design.mechanism)),
         deployed=opened,
-        outside=_box(facts.drawn) if facts.drawn.clipped else opened,
+        outside=_box(facts.drawn) if facts.drawn.attached else opened,
         deployment=facts.deployment,
         cutting=facts.cutting,
         panel=describe_panels(design, lock),

@@ -1,14 +1,14 @@
-"""How parts go together: boards clipped on, the numbers of parts, and a map of the whole sheet."""
+"""How parts go together: those beside the sheet, their numbers, and a map of the whole."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.motion.boards import Boards
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
@@ -23,22 +23,23 @@ from orishell.workshop.tabs import choose_joint_width
 if TYPE_CHECKING:
     from shapely import Polygon
 
+AnyPart = TypeVar("AnyPart", bound=Part)
+
 GAP = 0.25
 """Boards are moved by multiples of this share of the mean edge of the sheet's panels."""
 CLOSE = 0.5
 """They stop where the gap around them is at least this share of such a step."""
 
 
-def with_clipped(document: Document) -> Document:
-    """The flat sheet with what is clipped on beside it: pieces that do not hang together.
+def laid_flat(document: AnyPart) -> AnyPart:
+    """All parts as they are cut, as one document: those beside the flat sheet hang not together.
 
-    Their vertices, edges, panels and boards come after the sheet's. Each piece lies beside the edge
-    that it is clipped on, with a gap. A document with nothing clipped on is returned as it is.
+    Their vertices, edges, panels and boards come after the sheet's. Each part lies beside the edge
+    that it goes to, with a gap. A document of the sheet alone is returned as it is.
     """
-    if not document.clipped:
+    if len(document.parts) == 1:
         return document
-    pieces = (document, *document.clipped)
-    flats = [document.require_flat(), *lying_beside(document)]
+    pieces, flats = document.parts, list(parts_lying(document))
     first = np.cumsum([0, *map(len, flats)])
 
     def numbered(arrays: Iterable[Integers]) -> Integers:
@@ -55,7 +56,7 @@ def with_clipped(document: Document) -> Document:
     ]
 
     return replace(
-        document,
+        document.sheet,
         mesh=build_mesh(
             numbered(piece.mesh.faces for piece in pieces),
             int(first[-1]),
@@ -71,11 +72,10 @@ def with_clipped(document: Document) -> Document:
         named={},
         names=tuple(p.panel_name(panel) for p in pieces for panel in range(len(p.mesh.faces))),
         boards=_all_boards(pieces, flats),
-        clipped=(),
     )
 
 
-def _all_boards(pieces: Sequence[Document], flats: Sequence[Array]) -> Boards | None:
+def _all_boards(pieces: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
     """The boards of all pieces, where these lie (V, 2) now; None if panels have no thickness."""
     made, first = [], 0
     corners = max((p.boards.outlines.shape[2] for p in pieces if p.boards is not None), default=0)
@@ -96,26 +96,29 @@ def _all_boards(pieces: Sequence[Document], flats: Sequence[Array]) -> Boards | 
     )
 
 
-def lying_beside(document: Document) -> Iterator[Array]:
-    """The flat vertices (V, 2) of each board, moved outwards until it has a gap around it."""
+def parts_lying(document: Part) -> Iterator[Array]:
+    """The flat vertices (V, 2) of all parts, all but the sheet moved outwards to have a gap."""
     from shapely import Polygon
     from shapely.affinity import translate
 
-    def rim(piece: Document) -> Polygon:
+    def rim(piece: Part) -> Polygon:
         flat = piece.require_flat()
         return Polygon(flat[find_outlines(piece.mesh.loops, flat)[0]])
 
+    yield document.require_flat()
+    if len(document.parts) == 1:
+        return
     placed, gap = [rim(document)], GAP * mean_edge(document)
     middle = np.array(placed[0].centroid.coords[0])
-    for board in document.clipped:
-        own = rim(board)
+    for part in document.parts[1:]:
+        own = rim(part)
         away = np.array(own.centroid.coords[0]) - middle
         step = gap * away / np.hypot(*away)
         count = 1
         while min(map(translate(own, *(count * step)).distance, placed)) < CLOSE * gap:
             count += 1
         placed.append(translate(own, *(count * step)))
-        yield board.require_flat() + count * step
+        yield part.require_flat() + count * step
 
 
 TRIED = 8
@@ -169,7 +172,7 @@ def draw_map(
     clipped on stand beside the panels that they belong to. Where panels have a thickness they are
     named: their boards' part numbers begin so.
     """
-    own, document = len(document.mesh.faces), with_clipped(document)
+    own, document = len(document.mesh.faces), laid_flat(document)
     flat, edges = document.require_flat(), document.mesh.edges
     rims = whole_sheet(document).outlines
     around = np.concatenate(rims)

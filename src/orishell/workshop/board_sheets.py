@@ -16,7 +16,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.boards import ARM, KNUCKLE
 from orishell.numerics.arrays import Array
-from orishell.workshop.assembly import short_creases, with_clipped
+from orishell.workshop.assembly import laid_flat, short_creases
 from orishell.workshop.boards import (
     MIRRORED,
     SIDES,
@@ -57,9 +57,9 @@ class BoardPart:
 def board_parts(document: Document) -> tuple[BoardPart, ...]:
     """All boards, those of what is clipped on too: the upper ones, the lower ones, the solid ones.
 
-    Panels are numbered as in :func:`~orishell.workshop.assembly.with_clipped`.
+    Panels are numbered as in :func:`~orishell.workshop.assembly.laid_flat`.
     """
-    document = with_clipped(document)
+    document = laid_flat(document)
     fittings = fittings_of(document)
     parts: list[BoardPart] = []
     for side in SIDES:
@@ -84,7 +84,7 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
 
 def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]:
     """Where boards lie on the stock, within its margins; one for each of :func:`board_parts`."""
-    document = with_clipped(document)
+    document = laid_flat(document)
     outlines = [
         distinct_corners(outline)
         for side in SIDES
@@ -160,7 +160,7 @@ def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ..
     Where that is 0, it is half their thickness.
     """
     parts = board_parts(document)
-    moves = _moves_apart(with_clipped(document), workshop)
+    moves = _moves_apart(laid_flat(document), workshop)
     layers = []
     for side, ending in LAYERS.items():
         mine = [part for part in parts if part.side == side]
@@ -221,7 +221,7 @@ def draw_plan(document: Document, workshop: Workshop) -> Drawing:
     It is seen from above, and nothing of it is cut. What is clipped on at the target lies beside
     the edge that it is clipped on.
     """
-    document = with_clipped(document)
+    document = laid_flat(document)
     require_drawable(document)
     seen = seen_from_outside(document, 0)
     panels = (Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines)

@@ -8,7 +8,7 @@ from typing import Final, Literal
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.creases import mean_edge
@@ -102,7 +102,7 @@ def board_labels(
     return labels.of(None if panels is None else np.isin(boards.panels, panels))
 
 
-def has_sheet(document: Document) -> bool:
+def has_sheet(document: Part) -> bool:
     """Whether the flat sheet is built: not where panels are solid, on hinges of their own."""
     build = document.panel
     return document.boards is None or build is None or not build.is_solid

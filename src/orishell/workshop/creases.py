@@ -9,7 +9,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import inside
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_smallest
 from orishell.workshop.cut_parts import STRAIGHT, CutPart
@@ -110,7 +110,7 @@ def made_lengths(document: Document, part: CutPart, workshop: Workshop) -> MadeL
     )
 
 
-def mean_edge(document: Document) -> float:
+def mean_edge(document: Part) -> float:
     """Mean length of the panels' edges in the flat sheet: what "auto" sizes follow."""
     corners = document.require_flat()[document.mesh.faces]
     sides = np.roll(corners, -1, axis=1) - corners

@@ -10,7 +10,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import ABOVE_MEANT, plain
 from orishell.conventions.record import record
-from orishell.document import Document
+from orishell.document import Part
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
@@ -73,7 +73,7 @@ class CutSheet:
     height: float
 
     @classmethod
-    def of(cls, document: Document, width: float, height: float, allowance: float) -> CutSheet:
+    def of(cls, document: Part, width: float, height: float, allowance: float) -> CutSheet:
         """A document's sheet with tabs of a width (``allowance``), 0 for none."""
         flat, mesh = document.require_flat(), document.mesh
         owner, _ = find_owners(document)
@@ -143,7 +143,7 @@ class OversizeError(InputError):
 
 
 def require_panels_fit(
-    document: Document, sheet: CutSheet, margin: float = 0.0, key: str = "workshop.stock"
+    document: Part, sheet: CutSheet, margin: float = 0.0, key: str = "workshop.stock"
 ) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.design.fittings import TRIMMED, ArmKind, Fittings, fit_hinges
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.numerics.arrays import Booleans
 from orishell.workshop.boards import LARGEST_ANGLE, LARGEST_NUMBER, seen_from_outside
 from orishell.workshop.creases import mean_edge
@@ -30,7 +30,7 @@ BESIDE = 1.5
 """Heights of a name that part numbers keep off the leaf beside it."""
 
 
-def fittings_of(document: Document) -> Fittings | None:
+def fittings_of(document: Part) -> Fittings | None:
     """The hinges and arms of a document as parts; None where it has no whole boards on hinges."""
     boards, build = document.boards, document.panel
     if boards is None or boards.hinges is None or build is None:

@@ -15,7 +15,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.boards import SIDES, Side, has_membrane, has_sheet, seen_from_outside
 from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
@@ -66,16 +66,16 @@ class Layout:
 
 
 def lay_out(document: Document, workshop: Workshop) -> Layout:
-    """Split the sheet as the stock asks for, and lay the parts on it: those of `with_clipped`."""
+    """Split the sheet as the stock asks for, and lay the parts on it: those of `laid_flat`."""
     _require_sheet(document, workshop)
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
-        return Layout((whole_sheet(with_clipped(document)),), None)
+        return Layout((whole_sheet(laid_flat(document)),), None)
     bare = replace(
         document, states=(), curves={}, surface=None, distances=None, report={}, measures=None
     )
     sheet = Known.by(_what_is_cut(document), bare)
-    joint = workshop.joint, choose_joint_width(with_clipped(document), workshop)
+    joint = workshop.joint, choose_joint_width(laid_flat(document), workshop)
     return _lay_on_stock(sheet, usable_stock(workshop), workshop.spacing, joint)
 
 
@@ -96,7 +96,7 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     # On a membrane of the same stock boards are no larger than their panels.
     if workshop.stock is None or document.boards is None or (has_sheet(document) and not own_roll):
         return
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
     sheet = CutSheet.apart(outlines, *usable_stock(workshop))
     require_panels_fit(everything, sheet, workshop.margin)
@@ -107,7 +107,7 @@ def _require_sheet(document: Document, workshop: Workshop) -> None:
     laid = on_its_roll(document, workshop)
     if laid.stock is None or not has_sheet(document):
         return
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     width, height = usable_stock(laid)
     if len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         return
@@ -135,8 +135,8 @@ def find_oversize(document: Document, workshop: Workshop) -> float:
 
 
 def _what_is_cut(document: Document) -> Iterator[NDArray[Any]]:
-    """Panels and creases of the flat sheet and of what is clipped on, at their places."""
-    for piece in (document, *document.clipped):
+    """Panels and creases of all parts, at their places."""
+    for piece in document.parts:
         mesh = piece.mesh
         yield from (np.array(piece.grid_shape or ()), piece.require_flat(), mesh.faces)
         yield from (mesh.edges, mesh.edge_faces, mesh.crease)
@@ -151,18 +151,18 @@ def _lay_on_stock(
 ) -> Layout:
     """The layout with joints of a kind and a width; kept, because splitting takes long."""
     (width, height), (kind, joint_width) = stock, joint
-    document = with_clipped(sheet.content)
+    document = laid_flat(sheet.content)
     whole = whole_sheet(document)
     points = np.concatenate(whole.outlines)
     turns = find_turns(points, width, height)
-    if len(turns) and not sheet.content.clipped:
+    if len(turns) and len(sheet.content.parts) == 1:
         turned = Placement(0, float(turns[0]), np.zeros(2))
         shift = -turned.move(points).min(axis=0)
         return Layout((whole,), (replace(turned, shift=shift),))
     allowance = joint_width if kind == "tabs" else 0.0
     split: list[Integers] = []
     first = 0
-    for piece in (sheet.content, *sheet.content.clipped):
+    for piece in sheet.content.parts:
         split += [first + panels for panels in split_sheet(piece, width, height, allowance)]
         first += len(piece.mesh.faces)
     parts, strips, joints = make_parts(document, split, kind, joint_width)

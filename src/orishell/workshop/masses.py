@@ -6,15 +6,13 @@ ties are weighed by the densities of ``[workshop]``.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from orishell.conventions.quantities import conversion
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.order import hinge_density, tie_lengths
 from orishell.workshop.schedule import WEIGHED, find_schedule
@@ -42,10 +40,10 @@ def mass_by_area(document: Document, workshop: Workshop) -> float | None:
 
     None if the areal density is not known.
     """
-    area = conversion(document.unit, "m") ** 2 * float(with_clipped(document).areas().sum())
+    area = conversion(document.unit, "m") ** 2 * float(laid_flat(document).areas().sum())
     if not workshop.areal_density:
         return None
-    whole = fittings_of(with_clipped(document)) is not None
+    whole = fittings_of(laid_flat(document)) is not None
     hinges = 0.0 if whole else mass_of_hinges(document, workshop)
     return (
         area * workshop.areal_density + (hinges or 0.0) + (mass_of_ties(document, workshop) or 0.0)
@@ -53,10 +51,10 @@ def mass_by_area(document: Document, workshop: Workshop) -> float | None:
 
 
 def centre_of_mass(document: Document, workshop: Workshop) -> tuple[float, float, float]:
-    """Centre of mass at the target, in the world, what is clipped on included and ties left out."""
+    """Centre of mass at the target, in the world, of all parts, ties left out."""
     middle = document.shell.positions.mean(axis=0)
     mass, moment = 0.0, np.zeros(3)
-    for piece in (document, *document.clipped):
+    for piece in document.parts:
         weighed = (
             *(_weighed_boards(piece), _weighed_membrane(piece), _weighed_hinges(piece)),
             _weighed_by_length(piece, workshop),
@@ -68,7 +66,7 @@ def centre_of_mass(document: Document, workshop: Workshop) -> tuple[float, float
     return x, y, z
 
 
-def _weighed_boards(piece: Document) -> tuple[Array, Array]:
+def _weighed_boards(piece: Part) -> tuple[Array, Array]:
     """Weight (B,), in the document's unit cubed by density, and centre (B, 3) of every board."""
     assert piece.panel is not None
     if piece.boards is None or not len(piece.boards):
@@ -86,7 +84,7 @@ def _weighed_boards(piece: Document) -> tuple[Array, Array]:
     return volume.sum(axis=1) * piece.panel.density, centre + start[:, 0]
 
 
-def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
+def _weighed_membrane(piece: Part) -> tuple[Array, Array]:
     """Weight (F,) and centre (F, 3) of the membrane in every panel."""
     assert piece.panel is not None
     corners = piece.shell.positions[piece.mesh.faces]
@@ -98,7 +96,7 @@ def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
     return weight, centre
 
 
-def _weighed_hinges(piece: Document) -> tuple[Array, Array]:
+def _weighed_hinges(piece: Part) -> tuple[Array, Array]:
     """Weight (3 H,) and centre (3 H, 3) of hinges and of arms on either side.
 
     In units of a metre for both; arms are taken half way up their fins.
@@ -130,11 +128,11 @@ def _weighed_hinges(piece: Document) -> tuple[Array, Array]:
     return np.concatenate(weights), np.concatenate(places)
 
 
-def _weighed_by_length(piece: Document, workshop: Workshop) -> tuple[Array, Array]:
+def _weighed_by_length(piece: Part, workshop: Workshop) -> tuple[Array, Array]:
     """Weight (H,) and centre (H, 3) of hinges in the creases, which are weighed by their length."""
     if not workshop.hinge_linear_density or fittings_of(piece) is not None:
         return np.zeros(0), np.zeros((0, 3))
-    found = find_schedule(replace(piece, clipped=()), workshop)
+    found = find_schedule(piece, workshop)
     there = np.isin(found.kinds, WEIGHED)
     ends = piece.shell.positions[piece.mesh.edges[found.edges[there]]]
     square = conversion(piece.unit, "m") ** 2

@@ -13,7 +13,7 @@ from orishell.conventions.record import record
 from orishell.conventions.row import Row
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars, cut_bars
 from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.boards import has_membrane, has_sheet
@@ -74,7 +74,7 @@ def find_order(
 
 
 def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[OrderRow]:
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     if has_membrane(everything) or not has_sheet(everything):
         sheets = count_board_sheets(document, workshop) if nested else None
         yield _boards(everything, workshop, sheets)

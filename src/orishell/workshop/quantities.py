@@ -11,7 +11,7 @@ from orishell.conventions.quantities import PERSON_KG, conversion
 from orishell.conventions.record import record
 from orishell.design.fittings import Fittings
 from orishell.document import Document
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll, require_stock
@@ -89,7 +89,7 @@ def measure_panels(
     """
     if document.panel is None:
         return None
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     boards, build = everything.boards, everything.panel
     if boards is None or build is None:
         return None
@@ -190,7 +190,7 @@ def measure_quantities(
 
     The sheet is laid out on its stock, which takes most of the time, if ``nested``.
     """
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     length = everything.edge_lengths()
     letters = np.array(everything.assignment)
 

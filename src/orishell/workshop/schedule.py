@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.document import Document
+from orishell.document import Part
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.settings import HingeKind, Workshop
 
@@ -41,12 +41,12 @@ class Schedule:
     screws: Integers  # in both panels, -1 where not known
 
 
-def find_schedule(document: Document, workshop: Workshop) -> Schedule:
+def find_schedule(document: Part, workshop: Workshop) -> Schedule:
     """The schedule of a document for a workshop.
 
     Raises InputError where a kind of hinge does not go with what panels are made of.
     """
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     edges = np.flatnonzero(everything.mesh.crease)
     panels = everything.mesh.edge_faces[edges]
     directions = _directions(everything, panels)
@@ -78,7 +78,7 @@ def find_schedule(document: Document, workshop: Workshop) -> Schedule:
     )
 
 
-def _directions(document: Document, panels: Integers) -> Names:
+def _directions(document: Part, panels: Integers) -> Names:
     """Which way creases (C,) between panels (C, 2) run: panels of one column share a row crease."""
     names = [document.panel_name(panel) for panel in range(len(document.mesh.faces))]
     columns = np.array([name.partition(",")[2] for name in names], dtype=np.str_)
@@ -86,7 +86,7 @@ def _directions(document: Document, panels: Integers) -> Names:
     return np.where(first == "", "", np.where(first == second, "row", "column"))
 
 
-def _kinds(document: Document, edges: Integers, directions: Names, workshop: Workshop) -> Names:
+def _kinds(document: Part, edges: Integers, directions: Names, workshop: Workshop) -> Names:
     """What joins panels along creases (C,)."""
     usual = usual_kind(document, workshop)
     asked = {"row": workshop.row_hinge, "column": workshop.column_hinge, "": "auto"}
@@ -122,14 +122,14 @@ _UNFIT: Final[dict[str, tuple[str, ...]]] = {
 about pins beside the creases."""
 
 
-def usual_kind(document: Document, workshop: Workshop) -> str:
+def usual_kind(document: Part, workshop: Workshop) -> str:
     """What joins panels if nobody says what: a membrane, hinges, or the sheet as it is creased."""
     if document.panel is None:
         return workshop.creases
     return HINGE if document.panel.is_solid else "membrane"
 
 
-def _joined(document: Document) -> Integers | None:
+def _joined(document: Part) -> Integers | None:
     """Numbers of the edges along which pieces of whole boards are joined; None without pieces."""
     hinges = None if document.boards is None else document.boards.hinges
     if hinges is None or hinges.joints is None:

@@ -12,7 +12,7 @@ import numpy as np
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
-from orishell.workshop.assembly import draw_map, number_text, with_clipped
+from orishell.workshop.assembly import draw_map, laid_flat, number_text
 from orishell.workshop.board_sheets import count_board_sheets, draw_boards, draw_plan
 from orishell.workshop.boards import (
     back_of,
@@ -66,7 +66,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     """
     if not has_sheet(document):
         return (draw_plan(document, workshop),)
-    everything = replace(with_clipped(document), title=sheet_title(document))
+    everything = replace(laid_flat(document), title=sheet_title(document))
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         part = with_glue_areas(everything, whole_sheet(everything))
@@ -91,7 +91,7 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
 
     None where there is no membrane, or no board on its lower face.
     """
-    everything = replace(with_clipped(document), title=sheet_title(document))
+    everything = replace(laid_flat(document), title=sheet_title(document))
     if everything.boards is None or not (everything.boards.sides < 0).any():
         return ()
     title = f"{everything.title}, back"
@@ -134,7 +134,7 @@ def draw_sheet_files(
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet, or else the solid panels, need and waste; cuts and creases."""
     workshop = on_its_roll(document, workshop)
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     within, creases = 0.0, 0.0  # lengths
     if has_sheet(document):
         layout = lay_out(document, workshop)

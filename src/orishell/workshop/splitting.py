@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from orishell.document import Document
+from orishell.document import Part
 from orishell.numerics.arrays import Integers
 from orishell.workshop.fitting import CutSheet, require_panels_fit
 
@@ -87,7 +87,7 @@ Cost = tuple[int, float]
 
 
 def split_sheet(
-    document: Document, stock_width: float, stock_height: float, allowance: float
+    document: Part, stock_width: float, stock_height: float, allowance: float
 ) -> tuple[Integers, ...]:
     """Split the flat sheet along creases into parts that fit the stock, at any angle.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.document import Document
+from orishell.document import Part
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -25,7 +25,7 @@ REACH = 0.9
 """Largest width of a tab, relative to that at which it is midway to the opposite side."""
 
 
-def choose_joint_width(document: Document, workshop: Workshop) -> float:
+def choose_joint_width(document: Part, workshop: Workshop) -> float:
     """The width that tabs have where panels leave room for it.
 
     "auto" is a quarter of the median height of panels, measured from their creases.
@@ -38,7 +38,7 @@ def choose_joint_width(document: Document, workshop: Workshop) -> float:
     return AUTO_SHARE * float(np.median(heights)) if len(heights) else 0.0
 
 
-def tab_shapes(document: Document, width: float) -> Array:
+def tab_shapes(document: Part, width: float) -> Array:
     """Corners (E, 2, 4, 2) of tabs of a width, or less where a panel has no room for it.
 
     For every edge, in the panel to its left and to its right as ``edge_faces`` lists them, the two
@@ -64,7 +64,7 @@ def tab_shapes(document: Document, width: float) -> Array:
     return shapes
 
 
-def find_owners(document: Document) -> tuple[Integers, Integers]:
+def find_owners(document: Part) -> tuple[Integers, Integers]:
     """For every edge, the panel (E,) whose part has the tab and the panel (E,) it is glued to.
 
     -1 at edges that are no creases.

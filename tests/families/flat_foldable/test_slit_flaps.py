@@ -32,7 +32,7 @@ from orishell.structure.flaps import hung_area, kept_apart
 from orishell.verification import inspect_fold
 from orishell.verification.residuals import measure_with_flaps
 from orishell.workshop import Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.layout import lay_out
 from samples import THOROUGH, led_by, thorough
@@ -260,13 +260,13 @@ def test_flaps_are_clipped_on_in_pairs() -> None:
     assert clipped.mechanism is design.mechanism.without_flaps()
     document = document_of_design(clipped)
     whole, rows = written(sheet_of(2)), 6
-    assert len(document.clipped) == 2 * rows
-    names = [each.panel_name(k) for each in document.clipped for k in (0, 1)]
+    assert len(document.attached) == 2 * rows
+    names = [each.panel_name(k) for each in document.attached for k in (0, 1)]
     assert sorted(names) == sorted(whole.names[-4 * rows :])
     # They stand where they are folded with the sheet, whose state is the same.
-    everything = with_clipped(document)
+    everything = laid_flat(document)
     assert everything.areas().sum() == pytest.approx(whole.areas().sum())
-    for each in document.clipped:
+    for each in document.attached:
         for panel in (0, 1):
             number = whole.names.index(each.panel_name(panel))
             corners = np.sort(each.shell.positions[each.mesh.faces[panel]], axis=0)

@@ -27,7 +27,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.document.measures import BoxReport, Measures
 from orishell.io import write_fold
-from orishell.io.booklet_drawing import CLIPPED, width_of
+from orishell.io.booklet_drawing import BESIDE, width_of
 from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages
 from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Settings
@@ -251,8 +251,8 @@ def test_panels_at_corners_are_named_and_flaps_are_dark() -> None:
     pages = booklet_pages(boarded_document(clipped=True), Workshop())
     names = {said.words for page in pages for said in page.said}
     assert {"0,0", "0,3", "5,0", "5,3"} <= names
-    dark = [each for page in pages for each in page.drawn if each.fill == CLIPPED]
-    panels = sum(len(each.mesh.faces) for each in boarded_document(clipped=True).clipped)
+    dark = [each for page in pages for each in page.drawn if each.fill == BESIDE]
+    panels = sum(len(each.mesh.faces) for each in boarded_document(clipped=True).attached)
     assert len(dark) == 2 * panels  # on the cover, and where they are clipped on
 
 

@@ -28,7 +28,7 @@ def document() -> Document:
 def test_obj_has_boards_at_the_target_as_groups_of_their_own(
     document: Document, tmp_path: Path
 ) -> None:
-    pieces = (document, *document.clipped)
+    pieces = (document, *document.attached)
     write_obj(tmp_path / "shell.obj", document, Settings())
     mesh = meshio.read(tmp_path / "shell.obj")
     corners = np.concatenate([mesh.points[block.data] for block in mesh.cells])

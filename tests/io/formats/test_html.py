@@ -270,11 +270,11 @@ def test_flaps_that_are_clipped_on_are_views_within_the_view() -> None:
     """Where they are at the target, about the origin of the whole."""
     document = thick_document("parallel-repeating")
     header, blocks = parts_of(dump_view(document))
-    alone = parts_of(dump_view(replace(document, clipped=())))[0]["arrays"]
+    alone = parts_of(dump_view(replace(document, attached=())))[0]["arrays"]
     strips = [name for name in blocks if name.startswith("clipped_")]
     assert set(blocks) - set(alone) == set(strips)
-    assert len(strips) == len(document.clipped) == 2
-    for name, strip in zip(strips, document.clipped, strict=True):
+    assert len(strips) == len(document.attached) == 2
+    for name, strip in zip(strips, document.attached, strict=True):
         own, within = parts_of(blocks[name].tobytes())
         assert strip.boards is not None
         assert own["origin"] == header["origin"]

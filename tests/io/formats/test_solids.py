@@ -10,7 +10,7 @@ import pytest
 
 from cad_tools import closed_volume
 from documents import thick_document
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.io.format import Settings
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.formats.obj import write_obj
@@ -27,8 +27,8 @@ def document(request: pytest.FixtureRequest) -> Document:
     return thick_document("orthodiagonal", request.param)
 
 
-def pieces(document: Document, state: str = "target") -> tuple[Document, ...]:
-    return (document, *document.clipped_at(state))
+def pieces(document: Document, state: str = "target") -> tuple[Part, ...]:
+    return tuple(part for part, _ in document.parts_in(state))
 
 
 def expected_volumes(document: Document, state: str = "target") -> np.ndarray:

@@ -31,7 +31,7 @@ def all_boards(document: Document, *, clipped: bool = True) -> list[tuple[str, f
     """Names and volumes (mm^3) of all boards."""
     return [
         (each.board_name(board), CUBIC_MILLIMETRES * float(volume))
-        for each in (document, *(document.clipped if clipped else ()))
+        for each in (document, *(document.attached if clipped else ()))
         if each.boards is not None
         for board, volume in enumerate(each.boards.volumes())
     ]
@@ -64,7 +64,7 @@ def test_build123d_reads_every_board(construction: Construction, tmp_path: Path)
     assert pytest.approx(-1000 * document.panel.height) == box.min.Z
     target = read_back(tmp_path / "shell-target.step").bounding_box()
     outlines = np.concatenate(
-        [each.boards_in(each.shell).reshape(-1, 3) for each in (document, *document.clipped)]
+        [each.boards_in(each.shell).reshape(-1, 3) for each in (document, *document.attached)]
     )
     outlines += origin
     np.testing.assert_allclose([*target.min], 1000 * outlines.min(axis=0), atol=1e-3)

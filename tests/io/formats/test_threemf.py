@@ -31,7 +31,7 @@ def vertices_of(thing: Any) -> np.ndarray:
 def names(document: Document) -> list[str]:
     return [
         each.board_name(board)
-        for each in (document, *document.clipped)
+        for each in (document, *document.attached)
         for board in range(len(each.boards or ()))
     ]
 
@@ -57,7 +57,7 @@ def test_prusa_slicer_finds_them_manifold_and_in_millimetres(tmp_path: Path) -> 
     document = thick_document("orthodiagonal", "bevel")
     write_3mf(tmp_path / "a.3mf", document, Settings(workshop=MODEL))
     said = ask_prusa_slicer(tmp_path / "a.3mf")
-    pieces = [each.boards for each in (document, *document.clipped) if each.boards is not None]
+    pieces = [each.boards for each in (document, *document.attached) if each.boards is not None]
     assert len(said) == sum(map(len, pieces))
     assert {each["manifold"] for each in said} == {"yes"}
     assert {each["number_of_parts"] for each in said} == {"1"}
@@ -77,7 +77,7 @@ def test_another_state_where_it_is_asked_for(tmp_path: Path) -> None:
         [vertices_of(each) for each in objects_of(read_3mf(tmp_path / "a.3mf"))]
     )
     expected = np.concatenate(
-        [each.boards_in(each.shell).reshape(-1, 3) for each in (document, *document.clipped)]
+        [each.boards_in(each.shell).reshape(-1, 3) for each in (document, *document.attached)]
     )
     np.testing.assert_allclose(np.ptp(points, axis=0), 1000 * np.ptp(expected, axis=0), rtol=1e-6)
 

@@ -17,7 +17,7 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     The y axis is up, as readers of OBJ expect: a point (x, y, z) is written as (x, z, -y).
     Coordinates are in the document's unit, which a comment names (OBJ has no place for it), and
     have all their digits. A grid has one group for each row of panels, any other sheet one group.
-    At the target each board that is clipped on there is a group of its own, after the sheet.
+    Other parts that are there, as boards clipped on at the target, are groups after the sheet.
 
     Where panels have a thickness each of their boards is a group of triangles, a closed surface
     called by panel and side, as in "3,12_top".
@@ -31,8 +31,9 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
 
 
 def _sheet(document: Document, which: int | str) -> Iterator[str]:
-    """Panels of the sheet, and of the flaps that are clipped on."""
-    positions, faces = document.state(which).positions, document.mesh.faces
+    """Panels of the sheet, and of the other parts that are there in a state."""
+    (_, state), *others = document.parts_in(which)
+    positions, faces = state.positions, document.mesh.faces
     yield from _vertices(document.in_world(positions))
     yield "s off\n"
     row = len(faces) if document.whole_grid is None else document.whole_grid[1] - 1
@@ -40,11 +41,11 @@ def _sheet(document: Document, which: int | str) -> Iterator[str]:
         yield "g panels\n" if document.whole_grid is None else f"g row_{number}\n"
         yield from _faces(faces[begin : begin + row] + 1)
     first = 1 + len(positions)
-    for number, board in enumerate(document.clipped_at(which), 1):
-        yield from _vertices(document.in_world(board.shell.positions))
+    for number, (part, state) in enumerate(others, 1):
+        yield from _vertices(document.in_world(state.positions))
         yield f"g board_{number}\n"
-        yield from _faces(board.mesh.faces + first)
-        first += board.mesh.vertex_count
+        yield from _faces(part.mesh.faces + first)
+        first += part.mesh.vertex_count
 
 
 def _solids(document: Document, which: int | str) -> Iterator[str]:

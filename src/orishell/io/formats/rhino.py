@@ -12,12 +12,12 @@ from typing import Any, Final
 import numpy as np
 
 from orishell.conventions.colours import rgb
-from orishell.document import Document
+from orishell.document import Document, Part
 from orishell.io.format import Format, Settings, numbered_ids
 from orishell.io.solids import mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import LAYERS
 from orishell.workshop.creases import CREASE_LETTERS
 from orishell.workshop.cut_parts import find_outlines
@@ -56,13 +56,13 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
 
     Layers are "flat pattern" with CUT, MOUNTAIN, VALLEY and, if there are unfolded or unassigned
     creases, ENGRAVE; "shell" with "mesh" (one mesh, welded, double precision) and "panels" (one
-    surface each, named by row and column); at the target "board 1", ... likewise for boards that
-    are clipped on there. Where panels have a thickness "mesh" is the surface of the hinges; boards
-    are closed meshes, named by panel and side, on the layers "top" and "bottom", or on "panels" if
-    they are in one piece. "target" has a layer for each curve. The pattern lies at z = 0: its
-    outlines are closed polylines, its creases lines with their fold angle as user text. The z axis
-    is up. A panel is the bilinear surface of its corners, plane if they are; one with a corner that
-    points inwards is a trimmed plane.
+    surface each, named by row and column); "board 1", ... likewise for other parts that are there,
+    as boards clipped on at the target. Where panels have a thickness "mesh" is the surface of the
+    hinges; boards are closed meshes, named by panel and side, on the layers "top" and "bottom", or
+    on "panels" if they are in one piece. "target" has a layer for each curve. The pattern lies at
+    z = 0: its outlines are closed polylines, its creases lines with their fold angle as user text.
+    The z axis is up. A panel is the bilinear surface of its corners, plane if they are; one with a
+    corner that points inwards is a trimmed plane.
 
     The unit is the model's unit system, "no units" if none is known. The same document gives the
     same bytes with the same version of rhino3dm: objects have ids by their order, and the
@@ -72,12 +72,11 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     rhino3dm = _rhino3dm()
     model = _Model(document)
     if document.flat is not None:
-        _add_pattern(model, with_clipped(document))
-    clipped = document.clipped_at(settings.state)
-    names = ["shell", *(f"board {number}" for number in range(1, len(clipped) + 1))]
-    states = [document.state(settings.state), *(flap.shell for flap in clipped)]
-    for name, piece, state in zip(names, (document, *clipped), states, strict=True):
-        _add_shell(model, piece, document.in_world(state.positions), name)
+        _add_pattern(model, laid_flat(document))
+    parts = document.parts_in(settings.state)
+    names = ["shell", *(f"board {number}" for number in range(1, len(parts)))]
+    for name, (part, state) in zip(names, parts, strict=True):
+        _add_shell(model, part, document.in_world(state.positions), name)
     if document.boards is not None:
         for name, solids in zip(names, solids_in(document, settings.state), strict=True):
             mesh = mesh_of((solids,))
@@ -153,17 +152,17 @@ def _add_pattern(model: _Model, document: Document) -> None:
         model.add(line, model.layer("flat pattern", layer), f"{kind} {edge}", **known)
 
 
-def _add_shell(model: _Model, document: Document, positions: Array, name: str) -> None:
-    """The shell or a flap of it in space as one mesh, and panel by panel if these are surfaces."""
-    model.add(_mesh(positions, document.mesh.faces), model.layer(name, "mesh"), name)
-    if document.boards is not None:
+def _add_shell(model: _Model, part: Part, positions: Array, name: str) -> None:
+    """A part of the shell in space as one mesh, and panel by panel if these are surfaces."""
+    model.add(_mesh(positions, part.mesh.faces), model.layer(name, "mesh"), name)
+    if part.boards is not None:
         return
-    corners = positions[document.mesh.faces]
+    corners = positions[part.mesh.faces]
     layer = model.layer(name, "panels")
     reflex: list[bool] = np.any(reflex_corners(corners), axis=1).tolist()
     for panel, (points, concave) in enumerate(zip(corners, reflex, strict=True)):
         surface = _trimmed(points) if concave else _bilinear(points)
-        model.add(surface, layer, f"panel {document.panel_name(panel)}")
+        model.add(surface, layer, f"panel {part.panel_name(panel)}")
 
 
 def _mesh(positions: Array, faces: Integers) -> Any:

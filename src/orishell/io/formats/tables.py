@@ -20,7 +20,7 @@ from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges
 from orishell.solids.hinged.pieces import piece_numbers
 from orishell.workshop import Workshop
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import board_parts, nest_boards
 from orishell.workshop.ground_plan import ground_beside
 from orishell.workshop.hinge_parts import fittings_of, hinge_names
@@ -153,7 +153,7 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
 
 def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable[Sequence[object]]]:
     """Boards in the order in which they are drawn, those that are clipped on included."""
-    unit, everything = document.unit, with_clipped(document)
+    unit, everything = document.unit, laid_flat(document)
     boards, build = everything.boards, everything.panel
     assert boards is not None
     assert build is not None

@@ -93,15 +93,14 @@ class BuiltShell:
 
 
 def triangles_of(document: Document) -> Array:
-    """Panels, or the surfaces of boards, of a document's target and what is clipped on (T, 3, 3).
+    """Panels, or the surfaces of boards, of all parts of a document at its target (T, 3, 3).
 
     In the document's frame.
     """
     if document.boards is not None:
         mesh = mesh_of(solids_in(document, SHELL))
         return np.asarray(mesh.vertices[mesh.triangles])
-    parts = (document, *document.clipped_at(SHELL))
-    panels = [each.shell.positions[each.mesh.faces] for each in parts]
+    panels = [state.positions[part.mesh.faces] for part, state in document.parts_in(SHELL)]
     return split_panels(np.concatenate(panels))
 
 

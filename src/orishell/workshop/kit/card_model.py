@@ -9,7 +9,7 @@ from typing import overload
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import AnyPart, laid_flat
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import page_scale, tile_sheet
@@ -34,7 +34,7 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     """
     millimetres = conversion(document.require_unit(), "mm")
     bare = _without_boards(document)
-    rims = whole_sheet(with_clipped(bare)).outlines
+    rims = whole_sheet(laid_flat(bare)).outlines
     low = rims[0].min(axis=0)
     placed = tuple((rim - low) * millimetres for rim in rims)
     if workshop.paper_scale == "auto":
@@ -60,7 +60,7 @@ def _without_boards(document: Document) -> Document:
         document,
         panel=None,
         boards=None,
-        clipped=tuple(map(_without_boards, document.clipped)),
+        attached=tuple(replace(part, panel=None, boards=None) for part in document.attached),
         surface=None,
         distances=None,
         loaded=None,
@@ -71,15 +71,21 @@ def _without_boards(document: Document) -> Document:
 def _scaled(document: Document, factor: float, scale: float) -> Document:
     """The document in millimetres of the model; ``factor`` makes these of its lengths."""
     return replace(
-        document,
-        unit="mm",
-        flat=document.require_flat() * factor,
-        states=_ScaledStates(document.states, factor),
+        _scaled_part(document, factor),
         curves={name: points * factor for name, points in document.curves.items()},
         origin=document.origin * factor,
-        clipped=tuple(_scaled(each, factor, scale) for each in document.clipped),
+        attached=tuple(_scaled_part(part, factor) for part in document.attached),
         ties=tuple(replace(tie, length=tie.length * factor) for tie in document.ties),
         model_scale=scale,
+    )
+
+
+def _scaled_part(part: AnyPart, factor: float) -> AnyPart:
+    return replace(
+        part,
+        unit="mm",
+        flat=part.require_flat() * factor,
+        states=_ScaledStates(part.states, factor),
     )
 
 

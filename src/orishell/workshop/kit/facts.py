@@ -25,7 +25,7 @@ class KitFacts:
     starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
     construction: str  # as in [panel]; empty where panels have no thickness
     # sides of the boxes around the flat sheet and around the shell at its target, as its report has
-    # them: what folds, with its boards, and that with what is clipped on
+    # them: what folds, with its boards, and that with all other parts
     sheet: tuple[float, float]
     opened: tuple[float, float, float]
     whole: tuple[float, float, float]
@@ -42,8 +42,8 @@ class KitFacts:
     pieces: tuple[Booleans, ...]  # panels (F,) of each piece
     diagonals: tuple[tuple[float, float], ...]  # of the flat sheet of each piece, corner to corner
     shuts: bool  # whether flaps of the sheet are folded flat at the target
-    flaps: int  # parts that are clipped on
-    clipped_panels: int  # their panels
+    flaps: int  # parts that go with the sheet
+    flap_panels: int  # their panels
     model: bool  # whether it is a model
     # how its sheet folds where that is not one motion: "known", "nearly" or "unknown", and how many
     # degrees of freedom; None where it is
@@ -68,7 +68,7 @@ def find_facts(document: Document) -> KitFacts:
     apart, feet = _feet(document, known, points)
     width, height = np.ptp(flat, axis=0).tolist()
     built = document.panel is not None and document.boards is not None
-    boxes = [_sides(document), _sides(document, *document.clipped)]
+    boxes = [_sides(document.sheet), _sides(document)]
     if known is not None and not model:
         boxes = [_scaled(each.sides, factor) for each in (known.deployed, known.outside)]
     opened, whole = boxes
@@ -91,8 +91,8 @@ def find_facts(document: Document) -> KitFacts:
         pieces=pieces,
         diagonals=tuple(_diagonals(document, pieces)),
         shuts=known is not None and known.shuts,
-        flaps=len(document.clipped),
-        clipped_panels=sum(len(each.mesh.faces) for each in document.clipped),
+        flaps=len(document.attached),
+        flap_panels=sum(len(each.mesh.faces) for each in document.attached),
         model=model,
         freedoms=None if known is None else _freedoms(known.freedom),
     )
@@ -106,14 +106,13 @@ def _freedoms(freedom: FreedomOfSheet) -> tuple[str, str] | None:
     return ("nearly", str(freedom.nearly)) if freedom.count == 1 else ("known", str(freedom.count))
 
 
-def _sides(*pieces: Document) -> tuple[float, float, float]:
-    """Sides of the box around pieces as they are built, at the target."""
+def _sides(document: Document) -> tuple[float, float, float]:
+    """Sides of the box around all parts as they are built, at the target."""
     corners = []
-    for piece in pieces:
-        if has_sheet(piece):
-            corners.append(piece.shell.positions)
-        if piece.boards is not None:
-            corners.append(piece.boards_in(piece.shell).reshape(-1, 3))
+    for part, state in document.parts_in(SHELL):
+        if has_sheet(part):
+            corners.append(state.positions)
+        corners.append(part.corners(state))
     x, y, z = np.ptp(np.concatenate(corners), axis=0).tolist()
     return x, y, z
 

@@ -1,7 +1,7 @@
 """A state of a shell as panels to be drawn one over the other, farthest first.
 
 Panels are drawn without their thickness. The side that is up in the flat sheet is white, the other
-grey, and what is clipped on is dark.
+grey, and parts that go with the sheet are dark.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class LineDrawing:
 
     outlines: Array  # corners (F, 4, 2)
     fronts: Booleans  # whether each (F,) shows the side that is up in the flat sheet
-    clipped: Booleans  # whether each (F,) is of what is clipped on
+    beside: Booleans  # whether each (F,) is of another part than the sheet
     lines: Array  # over them (K, 2, 2): ties
     points: Array  # over them (M, 2): feet
     every: int  # of so many rows and columns of the sheet one is drawn; 1 for all
@@ -54,7 +54,7 @@ def draw_lines(
     *,
     plan: bool = False,
 ) -> LineDrawing:
-    """A state with what is clipped on there, by number or name, as ``which`` says.
+    """A state with all parts that are there, by number or name, as ``which`` says.
 
     panels: Which (F,) are drawn; all if None.
     joined: Vertices (K, 2) between which lines are drawn over all; none if None.
@@ -63,7 +63,7 @@ def draw_lines(
 
     Raises InputError if there is no such state.
     """
-    corners, clipped, every = _drawn_corners(document, which, panels)
+    corners, beside, every = _drawn_corners(document, which, panels)
     axes = view_axes(0.0, ABOVE) if plan else view_axes(TURN_DEG, RISE_DEG)
     seen = corners @ axes.T
     order = _farthest_first(seen)
@@ -73,7 +73,7 @@ def draw_lines(
     points = (positions[spots] @ axes.T)[..., :2]
     fronts = area_vectors(seen)[order, 2] > 0
     return LineDrawing(
-        seen[order, :, :2], fronts, order >= len(seen) - clipped, lines, points, every
+        seen[order, :, :2], fronts, order >= len(seen) - beside, lines, points, every
     )
 
 
@@ -89,7 +89,7 @@ def view_axes(turn_deg: float, rise_deg: float) -> Array:
 def _drawn_corners(
     document: Document, which: int | str, panels: Booleans | None
 ) -> tuple[Array, int, int]:
-    """Corners (F, 4, 3) of what is drawn, clipped panels last, how many these are.
+    """Corners (F, 4, 3) of what is drawn, panels of the sheet first, how many others there are.
 
     And of how many rows and columns one is drawn.
     """
@@ -103,10 +103,10 @@ def _drawn_corners(
         grid = grid[rows][:, columns]
         around = [grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]]
         return np.stack(around, axis=2).reshape(-1, 4, 3), 0, every
-    sheet, clipped = document.panel_corners(state)[chosen], []
-    if panels is None:
-        clipped = [each.panel_corners(each.shell) for each in document.clipped_at(which)]
-    return np.concatenate([sheet, *clipped]), sum(map(len, clipped)), 1
+    sheet, *others = (part.panel_corners(own) for part, own in document.parts_in(which))
+    if panels is not None:
+        sheet, others = sheet[chosen], []
+    return np.concatenate([sheet, *others]), sum(map(len, others)), 1
 
 
 def _thinned(count: int, every: int) -> Integers:

@@ -14,7 +14,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest, largest_of
-from orishell.workshop.assembly import with_clipped
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.boards import SIDES, distinct_corners, has_sheet, seen_from_outside
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.hinge_parts import fittings_of
@@ -38,7 +38,7 @@ class KitPart:
 
 def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[KitPart, ...]:
     """All kinds of parts, in the order in which they are used; counts are those of the drawings."""
-    everything, unit = with_clipped(document), document.unit
+    everything, unit = laid_flat(document), document.unit
     parts: list[KitPart] = []
     cut = CutCounts.of(document, workshop)
     if facts.construction in ("", "sandwich"):
@@ -67,9 +67,9 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
         parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
     if facts.flaps:
-        flap = document.clipped[0]
+        flap = document.attached[0]
         quads = flap.require_flat()[flap.mesh.faces]
-        values = {"panels": str(facts.clipped_panels), "cut": str(cut.flaps)}
+        values = {"panels": str(facts.flap_panels), "cut": str(cut.flaps)}
         values |= {"first": str(cut.sheet + 1), "last": str(cut.sheet + cut.flaps)}
         note = f"flap{'' if facts.construction else '_plain'}{'_cut' if cut.flaps else ''}_note"
         parts.append(KitPart("flap", facts.flaps, values, tuple(map(_closed, quads)), note))
@@ -185,7 +185,7 @@ def kit_tools(
 
 def _faces(document: Document) -> Array:
     """Outlines (B, K, 2) of all boards on the face that is glued."""
-    boards = with_clipped(document).boards
+    boards = laid_flat(document).boards
     assert boards is not None
     return np.asarray(boards.outlines[:, 0, :, :2])
 

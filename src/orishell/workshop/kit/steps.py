@@ -123,7 +123,7 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
     if not facts.ties_early:
         yield from tie
     if facts.flaps:
-        values = {"flaps": plain(facts.flaps), "panels": plain(facts.clipped_panels)}
+        values = {"flaps": plain(facts.flaps), "panels": plain(facts.flap_panels)}
         yield Step("clip", values, SHELL, check="all_shut")
     if facts.feet and not facts.model:
         check = "apart" if facts.apart is not None else ""

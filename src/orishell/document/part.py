@@ -1,0 +1,214 @@
+"""A part of a shell: rigid panels that are made as one piece, and where they are in its states.
+
+The sheet that folds is one. Others go with it: flaps that are clipped on at its target, and what
+else is put in or hung on. Drawings, bill, files and proof take all of them alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field
+from typing import Self
+
+import numpy as np
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.record import record
+from orishell.design import PanelSpec
+from orishell.motion.boards import Boards
+from orishell.motion.mesh import QuadMesh
+from orishell.motion.quads import area_vectors, unit_normals
+from orishell.numerics.arrays import Array, Integers
+
+SHELL = "target"
+"""Name of the state that is the shell as it stands."""
+
+FLAT = "flat"
+"""Name of the state that is the flat sheet."""
+
+
+@record
+class DocumentState:
+    """One folded state of the sheet."""
+
+    positions: Array  # vertices (V, 3) in the document's frame, z up, read-only
+    # Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is known of
+    # them. In degrees, as files have them: not a bit is lost.
+    fold_angles_deg: Array | None = None
+    drive_deg: float | None = None  # drive angle; None if the state has none
+
+
+@record
+class Part:
+    """Panels that are made as one piece, flat and in states, with the boards on them.
+
+    Coordinates are in the frame of the document that it belongs to.
+    """
+
+    title: str  # one line that says what it is
+    unit: str  # unit of length of all coordinates: mm, cm, m, in, ft; or "unit" if none is known
+    mesh: QuadMesh  # panels and edges
+    # letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut), J (joined)
+    assignment: tuple[str, ...]
+    # vertices (V, 2) as it is cut, read-only; None where only folded states are known
+    flat: Array | None
+    fold_angles_deg: Array  # fold angles (E,) at the last state, valley positive, NaN where unknown
+    # folded states in the order of the motion; may be made one by one as they are asked for
+    states: Sequence[DocumentState]
+    # rows and columns of vertices, if panels and vertices are numbered row by row; flaps that are
+    # no columns come after them, and then all panels have names
+    grid_shape: tuple[int, int] | None = None
+    # numbers of the states that have a name: "flat", "target" (the shell), "pack"
+    named: Mapping[str, int] = field(default_factory=dict)
+    # names of the panels; empty if they are called by row and column, or by their numbers
+    names: tuple[str, ...] = field(default=(), repr=False)
+    # what panels are made of; None if they have no thickness
+    panel: PanelSpec | None = field(default=None, repr=False)
+    # what is built of the panels; None if they have no thickness
+    boards: Boards | None = field(default=None, repr=False)
+    # what the booklet calls parts of its kind: "sheet", "flap"
+    kind: str = field(default="sheet", repr=False)
+
+    @property
+    def sheet(self) -> Self:
+        """The part without others that go with it."""
+        return self
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The part, and others that go with it."""
+        return (self,)
+
+    def parts_in(self, which: int | str) -> tuple[tuple[Part, DocumentState], ...]:
+        """The part, and others that are there in a state, each as it is then.
+
+        Raises InputError if there is no such state.
+        """
+        return ((self, self.state(which)),)
+
+    @property
+    def shell(self) -> DocumentState:
+        """The shell as it stands: the target, or the last state where none is called so."""
+        return self.state(SHELL)
+
+    def state(self, which: int | str) -> DocumentState:
+        """A state by its number, 0 the first, or by its name, as ``which`` says.
+
+        Where no state has a name, "flat" is the first and "target" the last; where there is none
+        at all, both are the flat sheet.
+
+        Raises
+        ------
+        InputError
+            If there is no such state.
+        """
+        count = len(self.states)
+        named = {FLAT: 0, SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
+        number = named.get(which, count) if isinstance(which, str) else which
+        if number == 0 and not count:
+            return self._flat_state()
+        if not 0 <= number < count:
+            names = " or ".join(f'"{name}"' for name in named)
+            raise InputError(
+                "there is no such state",
+                got=str(which),
+                expected=f"{names}, or a number from 0 to {count - 1}",
+            )
+        return self.states[number]
+
+    def boards_in(self, state: DocumentState) -> Array:
+        """Corners (B, H, K, 3) of the outlines of all boards in a state, in the document's frame.
+
+        Raises
+        ------
+        InputError
+            If panels have no thickness.
+        """
+        if self.boards is None:
+            raise InputError(
+                "panels have no thickness",
+                keys=("panel.thickness",),
+                remedy="add the table [panel] to the design file",
+            )
+        return self.boards.carried(self.mesh.faces, self.require_flat(), state.positions)
+
+    def corners(self, state: DocumentState) -> Array:
+        """Corners (K, 3) of all boards in a state; vertices if panels have no thickness."""
+        if self.boards is None:
+            return state.positions
+        return self.boards_in(state).reshape(-1, 3)
+
+    def panel_corners(self, state: DocumentState) -> Array:
+        """Corners (F, 4, 3) of all panels in a state, shifted with their boards if these are."""
+        corners = state.positions[self.mesh.faces]
+        if self.boards is None or self.boards.hinges is None:
+            return corners
+        shifts = self.boards.hinges.drawn(corners, unit_normals(corners))
+        return np.asarray(corners + shifts[:, None])
+
+    def board_name(self, board: int) -> str:
+        """What a board is called: its panel and its side, as in "3,12 top"."""
+        assert self.boards is not None
+        name = self.panel_name(int(self.boards.panels[board]))
+        called = self.boards.called(board)
+        return f"{name} {called}" if called else name
+
+    def require_flat(self) -> Array:
+        """The flat sheet (V, 2).
+
+        Raises
+        ------
+        InputError
+            If only folded states are known.
+        """
+        if self.flat is None:
+            raise InputError(
+                "there is no flat sheet to draw",
+                got="folded states only",
+                expected='a frame of class "creasePattern"',
+            )
+        return self.flat
+
+    def panel_name(self, panel: int) -> str:
+        """Row and column of a panel, as in "3,12"; its number where it has no other name."""
+        if self.names:
+            return self.names[panel]
+        if self.grid_shape is None:
+            return str(panel)
+        row, column = divmod(panel, self.grid_shape[1] - 1)
+        return f"{row},{column}"
+
+    @property
+    def whole_grid(self) -> tuple[int, int] | None:
+        """Rows and columns of vertices where there are no panels but those of a grid."""
+        shape = self.grid_shape
+        if shape is None or (shape[0] - 1) * (shape[1] - 1) != len(self.mesh.faces):
+            return None
+        return shape
+
+    @property
+    def rows_and_columns(self) -> tuple[Integers, Integers] | None:
+        """Row (F,) and column (F,) of every panel of a grid and of flaps beside it; else None."""
+        if self.grid_shape is None:
+            return None
+        if self.names:
+            rows, columns = np.array([name.split(",") for name in self.names], np.int64).T
+        else:
+            rows, columns = np.divmod(np.arange(len(self.mesh.faces)), self.grid_shape[1] - 1)
+        return rows, columns
+
+    def areas(self) -> Array:
+        """Area (F,) of every panel."""
+        vertices = self._flat_state() if self.flat is not None else self.shell
+        return np.asarray(
+            np.linalg.norm(area_vectors(vertices.positions[self.mesh.faces]), axis=-1)
+        )
+
+    def edge_lengths(self) -> Array:
+        """Length (E,) of every edge of the flat sheet."""
+        ends = self.require_flat()[self.mesh.edges]
+        return np.asarray(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+
+    def _flat_state(self) -> DocumentState:
+        flat = self.require_flat()
+        return DocumentState(np.column_stack([flat, np.zeros(len(flat))]), drive_deg=0.0)
