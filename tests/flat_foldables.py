@@ -13,12 +13,12 @@ from orishell.families.flat_foldable.named import graded_net
 from orishell.families.flat_foldable.net import Net
 from orishell.families.flat_foldable.refusal import find_fault
 from orishell.motion import Mechanism
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 
 LARGEST = 12
 
 
-def boarded(mechanism: Mechanism, build: PanelSpec, hinges: Hinges | None = None) -> Design:
+def boarded(mechanism: Mechanism, build: PanelSpec, hinges: HingeLines = IN_CREASES) -> Design:
     """A design of whole boards without a target, for the way from its pack."""
     return Design(
         mechanism=mechanism,

@@ -18,6 +18,7 @@ from drawing import EXAMPLES, camera, draw_boards, same_scale
 
 from orishell.deployment import find_pack
 from orishell.design_file import read_design_file
+from orishell.motion.hinges import Hinges
 from orishell.shell.designed import designed
 from orishell.solids import build_panels
 from orishell.solids.hinged import board_offsets
@@ -25,7 +26,7 @@ from orishell.solids.hinged.pieces import piece_numbers, pieces_of
 
 design = designed(read_design_file(EXAMPLES / "shelter_hinged.toml"))
 hinges, sheet = design.hinges, design.mechanism
-assert hinges is not None
+assert isinstance(hinges, Hinges)
 assert hinges.joints is not None
 boards = build_panels(design, sheet.end_drive).boards
 print(f"longest arm: {1000 * hinges.longest_arm:.0f} mm")

@@ -16,6 +16,7 @@ from orishell.deployment.occupied import Occupied
 from orishell.deployment.standing import Standing
 from orishell.deployment.swept import find_sweep
 from orishell.design_file import read_design_file
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array
 from orishell.shell.make import Shell, make_shell
@@ -101,7 +102,7 @@ def feet_at(shell: Shell, drive: float) -> Array:
     assert feet is not None
     positions = mechanism.positions(drive)
     hinges, found = shell.design.hinges, []
-    boards = None if hinges is None else hinges.boards(positions)
+    boards = hinges.boards(positions) if isinstance(hinges, Hinges) else None
     for column in feet.columns(mechanism).tolist():
         pair = []
         for row, other in (feet.rows, feet.rows[::-1]):
@@ -190,7 +191,7 @@ def test_feet_have_the_coordinates_of_the_shell(name: str) -> None:
     at = np.array([foot.at for foot in plan.feet])
     here = np.array([(foot.x, foot.y) for foot in plan.feet])
     np.testing.assert_array_equal(at, feet.vertices(shell.design.mechanism))
-    if shell.design.hinges is None:
+    if not shell.design.hinges.beside:
         there = world[at[:, 0], at[:, 1]]
         np.testing.assert_allclose(here + plan.corner, there[:, :2], rtol=0, atol=ROUNDING)
         heights = [foot.z for foot in plan.feet]
@@ -269,7 +270,7 @@ def test_ground_is_not_known_where_accelerations_have_no_bound_on_the_way(
     design = made("parallel_repeating", {}).design
     feet = find_feet(design)
     assert feet is not None
-    standing = Standing.of(design.mechanism, feet.rows, feet.columns(design.mechanism), None)
+    standing = Standing.of(design.mechanism, feet.rows, feet.columns(design.mechanism))
     occupied, bounded = Occupied.by(design.mechanism, None), Occupied.accelerations
     target = design.mechanism.target_drive
 

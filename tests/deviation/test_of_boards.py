@@ -11,6 +11,7 @@ from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.deviation import drawn_shell, locked_shell
 from orishell.deviation.of_boards import boards_closeness
+from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array
 from orishell.shell.designed import designed
 from samples import thorough
@@ -34,7 +35,7 @@ def test_distances_from_curves_are_those_of_points_on_edges_of_boards(shelter: D
     from scipy.spatial import cKDTree
 
     hinges, mechanism = shelter.hinges, shelter.mechanism
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     boards = hinges.boards(mechanism.positions(mechanism.target_drive))
     edges = {
         "f": boards[:, 0, :2],

@@ -18,6 +18,7 @@ from orishell.design import Design, HingeSpec, PanelSpec
 from orishell.locking import find_lock
 from orishell.motion import Mechanism, diagonal, find_assignment
 from orishell.motion.boards import ARM, KNUCKLE, Boards
+from orishell.motion.hinges import Hinges
 from orishell.solids import build_panels
 from overlaps import NOTHING, overlap
 from samples import THOROUGH, led_by
@@ -104,7 +105,7 @@ def test_a_knuckle_is_settled_with_what_turns_about_it_alone() -> None:
     sheet = flat_foldable(miura_net(3, 3))
     built = build_panels(design_of(sheet, 0.01, 0.001, 0.004), sheet.end_drive)
     bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
-    assert bodies.hinges is not None
+    assert isinstance(bodies.hinges, Hinges)
     sides, edges, panels = built.boards.sides, built.boards.edges, built.boards.panels
     assert edges is not None
     pairs = near_bodies(bodies, bodies.hinges).bodies
@@ -141,7 +142,7 @@ def test_a_board_and_its_neighbours_are_settled_but_for_arms_that_reach_beyond()
     sheet = flat_foldable(miura_net(3, 3))
     built = build_panels(design_of(sheet, 0.01, 0.001), sheet.end_drive)
     bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
-    assert bodies.hinges is not None
+    assert isinstance(bodies.hinges, Hinges)
     near = near_bodies(bodies, bodies.hinges)
     first, second = (bodies.panels[each] for each in near.bodies)
     across = sheet.grid.columns - 1

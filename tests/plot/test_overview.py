@@ -9,6 +9,7 @@ from PIL import Image
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
+from orishell.motion.hinge_lines import IN_CREASES
 from orishell.motion.hinges import Hinges
 from orishell.plot import plot_overview
 from samples import led_by
@@ -34,7 +35,7 @@ def picture(
         title="Title",
         last="Locked",
         unit="m",
-        hinges=None if hinged is None else at_height(design.mechanism, hinged),
+        hinges=IN_CREASES if hinged is None else at_height(design.mechanism, hinged),
     )
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 

@@ -151,7 +151,7 @@ def test_the_shelter_of_whole_boards_has_one_motion(share: float) -> None:
     """144 boards, arms of 110 mm: seven motions, six with locked hinges or one 1 mm wrong."""
     design = shelter()
     sheet, hinges = design.mechanism, design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     column = hinges.heights.column.copy()
     column[5, 5] += 1e-3
     wrong = replace(hinges, heights=CreaseValues(hinges.heights.row, column))
@@ -179,7 +179,7 @@ def test_pieces_of_the_shelter_lock_each_other() -> None:
     """
     design = shelter(4)
     sheet, hinges = design.mechanism, design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert motions(sheet, hinges, sheet.target_drive, locked=False) == 6
     assert motions(sheet, replace(hinges, joints=None), sheet.target_drive, locked=False) == 7
 
@@ -208,7 +208,7 @@ def test_joints_are_on_the_faces_of_boards() -> None:
     """6.5 mm from the middle of edges: half of the thickness, and half of a gap of 1 mm."""
     design = shelter(4)
     hinges, sheet = design.hinges, design.mechanism
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert hinges.joints is not None
     flat, positions = sheet.positions(0.0), sheet.positions(sheet.target_drive)
     mesh = mesh_boards(hinged_plates(hinges, 0.001, flat, positions), sheet.grid, 3)
@@ -435,7 +435,7 @@ def test_hinges_in_the_middle_of_edges_are_creases(creases: float) -> None:
     def work(design: Design, thickness: float | None, cells: int) -> float:
         structure = asked.replace_unchecked(thickness=thickness)
         model = Model(design, structure, Site("m", feet, (), 12.0), cells)
-        if design.hinges is not None:  # hinges along the whole of creases
+        if isinstance(design.hinges, Hinges):  # hinges along the whole of creases
             sheet = design.mechanism
             flat, positions = sheet.positions(0.0), sheet.positions(sheet.target_drive)
             plates = replace(hinged_plates(design.hinges, 0.0, flat, positions), trimmed=0.0)

@@ -51,7 +51,7 @@ class Bodies:
         self.start, self.axes = panel_axes(self.lying, self.lying)
         self.height = float(np.abs(boards.outlines[..., 2]).max(initial=0.0))
         self.hinges, outlines = boards.hinges, boards.outlines
-        if self.hinges is not None:
+        if self.hinges.beside:
             outlines = outlines[:, [0, -1]]  # they are upright
         self.low, self.high = outlines[:, 0, 0, 2], outlines[:, -1, 0, 2]
         self.sides, self.edges_of = boards.sides, boards.edges
@@ -66,8 +66,7 @@ class Bodies:
     def carried(self, points: Array) -> BodyState:
         """The bodies in a state (V, 3)."""
         origin, moved = panel_axes(points[self.faces], self.lying)
-        if self.hinges is not None:
-            origin = origin + self.hinges.shifts(moved[..., 2])
+        origin = origin + self.hinges.shifts(moved[..., 2])
         turn = (moved @ np.swapaxes(self.axes, 1, 2))[self.panels]
         back = np.swapaxes(turn, 1, 2)
         away = self.corners - self.start[self.panels, None]

@@ -192,7 +192,7 @@ class NearBodies:
             self.sleep[pending] = np.inf
         asleep = (self.sleep[pending] < step) & (stop - start > 1)
         woken = pending[~asleep]
-        if self.bodies.hinges is not None:
+        if self.bodies.hinges.beside:
             woken = woken[self._may_be_near((start, stop), woken, (step, bounds.steps, swing))]
         left = woken[~(self._gaps(ends, woken, errors) > self.tolerance)]
         apart = Apartness.of(ends, selected(self.pairs, left))

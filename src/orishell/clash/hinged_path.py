@@ -35,6 +35,7 @@ from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -50,13 +51,12 @@ def find_first_hinged_contact(
 
     Those on one panel, and those that are settled beside a hinge, are left out.
     """
-    assert bodies.hinges is not None
-    hinges = bodies.hinges
+    assert isinstance(bodies.hinges, Hinges)
 
     def search(until: float) -> BodySearch:
         return HingedSearch(mechanism, until, tolerance, bodies)
 
-    return first_contact(search, end, near_bodies(bodies, hinges), progress)
+    return first_contact(search, end, near_bodies(bodies, bodies.hinges), progress)
 
 
 class HingedSearch(BodySearch):
@@ -142,7 +142,7 @@ class ShiftedBounds(EdgeBounds):
 
     def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies) -> None:
         super().__init__(mechanism, end, tree)
-        assert bodies.hinges is not None
+        assert isinstance(bodies.hinges, Hinges)
         self.tree, self.bodies, self.hinges = tree, bodies, bodies.hinges
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
         self.reach = np.maximum(np.abs(bodies.low), np.abs(bodies.high))

@@ -180,7 +180,7 @@ class State:
     def extents(self) -> Extents:
         """What the nodes of the tree span, with the height of bodies."""
         bodies = self.carriers
-        if bodies is not None and bodies.hinges is not None:
+        if bodies is not None and bodies.hinges.beside:
             low, high = self.body_extents
             return self.tree.enclosing(
                 np.minimum.reduceat(low, bodies.first), np.maximum.reduceat(high, bodies.first)

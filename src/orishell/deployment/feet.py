@@ -69,8 +69,7 @@ def find_feet(design: Design) -> Feet | None:
     # Whole boards stand where the panels that they meet would.
     shell = placed if design.meant is None else design.meant[:, mechanism.inner_columns]
     height = shell[..., 2]
-    hinges = design.hinges
-    lowest = height if hinges is None else hinges.lowest(placed)
+    lowest = design.hinges.lowest(placed)
     f, column = design.targets.get("f"), shell[:, 0]
     if f is None and design.may_stand:
         found = _on_points(design, height, lowest)

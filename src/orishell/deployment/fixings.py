@@ -11,6 +11,7 @@ import numpy as np
 from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Integers
@@ -23,12 +24,12 @@ class Fixings:
     mechanism: Mechanism
     rows: Integers  # (P, 2), two different rows of the whole grid each
     columns: Integers  # (P,)
-    hinges: Hinges | None = None  # of whole boards, if there are any
+    hinges: HingeLines = IN_CREASES  # beside them, those of whole boards
 
     def at(self, drives: Array | float) -> Array:
         """The places (..., P, 2, 3) at drives (...) (radians)."""
         positions = self.mechanism.positions(drives)
-        if self.hinges is None:
+        if not isinstance(self.hinges, Hinges):
             return np.asarray(positions[..., self.rows, self.columns[:, None], :])
         panels, beside = self._boards()
         corners = np.where(self.rows == self.rows.min(axis=1, keepdims=True), [0], [1])
@@ -55,17 +56,18 @@ class Fixings:
         along, down = self.mechanism.edge_accelerations(start, stop)
         sums = np.pad(np.cumsum(down, axis=1), ((0, 0), (1, 0)))
         found = sums[:, self.rows.max(axis=1)] - sums[:, self.rows.min(axis=1)]
-        if self.hinges is None:
+        if not isinstance(self.hinges, Hinges):
             return np.asarray(found)
         bounds = NormalBounds(Layout.of(self.mechanism), points_of(self.mechanism, 0.0))
         normals = bounds.within(along, down).reshape(len(start), *self.hinges.levels.shape)
         beside = self._boards()[1]
-        return np.asarray(found + np.einsum("pi,sip->sp", self._levers(), normals[:, :, beside]))
+        return np.asarray(
+            found + np.einsum("pi,sip->sp", self._levers(self.hinges), normals[:, :, beside])
+        )
 
-    def _levers(self) -> Array:
+    def _levers(self, hinges: Hinges) -> Array:
         """Lengths (P, rows-1) by which normals of the panels in their column count."""
-        hinges, (panels, beside) = self.hinges, self._boards()
-        assert hinges is not None
+        panels, beside = self._boards()
         first, last = panels.min(axis=1)[:, None], panels.max(axis=1)[:, None]
         middle = (hinges.levels + 0.5 * hinges.thickness)[:, beside].T
         row = np.arange(middle.shape[1])

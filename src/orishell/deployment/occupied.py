@@ -17,7 +17,7 @@ from orishell.clash.acceleration_bounds import ROUNDED_UP, NormalBounds
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
@@ -31,7 +31,7 @@ class Occupied:
     # heights (F,) over each panel between which its boards are (length); None without boards
     low: Array | None = None
     high: Array | None = None
-    hinges: Hinges | None = None  # of whole boards
+    hinges: HingeLines = IN_CREASES  # about which boards turn
     beyond: float = 0.0  # how far boards, or arms on them, reach over the sides of panels (length)
 
     @classmethod
@@ -64,8 +64,7 @@ class Occupied:
             return points
         corners = points[:, Layout.of(self.mechanism).faces]
         normals = unit_normals(corners)
-        if self.hinges is not None:
-            corners = corners + self.hinges.shifts(normals)[:, :, None]
+        corners = corners + np.expand_dims(self.hinges.shifts(normals), -2)
         sides = [corners + (h[:, None] * normals)[:, :, None] for h in (self.low, self.high)]
         return np.stack(sides, axis=1).reshape(len(points), -1, 3)
 
@@ -78,17 +77,8 @@ class Occupied:
         layout = Layout.of(self.mechanism)
         normals = NormalBounds(layout, points_of(self.mechanism, 0.0)).within(along, down)
         over = np.maximum(np.abs(self.low), np.abs(self.high))
-        found = found + (over * normals).max(axis=1)
-        if self.hinges is not None:
-            found += (over * normals).max(axis=1) + 2 * self._shifting(self.hinges, normals)
-        return np.asarray(ROUNDED_UP * found)
-
-    def _shifting(self, hinges: Hinges, normals: Array) -> Array:
-        """Bounds (S,) for the shift of any board from where the first one is shifted."""
-        n = normals.reshape(len(normals), *hinges.levels.shape)
-        down = np.abs(hinges.heights.row[:, 0]) * (n[:, :-1, 0] + n[:, 1:, 0])
-        across = np.abs(hinges.heights.column) * (n[:, :, :-1] + n[:, :, 1:])
-        return np.asarray(down.sum(axis=1) + across.sum(axis=2).max(axis=1))
+        swings = (over * normals).max(axis=1)
+        return np.asarray(ROUNDED_UP * (found + swings + self.hinges.accelerations(normals, swings)))
 
 
 def _beyond(mechanism: Mechanism, boards: Boards) -> float:

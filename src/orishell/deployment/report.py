@@ -129,7 +129,7 @@ def _packs(design: Design, lock: Lock, thickness: float) -> tuple[Pack, ...]:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    if design.hinges is not None and design.panel is not None:
+    if design.hinges.beside and design.panel is not None:
         arm = design.hinges.longest_arm
         most = design.panel.longest_arm * design.panel.thickness / arm if arm else np.inf
         return float(most) if np.isfinite(most) else None

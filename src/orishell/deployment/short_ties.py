@@ -18,7 +18,7 @@ from orishell.deployment.fixings import Fixings
 from orishell.deployment.ties import Tie, find_ties
 from orishell.motion import Mechanism
 from orishell.motion.grid import VertexPair
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.numerics.arrays import Array
 
 STATES = 129
@@ -39,7 +39,7 @@ class ShortTies:
 
 
 def find_short(
-    mechanism: Mechanism, ties: Sequence[Tie], limit: float, hinges: Hinges | None
+    mechanism: Mechanism, ties: Sequence[Tie], limit: float, hinges: HingeLines
 ) -> ShortTies:
     """The ties whose ends are seen farther apart than they are long, between target and pack.
 
@@ -62,7 +62,7 @@ def find_short(
 
 
 def require_slack(
-    mechanism: Mechanism, ties: Sequence[Tie], limit: float, hinges: Hinges | None = None
+    mechanism: Mechanism, ties: Sequence[Tie], limit: float, hinges: HingeLines = IN_CREASES
 ) -> None:
     """Refuse ties that stop a shell on its way from the pack, short of its target.
 
@@ -97,7 +97,7 @@ def require_slack(
 
 
 def _others(
-    mechanism: Mechanism, asked: Sequence[VertexPair], limit: float, hinges: Hinges | None
+    mechanism: Mechanism, asked: Sequence[VertexPair], limit: float, hinges: HingeLines
 ) -> Iterator[Remedy]:
     """Ties of two other rows in the same columns that are proved slack; and none at all."""
     columns = sorted({first[1] for first, _ in asked})
@@ -117,7 +117,7 @@ def _others(
 
 
 def _distances(
-    mechanism: Mechanism, pairs: Sequence[VertexPair], drives: Array, hinges: Hinges | None
+    mechanism: Mechanism, pairs: Sequence[VertexPair], drives: Array, hinges: HingeLines
 ) -> Array:
     """How far the ends of pairs are apart at drives (S, P) (length)."""
     ends = np.array(pairs)

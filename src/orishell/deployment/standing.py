@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.deployment.fixings import Fixings
 from orishell.motion import Mechanism, area_of
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -56,7 +56,7 @@ class Standing:
         mechanism: Mechanism,
         feet_rows: tuple[int, int],
         columns: Integers | None = None,
-        hinges: Hinges | None = None,
+        hinges: HingeLines = IN_CREASES,
     ) -> Standing:
         """On the feet of two rows, in these columns, or all inner ones; the ground as it is there.
 

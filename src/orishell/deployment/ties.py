@@ -31,7 +31,7 @@ from orishell.deployment.fixings import Fixings
 from orishell.deployment.slack import find_slack
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex, VertexPair
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -120,7 +120,7 @@ def find_ties(
     mechanism: Mechanism,
     pairs: Iterable[VertexPair],
     limit: float,
-    hinges: Hinges | None = None,
+    hinges: HingeLines = IN_CREASES,
 ) -> tuple[Tie, ...]:
     """Ties between pairs of vertices, and whether each is proved to be taut at the target only.
 
@@ -147,9 +147,9 @@ def find_ties(
     states = fixings.at(np.array([mechanism.target_drive, 0.0, limit]))
     distances = np.linalg.norm(states[..., 1, :] - states[..., 0, :], axis=-1).T.tolist()
     ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
-    if hinges is not None and hinges.joints is not None:
+    if hinges.joint_rows:
         return ties  # they are fixed when the pieces are joined
-    if hinges is not None or not isinstance(mechanism, ColumnDistances):
+    if hinges.beside or not isinstance(mechanism, ColumnDistances):
         found = find_slack(fixings, limit)
         return tuple(
             replace(tie, slack=bool(proved), fails_at=None if proved else float(drive))

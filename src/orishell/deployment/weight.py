@@ -30,6 +30,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import Angle, record
 from orishell.deployment.standing import Standing
 from orishell.motion import Mechanism
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.mechanism import panel_normals
@@ -94,7 +95,7 @@ def measure_weight(
     metres: float = 1.0,
     pack: float | None = None,
     columns: Integers | None = None,
-    hinges: Hinges | None = None,
+    hinges: HingeLines = IN_CREASES,
     states: int = 91,
 ) -> OwnWeight:
     """Return what a shell's own weight does along its motion.
@@ -162,7 +163,7 @@ class Body:
         feet_rows: tuple[int, int],
         weight: float,
         columns: Integers | None = None,
-        hinges: Hinges | None = None,
+        hinges: HingeLines = IN_CREASES,
     ) -> Body:
         """Of panels of a weight per area, on feet as :meth:`Standing.of` has them."""
         flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
@@ -194,7 +195,7 @@ class Body:
         points = points_of(self.mechanism, drives)
         centre = np.einsum("v,...vx->...x", self.shares, points) / self.shares.sum()
         hinges = self.standing.feet.hinges
-        if hinges is None:
+        if not isinstance(hinges, Hinges):
             return np.asarray(centre)
         middles = hinges.middles(panel_normals(self.mechanism.positions(drives)))
         areas = self.areas.reshape(hinges.levels.shape) / self.areas.sum()

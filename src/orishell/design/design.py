@@ -14,7 +14,7 @@ from orishell.conventions.record import record
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
 from orishell.motion import Mechanism
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import has_flaps
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
@@ -65,8 +65,8 @@ class Design:
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
-    # the hinges of whole boards, where panels are made of them
-    hinges: Hinges | None = None
+    # where the hinges are: in the creases, or beside them where panels are whole boards
+    hinges: HingeLines = IN_CREASES
     # vertices (rows, columns, 3) of the sheet without a thickness that meets the target, where
     # whole boards were fitted to it instead; None for others
     meant: Array | None = None
@@ -164,7 +164,7 @@ class Design:
     @property
     def in_pieces(self) -> bool:
         """Whether whole boards fold in pieces, which are joined at the target."""
-        return self.hinges is not None and self.hinges.joints is not None
+        return bool(self.hinges.joint_rows)
 
     @property
     def surface(self) -> AskedSurface:

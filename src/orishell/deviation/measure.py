@@ -21,6 +21,7 @@ from orishell.deviation.triangles import (
     mesh_surface,
     triangles_of,
 )
+from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Array, Integers
 
 Mesh = tuple[Array, Integers]
@@ -38,15 +39,14 @@ def locked_shell(design: Design) -> Array:
 
 def drawn_shell(design: Design) -> Array:
     """Vertices (rows, n, 3) of the shell in pictures: of whole boards those between them."""
-    hinges, mechanism = design.hinges, design.mechanism
-    if hinges is None:
-        return locked_shell(design)
-    return hinges.vertices(mechanism.positions(mechanism.target_drive))
+    mechanism = design.mechanism
+    drawn = design.hinges.vertices(mechanism.positions(mechanism.target_drive))
+    return drawn[:, mechanism.inner_columns]
 
 
 def locked_boards(design: Design) -> Mesh | None:
     """Whole boards of the locked shell, half way up, where they lie beside its panels; or None."""
-    if design.hinges is None:
+    if not isinstance(design.hinges, Hinges):
         return None
     mechanism = design.mechanism
     inner = mechanism.inner_columns

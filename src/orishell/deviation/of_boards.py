@@ -14,6 +14,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import AskedSurface, Design
 from orishell.deviation.triangles import Patch, mesh_surface
+from orishell.motion.hinges import Hinges
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.polylines import Closeness
@@ -91,7 +92,7 @@ def boards_closeness(design: Design) -> Mapping[str, Closeness]:
     boards beside column 1, distances from g those of the boards on both sides of the middle row.
     """
     hinges, meant, mechanism = design.hinges, design.meant, design.mechanism
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert meant is not None
     boards = hinges.boards(mechanism.positions(mechanism.target_drive))
     middle = mechanism.grid.rows // 2

@@ -16,6 +16,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.mesh import QuadMesh
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -79,6 +80,11 @@ class Part:
         """The part, and others that go with it."""
         return (self,)
 
+    @property
+    def hinges(self) -> HingeLines:
+        """Where its hinges are: in the creases, but for whole boards."""
+        return IN_CREASES if self.boards is None else self.boards.hinges
+
     def parts_in(self, which: int | str) -> tuple[tuple[Part, DocumentState], ...]:
         """The part, and others that are there in a state, each as it is then.
 
@@ -141,10 +147,10 @@ class Part:
     def panel_corners(self, state: DocumentState) -> Array:
         """Corners (F, 4, 3) of all panels in a state, shifted with their boards if these are."""
         corners = state.positions[self.mesh.faces]
-        if self.boards is None or self.boards.hinges is None:
+        if not self.hinges.beside:
             return corners
-        shifts = self.boards.hinges.drawn(corners, unit_normals(corners))
-        return np.asarray(corners + shifts[:, None])
+        shifts = self.hinges.drawn(corners, unit_normals(corners))
+        return np.asarray(corners + np.expand_dims(shifts, 1))
 
     def board_name(self, board: int) -> str:
         """What a board is called: its panel and its side, as in "3,12 top"."""

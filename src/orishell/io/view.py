@@ -182,7 +182,7 @@ def _arrays(
     if document.boards is not None:
         arrays["boards"] = document.boards.outlines.astype("<f4")
         arrays["board_panels"] = document.boards.panels.astype("<u4")
-        if document.boards.hinges is not None and len(states):
+        if document.hinges.beside and len(states):
             # How far panels are moved, with their boards, in every state (S, F, 3).
             moved = [
                 document.panel_corners(state)[:, 0] - state.positions[mesh.faces[:, 0]]

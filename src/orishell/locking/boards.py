@@ -113,21 +113,21 @@ def prove_boards(
     mechanism, flat = design.mechanism.least_turning, points_of(design.mechanism, 0.0)
     built = build_panels(design, end)
     settled, hinges = built.settled(), built.boards.hinges
-    if hinges is not None:  # boards of two pieces are looked at where they are joined
-        settled[list(() if hinges.joints is None else hinges.joints.rows)] = True
+    # Boards of two pieces are looked at where they are joined.
+    settled[list(hinges.joint_rows)] = True
     opposite, vertices = opposite_panels(Layout.of(mechanism), settled)
 
     def corners(drive: float) -> Corners:
         # Whole boards meet at their vertices in the flat sheet, and lie on each other in the pack,
         # where no cut helps.
-        others = [0.0] if design.has_whole_boards else np.linspace(0.0, built.limit, STATES)
+        others = [0.0] if hinges.beside else np.linspace(0.0, built.limit, STATES)
         drives = np.unique([*others, drive]).tolist()
         return Corners(
             mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.boards
         )
 
     def first_contact(built: BuiltPanels) -> PathResult:
-        if hinges is not None:
+        if hinges.beside:
             return first_hinged_contact(mechanism, built.boards, end, tolerance, progress)
         return find_first_body_contact(
             mechanism,

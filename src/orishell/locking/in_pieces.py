@@ -12,7 +12,7 @@ from orishell.clash.hinged_path import find_first_hinged_contact
 from orishell.conventions.progress import Progress, stretch
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import HingeLines
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.piece import SheetPiece
 from orishell.solids.hinged.pieces import BuiltPiece, pieces_of
@@ -55,7 +55,7 @@ def first_hinged_contact(
 
 
 def first_contact_of_pieces(
-    mechanism: Mechanism, hinges: Hinges, end: float, tolerance: float, progress: Progress
+    mechanism: Mechanism, hinges: HingeLines, end: float, tolerance: float, progress: Progress
 ) -> PathResult:
     """The first contact of panels without a thickness, of each piece by itself."""
 
@@ -69,4 +69,4 @@ def first_contact_of_pieces(
         )
         return replace(result, contact=replace(result.contact, panels=(first, second)))
 
-    return one_by_one(hinges.pieces, end, search, progress)
+    return one_by_one(hinges.pieces_of(mechanism.grid.rows - 1), end, search, progress)

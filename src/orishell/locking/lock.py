@@ -37,13 +37,13 @@ def join_pieces(design: Design, built: BuiltPanels, tolerance: float) -> BuiltPa
 
     Raises DesignError if boards of two pieces reach into each other there.
     """
-    hinges = built.boards.hinges
-    if hinges is None or hinges.joints is None:
+    rows = list(built.boards.hinges.joint_rows)
+    if not rows:
         return built
     sheet = Sheet.of(design)
     mechanism, points = sheet.mechanism, sheet.points_at_target()
-    elsewhere = np.ones((len(hinges.heights.row), hinges.levels.shape[1] - 1), np.bool_)
-    elsewhere[list(hinges.joints.rows)] = False
+    elsewhere = np.ones((mechanism.grid.rows - 2, mechanism.grid.columns - 2), np.bool_)
+    elsewhere[rows] = False
     opposite, vertices = opposite_panels(sheet.layout, elsewhere)
     flat = points_of(mechanism, 0.0)
     corners = Corners(
@@ -173,7 +173,7 @@ def _lock_of_panels(
     mechanism = sheet.mechanism
 
     def search(end: float, distance: float) -> PathResult:
-        if design.hinges is not None and design.hinges.joints is not None:
+        if design.in_pieces:
             return first_contact_of_pieces(mechanism, design.hinges, end, distance, progress)
         return find_first_contact(
             mechanism,

@@ -11,6 +11,7 @@ from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
 from orishell.motion.boards import ARM, Boards
+from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.quads import signed_areas
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
@@ -159,7 +160,7 @@ def steepest_chamfer(built: BuiltPanels) -> float | None:
 
 def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
     hinges = built.boards.hinges
-    if hinges is None:
+    if not isinstance(hinges, Hinges):
         return None
     mechanism, arms = design.mechanism, built.boards.arms
     covered = float(built.boards.chosen(~arms).areas().sum())
@@ -188,13 +189,12 @@ def _hinged(design: Design, built: BuiltPanels) -> HingedReport | None:
 
 
 def _joints(mechanism: Mechanism, boards: Boards) -> JointReport | None:
-    joints = None if boards.hinges is None else boards.hinges.joints
-    if joints is None:
+    if not boards.hinges.joint_rows:
         return None
     apart = joint_openings(mechanism, boards)
     return JointReport(
         creases=apart.size,
-        largest_cut=float(joints.cuts.max()),
+        largest_cut=float(np.max(boards.hinges.cut_back)),
         open_max=float(apart.max()),
         open_rms=float(np.sqrt((apart**2).mean())),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.quads import longer_diagonals, signed_areas, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -35,7 +35,7 @@ class Boards:
     # lies between its outlines: their convex hull.
     outlines: Array
     # where the hinges are, if they are not in the creases: boards are shifted in folded states
-    hinges: Hinges | None = None
+    hinges: HingeLines = IN_CREASES
     # numbers (B,) in EDGES of the edges that arms and knuckles are at, -1 for boards; None without
     edges: Integers | None = None
 
@@ -58,8 +58,7 @@ class Boards:
         lying = np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
         start, axes = panel_axes(lying[faces], lying[faces])
         origin, moved = panel_axes(positions[faces], lying[faces])
-        if self.hinges is not None:
-            origin = origin + self.hinges.drawn(positions[faces], moved[..., 2])
+        origin = origin + self.hinges.drawn(positions[faces], moved[..., 2])
         turn = (moved @ np.swapaxes(axes, 1, 2))[self.panels]
         away = self.outlines - start[self.panels, None, None]
         return np.asarray(np.einsum("bij,bhkj->bhki", turn, away) + origin[self.panels, None, None])

@@ -21,7 +21,7 @@ from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.system import Closure
 from orishell.motion.grid import Grid
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.numerics.arrays import Array, Integers
@@ -79,7 +79,7 @@ class FreedomOfSheet:
         return f"{self.lines} {'; '.join(groups)} fold each by themselves"
 
 
-def find_freedom_of_sheet(mechanism: Mechanism, hinges: Hinges | None = None) -> FreedomOfSheet:
+def find_freedom_of_sheet(mechanism: Mechanism, hinges: HingeLines = IN_CREASES) -> FreedomOfSheet:
     """Count the motions of a sheet in folded states on the way to its target.
 
     Parameters
@@ -119,14 +119,14 @@ def _pattern(mechanism: Mechanism) -> CreasePattern:
 
 
 def _of_pieces(
-    whole: CreasePattern, mechanism: Mechanism, hinges: Hinges | None
+    whole: CreasePattern, mechanism: Mechanism, hinges: HingeLines
 ) -> Iterator[CreasePattern]:
     """The sheet, or each of its pieces, parted from all others."""
-    if hinges is None or hinges.joints is None:
+    if not hinges.joint_rows:
         yield whole
         return
     rows = whole.edge_faces // (mechanism.grid.columns - 1)
-    for piece in hinges.pieces:
+    for piece in hinges.pieces_of(mechanism.grid.rows - 1):
         inside = ((rows >= piece.start) & (rows < piece.stop)).all(axis=1)
         yield replace(whole, letters=np.where(whole.crease & ~inside, "C", whole.letters))
 

@@ -26,6 +26,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions
+from orishell.motion.hinge_lines import HingeLines
 from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
@@ -73,7 +74,7 @@ class Joints:
 
 
 @record
-class Hinges:
+class Hinges(HingeLines):
     """Where the hinges of whole boards are, and where the boards lie in the flat sheet."""
 
     signs: CreaseValues  # of all creases: +1 valley, -1 mountain, 0 where one does not fold
@@ -91,11 +92,19 @@ class Hinges:
     joints: Joints | None = None  # where pieces are joined; None if the sheet is one piece
 
     @property
+    def beside(self) -> bool:
+        """Whether they lie beside the creases: they do."""
+        return True
+
+    @property
+    def joint_rows(self) -> tuple[int, ...]:
+        """Numbers of the row creases along which pieces are joined at the target."""
+        return () if self.joints is None else self.joints.rows
+
+    @property
     def pieces(self) -> list[slice]:
         """Rows of panels of every piece."""
-        ends = () if self.joints is None else (row + 1 for row in self.joints.rows)
-        cuts = [0, *ends, len(self.levels)]
-        return [slice(*each) for each in pairwise(cuts)]
+        return self.pieces_of(len(self.levels))
 
     @property
     def cut_back(self) -> Array:
@@ -110,7 +119,7 @@ class Hinges:
     def sides(self) -> CreaseValues:
         """On which side of the boards hinges are: +1 top, -1 bottom, 0 where there is none."""
         row = self.signs.row.copy()
-        row[list(self.joints.rows if self.joints is not None else ())] = 0.0
+        row[list(self.joint_rows)] = 0.0
         return CreaseValues(row, self.signs.column)
 
     def of_piece(self, rows: slice) -> Hinges:
@@ -169,6 +178,16 @@ class Hinges:
             return shifts
         apart = self._apart(corners + shifts[:, None], n)
         return shifts + np.repeat(apart, n.shape[1], axis=0)
+
+    def accelerations(self, normals: Array, swings: Array) -> Array:
+        """Bounds (S,) of what shifts add to vectors from the feet, which are on boards as well.
+
+        By the shift of any board from where the first one is shifted.
+        """
+        n = normals.reshape(len(normals), *self.levels.shape)
+        down = np.abs(self.heights.row[:, 0]) * (n[:, :-1, 0] + n[:, 1:, 0])
+        across = np.abs(self.heights.column) * (n[:, :, :-1] + n[:, :, 1:])
+        return np.asarray(swings + 2 * (down.sum(axis=1) + across.sum(axis=2).max(axis=1)))
 
     def middles(self, normals: Array) -> Array:
         """How far (..., rows-1, columns-1, 3) boards are, half way up, from their panels.

@@ -14,6 +14,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, edge_signs, points_of
 from orishell.motion.quads import grid_corners, unit_normals
@@ -74,7 +75,7 @@ def plot_overview(
     contact: DrawnContact | None = None,
     hinge: HingeSection | None = None,
     beside: OffsetSection | None = None,
-    hinges: Hinges | None = None,
+    hinges: HingeLines = IN_CREASES,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -107,7 +108,7 @@ def plot_overview(
     def panels(drive: float) -> Array:
         """Corners (F, 4, 3) of all panels in a state."""
         positions = mechanism.positions(drive)
-        if hinges is not None:
+        if isinstance(hinges, Hinges):
             return hinges.drawn_boards(positions).reshape(-1, 4, 3)
         return np.concatenate([_drawn_panels(positions), flaps.at(drive)])
 
@@ -138,7 +139,7 @@ def plot_overview(
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
     _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
-    drawn = (locked if hinges is None else shown_panels).reshape(-1, 3)
+    drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
     sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))
     set_title(shell, f"{last}{', with f and g' if targets else ''}, {sizes} {unit}")
     each = WIDTH / count

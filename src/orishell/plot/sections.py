@@ -70,7 +70,7 @@ def find_hinge_section(
     HingeSection or None
         None if no crease has boards on both sides.
     """
-    if boards.hinges is not None:
+    if boards.hinges.beside:
         return None  # they do not stand back
     mechanism = motion.mechanism
     grid = mechanism.grid

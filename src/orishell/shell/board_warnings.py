@@ -10,6 +10,7 @@ from orishell.conventions.quantities import plain
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import diagonal
+from orishell.motion.hinges import Hinges
 from orishell.motion.quads import lengths
 from orishell.solids.hinged import board_offsets
 from orishell.workshop.boards import chamfer_angles
@@ -31,7 +32,7 @@ def warn_of_boards(design: Design, lock: Lock, unit: str) -> list[str]:
 
 def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
     """Boards far from where they should be, masses that leave out parts, and long arms."""
-    if design.hinges is None:
+    if not isinstance(design.hinges, Hinges):
         return
     mechanism = design.mechanism
     if design.meant is not None:

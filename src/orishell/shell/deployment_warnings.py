@@ -107,7 +107,7 @@ def _of_weight(design: Design, report: DeploymentReport, weight: OwnWeight) -> I
             'holds it: tie its feet together (ties = "feet" in [deployment])'
         )
     if weight.at_feet < 0 and report.closing is None:
-        remedy = "block a hinge, for all fold together" if design.hinges else "give it flaps"
+        remedy = "block a hinge, for all fold together" if design.hinges.beside else "give it flaps"
         yield (
             f"the shell closes under its own weight with {force}, and nothing but its supports "
             f"holds it: {remedy}"

@@ -50,10 +50,9 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
         return document
     grid, inner = design.mechanism.grid, design.mechanism.inner_columns
     points = document.shell.positions
-    shell = points[: grid.vertex_count].reshape(grid.rows, grid.columns, 3)[:, inner]
     distances = np.full(len(points), np.nan)
     own = distances[: grid.vertex_count].reshape(grid.rows, grid.columns)
-    own[:, inner] = measure_points(drawn_shell(design) if design.hinges else shell, surface)
+    own[:, inner] = measure_points(drawn_shell(design), surface)
     return replace(document, distances=distances)
 
 
@@ -91,7 +90,7 @@ def draw_pictures(
         contact=_drawn(lock),
         hinge=hinge,
         beside=_offset_section(design),
-        hinges=None if document.boards is None else document.boards.hinges,
+        hinges=document.hinges,
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
@@ -166,9 +165,7 @@ def _offset_section(design: Design) -> OffsetSection | None:
     if offset is None or not isinstance(surface, PiecedSurface):
         return None
     mechanism = design.mechanism
-    sheet = mechanism.positions(mechanism.target_drive)
-    if design.hinges is not None:
-        sheet = drawn_shell(design)
+    sheet = design.hinges.vertices(mechanism.positions(mechanism.target_drive))
     return find_offset_section(sheet[:, sheet.shape[1] // 2], surface.piece, offset)
 
 

@@ -22,8 +22,7 @@ DEEP = 0.1
 def warn_of_joints(design: Design, lock: Lock, unit: str) -> Iterator[str]:
     """Joints that stay open at the target, or for which much of a board is cut away."""
     built = lock.built
-    joints = None if design.hinges is None else design.hinges.joints
-    if built is None or joints is None:
+    if built is None or not design.in_pieces:
         return
     mechanism, build = design.mechanism, built.build
     apart = float(joint_openings(mechanism, built.boards).max())
@@ -32,7 +31,7 @@ def warn_of_joints(design: Design, lock: Lock, unit: str) -> Iterator[str]:
             f"boards of two pieces stay up to {plain(apart, 3)} {unit} apart where they are "
             "joined: cover their joints, or change pieces in [panel]"
         )
-    cut = float(joints.cuts.max())
+    cut = float(np.max(design.hinges.cut_back))
     across = float(np.median(lengths(np.diff(mechanism.positions(0.0), axis=0))))
     if cut > DEEP * across:
         yield (

@@ -10,6 +10,7 @@ from orishell.conventions.errors import DesignError
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
+from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -83,7 +84,7 @@ def build_boards(
     folds: CreaseValues,
     reliefs: Array | None = None,
     *,
-    hinges: Hinges | None = None,
+    hinges: HingeLines = IN_CREASES,
 ) -> Boards:
     """The boards of all panels of a grid, set back for the largest fold angles, in [-pi, pi].
 
@@ -94,7 +95,7 @@ def build_boards(
     reliefs
         How far corners are cut off at every vertex (rows, columns) (length); None if none is.
     hinges
-        The hinges of whole boards; None if hinges are in the creases.
+        Where the hinges are: beside the creases those of whole boards.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def boards_on(
     *,
     reliefs: Array | None = None,
     beside: FlapFolds | None = None,
-    hinges: Hinges | None = None,
+    hinges: HingeLines = IN_CREASES,
 ) -> Boards:
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
@@ -132,7 +133,7 @@ def boards_on(
     beside
         The largest fold angles of flaps that are no columns of the grid, if there are such flaps.
     hinges
-        The hinges of whole boards; None if hinges are in the creases.
+        Where the hinges are: beside the creases those of whole boards.
 
     Raises
     ------
@@ -151,7 +152,7 @@ def boards_on(
         kept = None if cut is None else cut[present]
         return inset_panels(panels[present], distance[present], grid, kept)
 
-    if hinges is not None:
+    if isinstance(hinges, Hinges):
         middle = set_backs_of(at_sides, 0.0, build.gap).top + hinges.cut_back
         inset = inset_panels(panels, middle, grid, cut)
         return build_whole_boards(panels, inset, hinges, build)

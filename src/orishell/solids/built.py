@@ -100,7 +100,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:
         hinges = design.hinges
-        if build.construction == "hinged" and hinges is None:
+        if build.construction == "hinged" and not hinges.beside:
             hinges = find_hinges(mechanism, build)
         beside, flat = largest_flap_folds(mechanism, limit), points_of(mechanism, 0.0)
         boards = boards_on(

@@ -99,7 +99,7 @@ def check_whole_boards(structure: Structure) -> None:
 def plates_of(design: Design, structure: Structure, sheet: Mechanism, drive: float) -> HingedPlates:
     """The plates and hinges of a design at a drive (radians)."""
     hinges, build = design.hinges, design.panel
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert build is not None
     fins = None
     if structure.arm_modulus is not None:

@@ -13,6 +13,7 @@ import numpy as np
 
 from orishell.design.fittings import TRIMMED, ArmKind, Fittings, fit_hinges
 from orishell.document import Document, Part
+from orishell.motion.hinges import Hinges
 from orishell.numerics.arrays import Booleans
 from orishell.workshop.boards import LARGEST_ANGLE, LARGEST_NUMBER, seen_from_outside
 from orishell.workshop.creases import mean_edge
@@ -32,10 +33,10 @@ BESIDE = 1.5
 
 def fittings_of(document: Part) -> Fittings | None:
     """The hinges and arms of a document as parts; None where it has no whole boards on hinges."""
-    boards, build = document.boards, document.panel
-    if boards is None or boards.hinges is None or build is None:
+    hinges, build = document.hinges, document.panel
+    if not isinstance(hinges, Hinges) or build is None:
         return None
-    return fit_hinges(document.require_flat()[document.mesh.faces], boards.hinges, build)
+    return fit_hinges(document.require_flat()[document.mesh.faces], hinges, build)
 
 
 def hinge_names(fittings: Fittings) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.document import Document, Part
+from orishell.motion.hinges import Hinges
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
@@ -101,12 +102,9 @@ def _weighed_hinges(piece: Part) -> tuple[Array, Array]:
 
     In units of a metre for both; arms are taken half way up their fins.
     """
-    fittings, build = fittings_of(piece), piece.panel
-    if fittings is None or build is None:
+    fittings, build, hinges = fittings_of(piece), piece.panel, piece.hinges
+    if fittings is None or build is None or not isinstance(hinges, Hinges):
         return np.zeros(0), np.zeros((0, 3))
-    assert piece.boards is not None
-    hinges = piece.boards.hinges
-    assert hinges is not None
     corners = piece.panel_corners(piece.shell)
     normals = unit_normals(corners)
     heights = hinges.heights.on_edges()[fittings.edges]

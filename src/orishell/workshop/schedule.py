@@ -131,9 +131,8 @@ def usual_kind(document: Part, workshop: Workshop) -> str:
 
 def _joined(document: Part) -> Integers | None:
     """Numbers of the edges along which pieces of whole boards are joined; None without pieces."""
-    hinges = None if document.boards is None else document.boards.hinges
-    if hinges is None or hinges.joints is None:
+    if not document.hinges.joint_rows or document.grid_shape is None:
         return None
-    across = hinges.grid.columns - 1
-    rows = np.asarray(hinges.joints.rows, np.int64)
+    across = document.grid_shape[1] - 1
+    rows = np.asarray(document.hinges.joint_rows, np.int64)
     return np.asarray(((rows[:, None] + 1) * across + np.arange(across)).ravel())

@@ -20,6 +20,7 @@ from orishell.io.formats.tables import write_tables
 from orishell.io.formats.vtk import write_vtk
 from orishell.io.solids import mesh_of, solids_in
 from orishell.io.view import dump_view
+from orishell.motion.hinges import Hinges
 from orishell.motion.quads import grid_corners, longer_diagonals, unit_normals
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
@@ -60,7 +61,7 @@ def test_boards_are_carried_rigidly_with_their_panels_in_every_state() -> None:
 def test_hinges_join_their_boards_in_every_state() -> None:
     """Ends of a hinge are in one place, seen from either of its boards."""
     document, hinges = shell().document, shell().design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     rows, columns = hinges.levels.shape
     for state in document.states:
         grid = state.positions.reshape(rows + 1, columns + 1, 3)
@@ -114,7 +115,7 @@ def test_hinges_are_a_table(tmp_path: Path) -> None:
     write_tables(tmp_path / "panels.csv", shell().document, Settings())
     rows = list(csv.DictReader((tmp_path / "hinges.csv").read_text().splitlines()))
     hinges = shell().design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert len(rows) == hinges.heights.row.size + hinges.heights.column.size
     heights = np.concatenate([hinges.heights.row.ravel(), hinges.heights.column.ravel()])
     assert np.array_equal([float(row["height_m"]) for row in rows], heights)
@@ -136,7 +137,7 @@ def test_the_viewer_is_told_how_far_panels_are_shifted() -> None:
     found = np.frombuffer(data, "<f4", count, 4 + size + place["offset"]).reshape(place["shape"])
     assert found.shape == (len(document.states), PANELS, 3)
     hinges = document.boards.hinges if document.boards is not None else None
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     for state, shifts in zip(document.states, found, strict=True):
         normals = unit_normals(state.positions[document.mesh.faces])
         np.testing.assert_allclose(shifts, hinges.shifts(normals), atol=1e-6)

@@ -195,7 +195,7 @@ def test_the_centre_of_mass_is_that_of_boards_arms_and_hinges() -> None:
     document, found, bill = shell().document, fittings(), shell().report.quantities.built
     boards = document.boards
     assert boards is not None
-    assert boards.hinges is not None
+    assert isinstance(boards.hinges, Hinges)
     assert boards.edges is not None
     assert bill is not None
     assert bill.centre_of_mass is not None

@@ -245,7 +245,7 @@ def test_pieces_have_nothing_in_common_in_any_state_that_is_drawn(name: str) -> 
     document = make_shell(file, clash="unexamined", skip=skip).document
     boards = document.boards
     assert boards is not None
-    assert boards.hinges is not None
+    assert isinstance(boards.hinges, Hinges)
     numbers = piece_numbers(boards)
     assert numbers.max() == (1 if name == "miura" else 2)
     for state in document.states[: document.named["target"] + 1]:
@@ -275,7 +275,7 @@ def test_tables_name_joints_and_pieces(tmp_path: Path) -> None:
     skip: tuple[Step, ...] = ("remedies", "deviation", "weight", "stock", "verification", "pack")
     shell = make_shell(read_design_file(SHELTER), clash="unexamined", skip=skip)
     document, hinges = shell.document, shell.design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     write_tables(tmp_path / "panels.csv", document, Settings())
     joints, listed, boards, all_creases = (
         list(csv.DictReader((tmp_path / f"{name}.csv").read_text().splitlines()))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from orishell.design_file import read_design_file
+from orishell.motion.hinges import Hinges
 from orishell.shell.make import make_shell
 from orishell.shell.steps import Step
 from samples import thorough
@@ -47,7 +48,7 @@ def test_the_shelter_of_whole_boards() -> None:
     assert stands is not None
     assert stands.level
     mechanism, hinges = shell.design.mechanism, shell.design.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     gap = max(hinges.gap(mechanism.positions(drive)) for drive in np.linspace(0, np.pi, 9)[:-1])
     assert gap < 1e-15
 

@@ -87,10 +87,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     if fittings is not None:
         write_csv(beside("hinges"), *_hinges(document, fittings))
         write_csv(beside("arms"), *_arms(document, fittings))
-    if document.boards is not None and document.boards.hinges is not None:
-        hinges = document.boards.hinges
-        if hinges.joints is not None:
-            write_csv(beside("joints"), *_joints(document, hinges))
+    if isinstance(document.hinges, Hinges) and document.hinges.joints is not None:
+        write_csv(beside("joints"), *_joints(document, document.hinges))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -184,7 +182,7 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
 
 def _pieces(boards: Boards) -> list[int]:
     """The piece (B,) that every board belongs to, from 1; nothing where the sheet is whole."""
-    if boards.hinges is None or boards.hinges.joints is None:
+    if not boards.hinges.joint_rows:
         return []
     numbers: list[int] = (1 + piece_numbers(boards)).tolist()
     return numbers
@@ -192,10 +190,9 @@ def _pieces(boards: Boards) -> list[int]:
 
 def _hinges(document: Document, fittings: Fittings) -> tuple[list[str], Iterable[Sequence[object]]]:
     """Hinges of whole boards: their boards, on which face or arms, and what screws them on."""
-    assert document.boards is not None
     assert document.panel is not None
-    hinges, unit = document.boards.hinges, document.unit
-    assert hinges is not None
+    hinges, unit = document.hinges, document.unit
+    assert isinstance(hinges, Hinges)
     (above, below), (left, right) = hinges.arms
     numbers = fittings.edges
     first, second = (

@@ -115,7 +115,7 @@ def joint_openings(mechanism: Mechanism, boards: Boards) -> Array:
     Between the edges on the faces on which they close, square to the crease.
     """
     hinges = boards.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     assert hinges.joints is not None
     faces = mechanism.grid.faces_vertices()
     flat, points = (

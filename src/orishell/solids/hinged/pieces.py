@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
+from orishell.motion.hinges import Hinges
 from orishell.motion.piece import SheetPiece
 from orishell.numerics.arrays import Integers
 
@@ -26,7 +27,7 @@ class BuiltPiece:
 def pieces_of(mechanism: Mechanism, boards: Boards) -> list[BuiltPiece]:
     """The pieces of a sheet of whole boards, from its first row on; the sheet itself if whole."""
     hinges = boards.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     across = hinges.levels.shape[1]
     found = []
     for rows in hinges.pieces:
@@ -42,7 +43,7 @@ def pieces_of(mechanism: Mechanism, boards: Boards) -> list[BuiltPiece]:
 def piece_numbers(boards: Boards) -> Integers:
     """The piece (B,) that every board belongs to, from 0."""
     hinges = boards.hinges
-    assert hinges is not None
+    assert isinstance(hinges, Hinges)
     ends = [rows.stop for rows in hinges.pieces]
     rows = boards.panels // hinges.levels.shape[1]
     return np.asarray(np.searchsorted(ends, rows, side="right"))

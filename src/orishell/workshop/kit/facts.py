@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
 
 import numpy as np
 
@@ -153,14 +152,12 @@ def _tie_lengths(points: Array, tied: Integers) -> tuple[float, ...]:
 def _pieces(document: Document) -> Iterator[Booleans]:
     """The panels (F,) of each piece that is folded by itself."""
     count, shape = len(document.mesh.faces), document.grid_shape
-    hinges = None if document.boards is None else document.boards.hinges
-    if hinges is None or hinges.joints is None or shape is None:
+    if not document.hinges.joint_rows or shape is None:
         yield np.ones(count, np.bool_)
         return
     rows = np.arange(count) // (shape[1] - 1)
-    ends = [0, *(int(row) + 1 for row in hinges.joints.rows), shape[0] - 1]
-    for first, last in pairwise(ends):
-        yield np.asarray((rows >= first) & (rows < last))
+    for piece in document.hinges.pieces_of(shape[0] - 1):
+        yield np.asarray((rows >= piece.start) & (rows < piece.stop))
 
 
 def _diagonals(document: Document, pieces: Iterable[Booleans]) -> Iterator[tuple[float, float]]:
@@ -220,8 +217,7 @@ def _feet(
     if known.points:
         first, last = ({c for r, c in known.points if r == row} for row in rows)
         columns, count = np.array(sorted(first & last), np.int64), len(known.points)
-    whole = document.boards is not None and document.boards.hinges is not None
-    if whole or not len(columns):  # whole boards stand beside their vertices
+    if document.hinges.beside or not len(columns):  # whole boards stand beside their vertices
         return None, count
     ends = points[: shape[0] * shape[1]].reshape(*shape, 3)
     away = np.linalg.norm(ends[rows[0], columns] - ends[rows[1], columns], axis=-1)
