@@ -51,8 +51,8 @@ class Bodies:
         self.start, self.axes = panel_axes(self.lying, self.lying)
         self.height = float(np.abs(boards.outlines[..., 2]).max(initial=0.0))
         self.hinges, outlines = boards.hinges, boards.outlines
-        if self.hinges.beside:
-            outlines = outlines[:, [0, -1]]  # they are upright
+        if not np.ptp(outlines[..., :2], axis=1).any():
+            outlines = outlines[:, [0, -1]]  # all are upright
         self.low, self.high = outlines[:, 0, 0, 2], outlines[:, -1, 0, 2]
         self.sides, self.edges_of = boards.sides, boards.edges
         self.corners = outlines.reshape(len(boards), -1, 3)

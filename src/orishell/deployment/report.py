@@ -133,8 +133,7 @@ def _largest_thickness(design: Design) -> float | None:
         arm = design.hinges.longest_arm
         most = design.panel.longest_arm * design.panel.thickness / arm if arm else np.inf
         return float(most) if np.isfinite(most) else None
-    sheet, build = design.clipped or design.mechanism, design.panel or PanelSpec(thickness=0.0)
-    most = largest_thickness(sheet, build)
+    most = largest_thickness(design.flapped, design.panel or PanelSpec(thickness=0.0))
     return most if np.isfinite(most) else None
 
 

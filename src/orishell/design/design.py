@@ -162,6 +162,16 @@ class Design:
         return self.panel is not None and self.panel.construction == "hinged"
 
     @property
+    def set_back(self) -> PanelSpec | None:
+        """What its panels are made of, if boards stand back from creases and meet about them."""
+        return None if self.has_whole_boards else self.panel
+
+    @property
+    def flapped(self) -> Mechanism:
+        """The sheet with all its flaps, those that are clipped on at the target as well."""
+        return self.clipped or self.mechanism
+
+    @property
     def in_pieces(self) -> bool:
         """Whether whole boards fold in pieces, which are joined at the target."""
         return bool(self.hinges.joint_rows)

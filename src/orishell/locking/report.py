@@ -117,7 +117,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     build = built.build
     sides = SideFolds.of(Layout.of(design.mechanism), built.folds, built.beside)
     # Whole boards stand back by the gap alone.
-    height = 0.0 if design.has_whole_boards else build.height
+    height = 0.0 if design.set_back is None else build.height
     back = set_backs_of(sides, height, build.gap)
     longest = np.concatenate([back.top, back.bottom])
     return PanelReport(

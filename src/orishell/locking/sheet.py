@@ -49,11 +49,11 @@ class Sheet:
         mechanism = design.mechanism.least_turning
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
-        target, build, layout = mechanism.target_drive, design.panel, Layout.of(mechanism)
+        target, build, layout = mechanism.target_drive, design.set_back, Layout.of(mechanism)
         if layout.flaps.any() and target < mechanism.end_drive and target <= end:
             # Boards of the flaps meet at the target, where the others have room.
             end, stop = target, "flaps"
-        elif build is not None and not design.has_whole_boards:
+        elif build is not None:
             limit = target
             if design.opens_from_pack:
                 limit = drive_for_height(mechanism, build, end)

@@ -32,7 +32,7 @@ def find_cutting(
         return None
     if not can_measure(design.mechanism):
         return None
-    sheet = design.mechanism if design.clipped is None else design.clipped
+    sheet = design.flapped
     cutting = workshop.cutting
     if cutting == "auto":
         cutting = "sheet" if design.panel is None else "boards"

@@ -78,9 +78,9 @@ def _as_far_as_it_goes(design: Design) -> Design:
     """The design, ended where hinges or boards let it go no further, if nothing else ends it."""
     if design.ending_at is None:
         return design
-    mechanism, build = design.mechanism, design.panel
+    mechanism, build = design.mechanism, design.set_back
     end = drive_at_fold(mechanism, design.largest_fold)
-    if build is not None and not design.has_whole_boards:
+    if build is not None:
         end = drive_for_height(mechanism, build, end)
     target = mechanism.target_drive
     return design if end >= target else design.ended_at(max(end, LEAST_FOLDED * target))
@@ -188,11 +188,10 @@ def _on_membrane(panel: PanelSpec) -> Remedy:
 
 def _require_thickness(design: Design) -> None:
     """Refuse boards so thick that they take too much of a panel at the target."""
-    build = design.panel
-    if build is None or design.has_whole_boards:
+    build = design.set_back
+    if build is None:
         return
-
-    sheet = design.clipped or design.mechanism
+    sheet = design.flapped
     limit = find_thickness_limit(sheet, build)
     if build.thickness <= limit.thickness:
         return

@@ -126,14 +126,9 @@ class Model:
         return stiffness if np.isfinite(stiffness) else None
 
     @cached_property
-    def flapped(self) -> Mechanism:
-        """The sheet with its flaps."""
-        return self.design.clipped or self.design.mechanism
-
-    @cached_property
     def sheet(self) -> Mechanism:
         """The sheet without its flaps."""
-        return self.flapped.without_flaps()
+        return self.design.flapped.without_flaps()
 
     @property
     def grid(self) -> Grid:
@@ -215,7 +210,7 @@ class Model:
             grid=self.grid,
             before=self.before,
             areal_mass=np.full(len(facets.triangles), mass),
-            hung=mass * hung_area(self.flapped, self.grid, len(facets.points)),
+            hung=mass * hung_area(self.design.flapped, self.grid, len(facets.points)),
             unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
@@ -225,7 +220,7 @@ class Model:
     @cached_property
     def flaps(self) -> tuple[VertexPair, ...]:
         """Vertices that two neighbouring flaps keep apart: of the folding sheet, as all are."""
-        return kept_apart(self.flapped, self.grid, self.before)
+        return kept_apart(self.design.flapped, self.grid, self.before)
 
     def nodes_of(self, pairs: Sequence[VertexPair]) -> Integers:
         """Nodes (m, 2) at pairs of vertices of the folding sheet."""

@@ -87,8 +87,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     if fittings is not None:
         write_csv(beside("hinges"), *_hinges(document, fittings))
         write_csv(beside("arms"), *_arms(document, fittings))
-    if isinstance(document.hinges, Hinges) and document.hinges.joints is not None:
-        write_csv(beside("joints"), *_joints(document, document.hinges))
+    if document.hinges.joint_rows:
+        write_csv(beside("joints"), *_joints(document))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -226,9 +226,10 @@ def _hinges(document: Document, fittings: Fittings) -> tuple[list[str], Iterable
     )
 
 
-def _joints(document: Document, hinges: Hinges) -> tuple[list[str], Iterable[Sequence[object]]]:
+def _joints(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
     """Joints of pieces: on which face boards meet, and how far they are cut back."""
-    unit, lengths = document.unit, document.edge_lengths()
+    unit, lengths, hinges = document.unit, document.edge_lengths(), document.hinges
+    assert isinstance(hinges, Hinges)
     assert hinges.joints is not None
     across, signs = hinges.grid.columns - 1, hinges.signs.row
     heads = [
