@@ -64,7 +64,7 @@ class Occupied:
             return points
         corners = points[:, Layout.of(self.mechanism).faces]
         normals = unit_normals(corners)
-        corners = corners + np.expand_dims(self.hinges.shifts(normals), -2)
+        corners = corners + self.hinges.shifts(normals)[..., None, :]
         sides = [corners + (h[:, None] * normals)[:, :, None] for h in (self.low, self.high)]
         return np.stack(sides, axis=1).reshape(len(points), -1, 3)
 

@@ -150,7 +150,7 @@ class Part:
         if not self.hinges.beside:
             return corners
         shifts = self.hinges.drawn(corners, unit_normals(corners))
-        return np.asarray(corners + np.expand_dims(shifts, 1))
+        return np.asarray(corners + shifts[:, None])
 
     def board_name(self, board: int) -> str:
         """What a board is called: its panel and its side, as in "3,12 top"."""

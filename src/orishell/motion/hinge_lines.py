@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import numpy as np
+
 from orishell.motion.grid import Positions
 from orishell.numerics.arrays import Array
 
@@ -43,15 +45,14 @@ class HingeLines:
         """How far boards stand back from the sides of their panels at joints (F, 4) (length)."""
         return 0.0
 
-    def shifts(self, normals: Array) -> Array | float:
+    def shifts(self, normals: Array) -> Array:
         """Shifts (..., F, 3) of all panels in states with these unit normals (..., F, 3)."""
-        del normals
-        return 0.0
+        return np.zeros_like(normals)
 
-    def drawn(self, corners: Array, normals: Array) -> Array | float:
+    def drawn(self, corners: Array, normals: Array) -> Array:
         """The shifts (F, 3) with which a state is drawn, of corners (F, 4, 3) and normals."""
-        del corners, normals
-        return 0.0
+        del corners
+        return np.zeros_like(normals)
 
     def accelerations(self, normals: Array, swings: Array) -> Array | float:
         """Bounds (S,) of what shifts add to vectors from the feet to what is on panels.
