@@ -11,6 +11,7 @@ from orishell.design.design import (
 from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback
+from orishell.design.part import Part
 from orishell.design.path import Path
 from orishell.design.piece import Piece
 from orishell.design.plan_rectangle import PlanRectangle
@@ -29,6 +30,7 @@ __all__ = [
     "MeshSurface",
     "PanelSpec",
     "Parameter",
+    "Part",
     "Path",
     "Piece",
     "PiecedSurface",

@@ -13,6 +13,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
+from orishell.design.part import Part
 from orishell.motion import Mechanism
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import has_flaps
@@ -62,6 +63,8 @@ class Design:
     # The sheet with the flaps that are clipped on at the target; None if there are none. They are
     # no part of ``mechanism``.
     clipped: Mechanism | None = None
+    # other parts that go with the sheet, each with the states in which it is there
+    attached: tuple[Part, ...] = ()
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None

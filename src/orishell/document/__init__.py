@@ -1,5 +1,6 @@
 """The document that files are written from: of a designed shell, or of any FOLD file."""
 
+from orishell.design.part import FLAT, SHELL, DocumentState, Part
 from orishell.document.document import (
     LARGEST_COORDINATE,
     Document,
@@ -7,7 +8,6 @@ from orishell.document.document import (
     FirstContact,
 )
 from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
-from orishell.document.part import FLAT, SHELL, DocumentState, Part
 
 __all__ = [
     "FLAT",

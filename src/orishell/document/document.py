@@ -19,10 +19,11 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.curves import nearby_origin
+from orishell.design.part import DocumentState, Part
 from orishell.document.ground import GroundPlan
+from orishell.document.joined import JoinedStates, joined
 from orishell.document.loaded import LoadedShell
 from orishell.document.measures import Measures
-from orishell.document.part import DocumentState, Part
 from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
 
@@ -116,6 +117,17 @@ class Document(Part):
             elif own := names & part.named.keys():
                 found.append((part, part.state(own.pop())))
         return tuple(found)
+
+    @property
+    def moving(self) -> Document:
+        """The sheet with all parts that move with it, as one; itself where there are none."""
+        parts = [part for part in self.attached if self.moves(part)]
+        if not parts:
+            return self.sheet
+        assert not self.hinges.beside, "nothing moves beside whole boards"
+        every: tuple[Part, ...] = (self.sheet, *parts)
+        flats = [part.require_flat() for part in every]
+        return joined(self.sheet, parts, flats, JoinedStates(every))
 
     def moves(self, part: Part) -> bool:
         """Whether a part is there in all states of the sheet, and so moves with it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import overload
 
@@ -39,11 +39,13 @@ def document_of_motion(
     panel: PanelSpec | None = None,
     boards: Boards | None = None,
     flaps: Boards | None = None,
+    attached: Iterable[Part] = (),
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
     Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
-    with flaps that are clipped on at the target, and ``flaps`` are its boards.
+    with flaps that are clipped on at the target, and ``flaps`` are its boards. They are the first
+    of the parts that go with the sheet, the others are ``attached``.
     """
     mechanism = motion.mechanism
     grid, states = mechanism.grid, states_of(motion)
@@ -63,7 +65,10 @@ def document_of_motion(
         panel=panel,
         boards=boards,
         names=_names(Layout.of(mechanism)) if beside else (),
-        attached=() if clipped is None else _clipped(clipped, unit, panel, flaps),
+        attached=(
+            *(() if clipped is None else _clipped(clipped, unit, panel, flaps)),
+            *(replace(part, unit=unit) for part in attached),
+        ),
     )
 
 
@@ -87,6 +92,7 @@ def document_of_design(
         panel=None if boards is None else design.panel,
         boards=boards,
         flaps=flaps,
+        attached=design.attached,
     )
 
 

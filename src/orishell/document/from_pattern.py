@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.design.part import DocumentState
 from orishell.document.document import Document
-from orishell.document.part import DocumentState
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.motion.parts import refine

@@ -107,6 +107,7 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
     def dump(value: Any) -> bytes:
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
+    document = document.moving
     names = {number: name for name, number in document.named.items()}
     titles = names if "pack" in document.named else {}
     states = iter(document.states)

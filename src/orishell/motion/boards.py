@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from orishell.conventions.record import record
@@ -136,6 +138,38 @@ class Boards:
             triangles=triangles.reshape(-1, 3),
             boards=np.repeat(np.arange(count), present.sum(axis=1)),
         )
+
+
+def join_boards(several: Sequence[Boards]) -> Boards:
+    """The boards of several parts as one, hinges being those of the first.
+
+    Outlines of fewer corners, or at fewer heights, have some twice or between others.
+    """
+    heights, corners = np.max([each.outlines.shape[1:3] for each in several], axis=0).tolist()
+    edges = None
+    if any(each.edges is not None for each in several):
+        none = [np.full(len(each), -1) for each in several]
+        kept = zip(several, none, strict=True)
+        edges = np.concatenate([no if each.edges is None else each.edges for each, no in kept])
+    return Boards(
+        np.concatenate([each.panels for each in several]),
+        np.concatenate([each.sides for each in several]),
+        np.concatenate([_widened(each.outlines, heights, corners) for each in several]),
+        several[0].hinges,
+        edges,
+    )
+
+
+def _widened(outlines: Array, heights: int, corners: int) -> Array:
+    """Outlines (B, heights, corners, 3) of the same boards."""
+    spare = ((0, 0), (0, 0), (0, corners - outlines.shape[2]), (0, 0))
+    outlines = np.pad(outlines, spare, mode="edge")  # corners that coincide with the last
+    if outlines.shape[1] == heights:
+        return outlines
+    share = np.linspace(0.0, 1.0, heights)[:, None, None]
+    low, high = outlines[:, :1], outlines[:, -1:]
+    assert outlines.shape[1] == 2
+    return np.asarray(low + share * (high - low))
 
 
 @record

@@ -124,6 +124,7 @@ def _drawn(found: Candidate, deployment: DeploymentReport) -> Document:
             curves=design.targets,
             origin=design.origin,
             clipped=design.clipped,
+            attached=design.attached,
             panel=design.panel,
             boards=None if built is None else built.boards,
             flaps=None if built is None else built.flaps,

@@ -210,12 +210,23 @@ class Model:
             grid=self.grid,
             before=self.before,
             areal_mass=np.full(len(facets.triangles), mass),
-            hung=mass * hung_area(self.design.flapped, self.grid, len(facets.points)),
+            hung=mass * hung_area(self.design.flapped, self.grid, len(facets.points))
+            + self._attached_masses(mass),
             unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
             feet=self.site.rows,
         )
+
+    def _attached_masses(self, areal_mass: float) -> Array:
+        """Mass (N,) at nodes of the other parts that go with the sheet, where these are borne."""
+        found, metres = np.zeros(len(self.mesh.facets.points)), self.site.metres
+        for part in self.design.attached:
+            assert part.borne_at is not None, "what goes with a sheet is borne by it"
+            rows, columns = part.borne_at.T
+            nodes = self.grid.vertices()[rows, columns - self.before]
+            found[nodes] += part.mass(areal_mass, metres) / len(nodes)
+        return found
 
     @cached_property
     def flaps(self) -> tuple[VertexPair, ...]:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.document import Document, Part
-from orishell.motion.boards import Boards
-from orishell.motion.mesh import build_mesh
+from orishell.document.joined import AnyPart, joined
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.creases import CREASE_LETTERS, mean_edge
 from orishell.workshop.cut_parts import LETTER_WIDTH, CutPart, Joint, find_outlines, whole_sheet
@@ -22,8 +20,6 @@ from orishell.workshop.tabs import choose_joint_width
 
 if TYPE_CHECKING:
     from shapely import Polygon
-
-AnyPart = TypeVar("AnyPart", bound=Part)
 
 GAP = 0.25
 """Boards are moved by multiples of this share of the mean edge of the sheet's panels."""
@@ -39,61 +35,7 @@ def laid_flat(document: AnyPart) -> AnyPart:
     """
     if len(document.parts) == 1:
         return document
-    pieces, flats = document.parts, list(parts_lying(document))
-    first = np.cumsum([0, *map(len, flats)])
-
-    def numbered(arrays: Iterable[Integers]) -> Integers:
-        return np.concatenate([array + k for array, k in zip(arrays, first, strict=False)])
-
-    longest = max(piece.mesh.loops.shape[1] for piece in pieces)
-    loops = [
-        np.pad(
-            np.where(piece.mesh.loops < 0, -1, piece.mesh.loops + k),
-            ((0, 0), (0, longest - piece.mesh.loops.shape[1])),
-            constant_values=-1,
-        )
-        for piece, k in zip(pieces, first, strict=False)
-    ]
-
-    return replace(
-        document.sheet,
-        mesh=build_mesh(
-            numbered(piece.mesh.faces for piece in pieces),
-            int(first[-1]),
-            numbered(piece.mesh.edges for piece in pieces),
-            np.concatenate([~piece.mesh.crease for piece in pieces]),
-            np.concatenate(loops),
-        ),
-        assignment=sum((piece.assignment for piece in pieces), ()),
-        flat=np.concatenate(flats),
-        fold_angles_deg=np.concatenate([piece.fold_angles_deg for piece in pieces]),
-        states=(),
-        grid_shape=None,
-        named={},
-        names=tuple(p.panel_name(panel) for p in pieces for panel in range(len(p.mesh.faces))),
-        boards=_all_boards(pieces, flats),
-    )
-
-
-def _all_boards(pieces: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
-    """The boards of all pieces, where these lie (V, 2) now; None if panels have no thickness."""
-    made, first = [], 0
-    corners = max((p.boards.outlines.shape[2] for p in pieces if p.boards is not None), default=0)
-    for piece, flat in zip(pieces, flats, strict=True):
-        if piece.boards is not None:
-            shift = np.append(flat[0] - piece.require_flat()[0], 0.0)
-            own = piece.boards.outlines + shift
-            spare = ((0, 0), (0, 0), (0, corners - own.shape[2]), (0, 0))
-            outlines = np.pad(own, spare, mode="edge")  # corners that coincide with the last
-            made.append(Boards(piece.boards.panels + first, piece.boards.sides, outlines))
-        first += len(piece.mesh.faces)
-    if not made:
-        return None
-    return Boards(
-        np.concatenate([each.panels for each in made]),
-        np.concatenate([each.sides for each in made]),
-        np.concatenate([each.outlines for each in made]),
-    )
+    return joined(document.sheet, document.parts[1:], list(parts_lying(document)))
 
 
 def parts_lying(document: Part) -> Iterator[Array]:

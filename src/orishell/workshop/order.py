@@ -15,6 +15,7 @@ from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars, cut_bars
+from orishell.workshop.board_masses import mass_of_boards
 from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.boards import has_membrane, has_sheet
 from orishell.workshop.hinge_parts import fittings_of
@@ -77,7 +78,7 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
     everything = laid_flat(document)
     if has_membrane(everything) or not has_sheet(everything):
         sheets = count_board_sheets(document, workshop) if nested else None
-        yield _boards(everything, workshop, sheets)
+        yield _boards(document, workshop, sheets)
     if has_sheet(everything):
         laid = nested and on_its_roll(document, workshop).stock is not None
         yield _sheet(everything, workshop, measure_waste(document, workshop) if laid else None)
@@ -92,7 +93,7 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
 
 
 def _boards(document: Document, workshop: Workshop, sheets: int | None) -> OrderRow:
-    build, boards = document.panel, document.boards
+    build, boards = document.panel, laid_flat(document).boards
     assert build is not None
     assert boards is not None
     boards = boards.chosen(~boards.arms)
@@ -104,7 +105,7 @@ def _boards(document: Document, workshop: Workshop, sheets: int | None) -> Order
         sides=workshop.stock if sheets is not None else None,
         count=sheets,
         used=float(boards.areas().sum()),
-        mass=_cubic(document.unit) * float(boards.volumes().sum()) * build.density,
+        mass=mass_of_boards(document) or 0.0,
         price=workshop.stock_price,
     )
 

@@ -12,6 +12,7 @@ from orishell.conventions.record import record
 from orishell.design.fittings import Fittings
 from orishell.document import Document
 from orishell.workshop.assembly import laid_flat
+from orishell.workshop.board_masses import mass_of_boards
 from orishell.workshop.board_sheets import count_board_sheets
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll, require_stock
@@ -98,7 +99,7 @@ def measure_panels(
     membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
     length = everything.edge_lengths()
     cubic = conversion(document.unit, "m") ** 3
-    board_mass = cubic * float(boards.volumes().sum()) * build.density or None
+    board_mass = mass_of_boards(document)
     membrane_mass = cubic * membrane * build.membrane * build.membrane_density or None
     if not membrane:
         membrane_mass = 0.0

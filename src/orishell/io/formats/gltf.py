@@ -46,6 +46,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     """
     import orjson
 
+    document = document.moving
     scale, nearby = conversion(document.require_unit(), "m"), document.nearby
     state = document.state(settings.state)
 

@@ -21,6 +21,7 @@ from orishell.motion.hinges import Hinges
 from orishell.solids.hinged.pieces import piece_numbers
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import laid_flat
+from orishell.workshop.board_masses import densities_of_boards
 from orishell.workshop.board_sheets import board_parts, nest_boards
 from orishell.workshop.ground_plan import ground_beside
 from orishell.workshop.hinge_parts import fittings_of, hinge_names
@@ -152,15 +153,15 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
 def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable[Sequence[object]]]:
     """Boards in the order in which they are drawn, those that are clipped on included."""
     unit, everything = document.unit, laid_flat(document)
-    boards, build = everything.boards, everything.panel
+    boards = everything.boards
     assert boards is not None
-    assert build is not None
     heads = ["part", "panel", "side", f"area_{unit}2", f"volume_{unit}3", "mass_kg", "sheet"]
     pieces = _pieces(boards)
     if pieces:
         heads.append("piece")
     areas, volumes = boards.areas().tolist(), boards.volumes()
-    masses = (volumes * conversion(unit, "m") ** 3 * build.density).tolist()
+    densities = densities_of_boards(document)
+    masses = (volumes * conversion(unit, "m") ** 3 * densities).tolist()
     parts = board_parts(document)
     sheets: Iterable[object] = [""] * len(parts)
     if workshop.stock is not None:
@@ -172,7 +173,7 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
             SIDES[part.side],
             areas[part.number],
             float(volumes[part.number]),
-            masses[part.number] if build.density else "",
+            masses[part.number] if densities[part.number] else "",
             sheet,
             *(pieces[part.number : part.number + 1]),
         ]

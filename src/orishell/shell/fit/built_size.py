@@ -50,6 +50,7 @@ class BuiltShell:
                 motion,
                 "unit",
                 clipped=design.clipped,
+                attached=design.attached,
                 panel=design.panel,
                 boards=None if built is None else built.boards,
                 flaps=None if built is None else built.flaps,

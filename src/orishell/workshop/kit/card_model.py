@@ -9,7 +9,8 @@ from typing import overload
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
-from orishell.workshop.assembly import AnyPart, laid_flat
+from orishell.document.joined import AnyPart
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import page_scale, tile_sheet

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import compress
 
 import numpy as np
 
@@ -66,14 +67,26 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         values = {"length": low if low == high else f"{low} - {high}"}
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
         parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
-    if facts.flaps:
-        flap = document.attached[0]
-        quads = flap.require_flat()[flap.mesh.faces]
-        values = {"panels": str(facts.flap_panels), "cut": str(cut.flaps)}
-        values |= {"first": str(cut.sheet + 1), "last": str(cut.sheet + cut.flaps)}
-        note = f"flap{'' if facts.construction else '_plain'}{'_cut' if cut.flaps else ''}_note"
-        parts.append(KitPart("flap", facts.flaps, values, tuple(map(_closed, quads)), note))
+    parts += _beside(document, cut, "" if facts.construction else "_plain")
     return tuple(parts)
+
+
+def _beside(document: Document, cut: CutCounts, plain: str) -> Iterator[KitPart]:
+    """Parts that go with the sheet by their kind, in the order of their numbers."""
+    last = cut.sheet
+    for kind in dict.fromkeys(part.kind for part in document.attached):
+        own = [part.kind == kind for part in document.attached]
+        mine = list(compress(document.attached, own))
+        first, last = last, last + sum(compress(cut.beside, own))
+        values = {
+            "panels": str(sum(len(part.mesh.faces) for part in mine)),
+            "cut": str(last - first),
+            "first": str(first + 1),
+            "last": str(last),
+        }
+        quads = mine[0].require_flat()[mine[0].mesh.faces]
+        note = f"{kind}{plain}{'_cut' if last > first else ''}_note"
+        yield KitPart(kind, len(mine), values, tuple(map(_closed, quads)), note)
 
 
 @record
@@ -81,18 +94,24 @@ class CutCounts:
     """How many parts the sheet, or the membrane, is cut in."""
 
     sheet: int  # of the sheet itself; 1 where it is not split, 0 where there is none
-    flaps: int  # of what is clipped on, numbered after those; 0 where parts have no numbers
+    # of every part that goes with it, numbered after those; 0 where parts have no numbers
+    beside: tuple[int, ...]
     strips: int  # glued under joints
 
     @classmethod
     def of(cls, document: Document, workshop: Workshop) -> CutCounts:
         """Those of the layout that drawings have."""
         if not has_sheet(document):
-            return cls(0, 0, 0)
-        count, parts = len(document.mesh.faces), lay_out(document, workshop).parts
-        sheet = sum(bool((part.panels < count).any()) for part in parts)
-        flaps = sum(part.number > 0 and bool((part.panels >= count).all()) for part in parts)
-        return cls(sheet, flaps, sum(not len(part.panels) for part in parts))
+            return cls(0, tuple(0 for _ in document.attached), 0)
+        parts = lay_out(document, workshop).parts
+        ends = np.cumsum([len(part.mesh.faces) for part in document.parts])
+        # Panels of a part are of the sheet, or of one that goes with it.
+        of = [
+            int(np.searchsorted(ends, part.panels.min(initial=ends[-1]), "right")) for part in parts
+        ]
+        numbered = [of for of, part in zip(of, parts, strict=True) if part.number]
+        beside = tuple(numbered.count(1 + k) for k in range(len(document.attached)))
+        return cls(of.count(0), beside, of.count(len(ends)))
 
 
 def _boards(everything: Document) -> Iterator[KitPart]:

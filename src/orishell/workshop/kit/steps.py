@@ -122,13 +122,20 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         yield Step("fold", said, middle_state(document, FLAT), check=standing, more=several)
     if not facts.ties_early:
         yield from tie
-    if facts.flaps:
-        values = {"flaps": plain(facts.flaps), "panels": plain(facts.flap_panels)}
-        yield Step("clip", values, SHELL, check="all_shut")
+    for kind in dict.fromkeys(part.kind for part in document.attached):
+        mine = [part for part in document.attached if part.kind == kind]
+        panels = sum(len(part.mesh.faces) for part in mine)
+        values = {f"{kind}s": plain(len(mine)), "panels": plain(panels)}
+        name, check = CLIPPED.get(kind, (f"fit_{kind}", ""))
+        yield Step(name, values, SHELL, check=check)
     if facts.feet and not facts.model:
         check = "apart" if facts.apart is not None else ""
         values = {**said, "feet": plain(facts.feet)}
         yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
+
+
+CLIPPED = {"flap": ("clip", "all_shut")}
+"""Step and check of parts that are clipped on; of others the step is that to fit them."""
 
 
 def _mark_out(document: Document, plan: GroundPlan) -> Step:

@@ -14,7 +14,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.design import PanelSpec
+from orishell.design.panel import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.mesh import QuadMesh
@@ -69,6 +69,8 @@ class Part:
     boards: Boards | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"
     kind: str = field(default="sheet", repr=False)
+    # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself
+    borne_at: Integers | None = field(default=None, repr=False)
 
     @property
     def sheet(self) -> Self:
@@ -151,6 +153,15 @@ class Part:
             return corners
         shifts = self.hinges.drawn(corners, unit_normals(corners))
         return np.asarray(corners + shifts[:, None])
+
+    def mass(self, areal_mass: float, metres: float) -> float:
+        """Its mass (kg): of its boards if their density is known, or by that of its area.
+
+        areal_mass: Mass by area (kg per square of the unit). metres: The unit (m).
+        """
+        if self.boards is None or self.panel is None or not self.panel.density:
+            return areal_mass * float(self.areas().sum())
+        return self.panel.density * metres**3 * float(self.boards.volumes().sum())
 
     def board_name(self, board: int) -> str:
         """What a board is called: its panel and its side, as in "3,12 top"."""

@@ -1,0 +1,114 @@
+"""Several parts as one: meshes, states and boards one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import TypeVar, overload
+
+import numpy as np
+
+from orishell.design.part import DocumentState, Part
+from orishell.motion.boards import Boards, join_boards
+from orishell.motion.mesh import build_mesh
+from orishell.numerics.arrays import Array, Integers
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+def joined(
+    first: AnyPart,
+    others: Sequence[Part],
+    flats: Sequence[Array],
+    states: Sequence[DocumentState] = (),
+) -> AnyPart:
+    """A part with others behind it that do not hang together with it.
+
+    Vertices, edges, panels and boards of the others come after its own, each by its name.
+
+    Parameters
+    ----------
+    flats
+        Vertices (V, 2) of every part, as it lies.
+    states
+        The states of all of them; none if only what is flat is asked for.
+    """
+    parts: tuple[Part, ...] = (first, *others)
+    begins = np.cumsum([0, *map(len, flats)])
+
+    def numbered(arrays: Iterable[Integers]) -> Integers:
+        return np.concatenate([array + k for array, k in zip(arrays, begins, strict=False)])
+
+    longest = max(part.mesh.loops.shape[1] for part in parts)
+    loops = [
+        np.pad(
+            np.where(part.mesh.loops < 0, -1, part.mesh.loops + k),
+            ((0, 0), (0, longest - part.mesh.loops.shape[1])),
+            constant_values=-1,
+        )
+        for part, k in zip(parts, begins, strict=False)
+    ]
+    return replace(
+        first,
+        mesh=build_mesh(
+            numbered(part.mesh.faces for part in parts),
+            int(begins[-1]),
+            numbered(part.mesh.edges for part in parts),
+            np.concatenate([~part.mesh.crease for part in parts]),
+            np.concatenate(loops),
+        ),
+        assignment=sum((part.assignment for part in parts), ()),
+        flat=np.concatenate(flats),
+        fold_angles_deg=np.concatenate([part.fold_angles_deg for part in parts]),
+        states=states,
+        grid_shape=None,
+        named=first.named if states else {},
+        names=tuple(p.panel_name(panel) for p in parts for panel in range(len(p.mesh.faces))),
+        boards=_all_boards(parts, flats),
+    )
+
+
+def _all_boards(parts: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
+    """The boards of all parts, where these lie (V, 2) now; None if panels have no thickness."""
+    made, first = [], 0
+    for part, flat in zip(parts, flats, strict=True):
+        if part.boards is not None:
+            shift = np.append(flat[0] - part.require_flat()[0], 0.0)
+            moved = replace(
+                part.boards,
+                panels=part.boards.panels + first,
+                outlines=part.boards.outlines + shift,
+            )
+            made.append(moved)
+        first += len(part.mesh.faces)
+    return join_boards(made) if made else None
+
+
+class JoinedStates(Sequence[DocumentState]):
+    """States of several parts, put together as they are asked for."""
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        self._parts = parts
+
+    def __len__(self) -> int:
+        return len(self._parts[0].states)
+
+    @overload
+    def __getitem__(self, which: int) -> DocumentState: ...
+    @overload
+    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
+    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
+        if isinstance(which, slice):
+            return [self[number] for number in range(*which.indices(len(self)))]
+        states = [part.states[which] for part in self._parts]
+        angles = [
+            np.full(len(part.mesh.edges), np.nan)
+            if state.fold_angles_deg is None
+            else state.fold_angles_deg
+            for part, state in zip(self._parts, states, strict=True)
+        ]
+        return replace(
+            states[0],
+            positions=np.concatenate([state.positions for state in states]),
+            fold_angles_deg=np.concatenate(angles),
+        )

@@ -1,0 +1,30 @@
+"""What boards weigh, each by what its part is made of."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.quantities import conversion
+from orishell.document import Part
+from orishell.numerics.arrays import Array
+from orishell.workshop.assembly import laid_flat
+
+
+def densities_of_boards(document: Part) -> Array:
+    """Density (B,) of all boards of :func:`~orishell.workshop.assembly.laid_flat`; 0 if unknown."""
+    found = [
+        np.full(len(part.boards), part.panel.density)
+        for part in document.parts
+        if part.boards is not None and part.panel is not None
+    ]
+    return np.concatenate([np.zeros(0), *found])
+
+
+def mass_of_boards(document: Part) -> float | None:
+    """Mass of all boards, arms left out (kg); None if a density is not known."""
+    boards, densities = laid_flat(document).boards, densities_of_boards(document)
+    assert boards is not None
+    volumes, own = boards.volumes()[~boards.arms], densities[~boards.arms]
+    cubic = conversion(document.unit, "m") ** 3
+    each = [cubic * float(volumes[own == one].sum()) * one for one in np.unique(own).tolist()]
+    return (sum(each) or None) if all(each) else None
