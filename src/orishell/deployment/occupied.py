@@ -78,7 +78,9 @@ class Occupied:
         normals = NormalBounds(layout, points_of(self.mechanism, 0.0)).within(along, down)
         over = np.maximum(np.abs(self.low), np.abs(self.high))
         swings = (over * normals).max(axis=1)
-        return np.asarray(ROUNDED_UP * (found + swings + self.hinges.accelerations(normals, swings)))
+        return np.asarray(
+            ROUNDED_UP * (found + swings + self.hinges.accelerations(normals, swings))
+        )
 
 
 def _beyond(mechanism: Mechanism, boards: Boards) -> float:
