@@ -6,11 +6,9 @@ and down its column. It is put in at the target. A rib stands upright on a panel
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import overload
-
 import numpy as np
 
+from orishell.design.part import MadeStates
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion.boards import Boards, panel_axes
 from orishell.motion.grid import Vertex
@@ -69,6 +67,15 @@ def rib(document: Document, panel: int, height: float) -> Part:
     """The rib on a panel, along its longer diagonal, in all states of the document."""
     quad = document.require_flat()[document.mesh.faces[panel]]
     long = 0.5 * float(max(np.linalg.norm(quad[2:] - quad[:2], axis=1)))
+    own = np.array([[0, 0, 0], [long, 0, 0], [long, 0, height], [0, 0, height]])
+    face = document.mesh.faces[[panel]]
+    lying = np.pad(document.require_flat(), ((0, 0), (0, 1)))[face]
+
+    def placed(number: int) -> DocumentState:
+        state = document.states[number]
+        origin, axes = panel_axes(state.positions[face], lying)
+        return DocumentState(origin[0] + own @ axes[0].T, np.zeros(4), state.drive_deg)
+
     flat = np.array([[0, 0], [long, 0], [long, height], [0, height]]) + quad.mean(axis=0)
     return Part(
         title=f"Rib on {document.panel_name(panel)}",
@@ -77,32 +84,8 @@ def rib(document: Document, panel: int, height: float) -> Part:
         assignment=LETTERS,
         flat=flat,
         fold_angles_deg=np.zeros(4),
-        states=RibStates(document, panel, long, height),
+        states=MadeStates(len(document.states), placed),
         named=document.named,
         names=(f"rib {document.panel_name(panel)}",),
         kind="rib",
     )
-
-
-class RibStates(Sequence[DocumentState]):
-    """The states of a rib, made as they are taken."""
-
-    def __init__(self, document: Document, panel: int, long: float, height: float) -> None:
-        self.document, self.panel, self.size = document, panel, (long, height)
-
-    def __len__(self) -> int:
-        return len(self.document.states)
-
-    @overload
-    def __getitem__(self, which: int) -> DocumentState: ...
-    @overload
-    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
-    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
-        if isinstance(which, slice):
-            return [self[number] for number in range(*which.indices(len(self)))]
-        state, face = self.document.states[which], self.document.mesh.faces[[self.panel]]
-        lying = np.pad(self.document.require_flat(), ((0, 0), (0, 1)))[face]
-        origin, axes = panel_axes(state.positions[face], lying)
-        long, height = self.size
-        own = np.array([[0, 0, 0], [long, 0, 0], [long, 0, height], [0, 0, height]])
-        return DocumentState(origin[0] + own @ axes[0].T, np.zeros(4), state.drive_deg)

@@ -205,10 +205,8 @@ def test_the_proof_sees_what_moves_along() -> None:
     quad = flat[faces[panel], :2]
     foot = quad.mean(axis=0) + 0.05 * (quad - quad.mean(axis=0))
     levels = np.stack([np.column_stack([foot, np.full(4, z)]) for z in (-1.0, -0.006)])
-    every = join_boards([built.boards, Boards(np.array([panel]), np.array([-1]), levels[None])])
-    order = np.argsort(every.panels, kind="stable")
-    every = Boards(every.panels[order], every.sides[order], every.outlines[order])
-    tall = Bodies(every, faces, flat)
+    mast = Boards(np.array([panel]), np.array([-1]), levels[None])
+    tall = Bodies(join_boards([built.boards, mast]).in_order(), faces, flat)
 
     contact = find_first_body_contact(
         mechanism, end, tolerance, tall, settled=built.settled()

@@ -6,9 +6,9 @@ else is put in or hung on. Drawings, bill, files and proof take all of them alik
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
-from typing import Self
+from typing import Self, overload
 
 import numpy as np
 
@@ -37,6 +37,24 @@ class DocumentState:
     # them. In degrees, as files have them: not a bit is lost.
     fold_angles_deg: Array | None = None
     drive_deg: float | None = None  # drive angle; None if the state has none
+
+
+class MadeStates(Sequence[DocumentState]):
+    """So many states, each made by its number when it is taken."""
+
+    def __init__(self, count: int, make: Callable[[int], DocumentState]) -> None:
+        self._numbers, self._make = range(count), make
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, which: int) -> DocumentState: ...
+    @overload
+    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
+    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
+        chosen = self._numbers[which]
+        return self._make(chosen) if isinstance(chosen, int) else list(map(self._make, chosen))
 
 
 @record

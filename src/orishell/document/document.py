@@ -21,7 +21,7 @@ from orishell.conventions.record import record
 from orishell.curves import nearby_origin
 from orishell.design.part import DocumentState, Part
 from orishell.document.ground import GroundPlan
-from orishell.document.joined import JoinedStates, joined
+from orishell.document.joined import joined, joined_states
 from orishell.document.loaded import LoadedShell
 from orishell.document.measures import Measures
 from orishell.motion.grid import VertexPair
@@ -127,7 +127,7 @@ class Document(Part):
         assert not self.hinges.beside, "nothing moves beside whole boards"
         every: tuple[Part, ...] = (self.sheet, *parts)
         flats = [part.require_flat() for part in every]
-        return joined(self.sheet, parts, flats, JoinedStates(every))
+        return joined(self.sheet, parts, flats, joined_states(every))
 
     def moves(self, part: Part) -> bool:
         """Whether a part is there in all states of the sheet, and so moves with it."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import TypeVar, overload
+from typing import TypeVar
 
 import numpy as np
 
-from orishell.design.part import DocumentState, Part
+from orishell.design.part import DocumentState, MadeStates, Part
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
@@ -84,31 +84,21 @@ def _all_boards(parts: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
     return join_boards(made) if made else None
 
 
-class JoinedStates(Sequence[DocumentState]):
-    """States of several parts, put together as they are asked for."""
+def joined_states(parts: Sequence[Part]) -> Sequence[DocumentState]:
+    """States of several parts that have as many each, put together as they are taken."""
 
-    def __init__(self, parts: Sequence[Part]) -> None:
-        self._parts = parts
-
-    def __len__(self) -> int:
-        return len(self._parts[0].states)
-
-    @overload
-    def __getitem__(self, which: int) -> DocumentState: ...
-    @overload
-    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
-    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
-        if isinstance(which, slice):
-            return [self[number] for number in range(*which.indices(len(self)))]
-        states = [part.states[which] for part in self._parts]
+    def together(which: int) -> DocumentState:
+        states = [part.states[which] for part in parts]
         angles = [
             np.full(len(part.mesh.edges), np.nan)
             if state.fold_angles_deg is None
             else state.fold_angles_deg
-            for part, state in zip(self._parts, states, strict=True)
+            for part, state in zip(parts, states, strict=True)
         ]
         return replace(
             states[0],
             positions=np.concatenate([state.positions for state in states]),
             fold_angles_deg=np.concatenate(angles),
         )
+
+    return MadeStates(len(parts[0].states), together)

@@ -44,12 +44,16 @@ class Boards:
     def __len__(self) -> int:
         return len(self.panels)
 
-    def chosen(self, which: Booleans) -> Boards:
-        """Those of the boards at which ``which`` (B,) is true."""
+    def chosen(self, which: Booleans | Integers) -> Boards:
+        """Those of the boards at which ``which`` (B,) is true, or those with these numbers."""
         edges = None if self.edges is None else self.edges[which]
         return Boards(
             self.panels[which], self.sides[which], self.outlines[which], self.hinges, edges
         )
+
+    def in_order(self) -> Boards:
+        """The same by ascending numbers of their panels."""
+        return self.chosen(np.argsort(self.panels, kind="stable"))
 
     def carried(self, faces: Integers, flat: Array, positions: Array) -> Array:
         """Corners (B, H, K, 3) of all outlines in a folded state.
@@ -143,9 +147,13 @@ class Boards:
 def join_boards(several: Sequence[Boards]) -> Boards:
     """The boards of several parts as one, hinges being those of the first.
 
-    Outlines of fewer corners, or at fewer heights, have some twice or between others.
+    All have outlines at as many heights.
     """
-    heights, corners = np.max([each.outlines.shape[1:3] for each in several], axis=0).tolist()
+    corners = max(each.outlines.shape[2] for each in several)
+    outlines = [  # with corners that coincide with the last
+        np.pad(each, ((0, 0), (0, 0), (0, corners - each.shape[2]), (0, 0)), mode="edge")
+        for each in (boards.outlines for boards in several)
+    ]
     edges = None
     if any(each.edges is not None for each in several):
         none = [np.full(len(each), -1) for each in several]
@@ -154,22 +162,10 @@ def join_boards(several: Sequence[Boards]) -> Boards:
     return Boards(
         np.concatenate([each.panels for each in several]),
         np.concatenate([each.sides for each in several]),
-        np.concatenate([_widened(each.outlines, heights, corners) for each in several]),
+        np.concatenate(outlines),
         several[0].hinges,
         edges,
     )
-
-
-def _widened(outlines: Array, heights: int, corners: int) -> Array:
-    """Outlines (B, heights, corners, 3) of the same boards."""
-    spare = ((0, 0), (0, 0), (0, corners - outlines.shape[2]), (0, 0))
-    outlines = np.pad(outlines, spare, mode="edge")  # corners that coincide with the last
-    if outlines.shape[1] == heights:
-        return outlines
-    share = np.linspace(0.0, 1.0, heights)[:, None, None]
-    low, high = outlines[:, :1], outlines[:, -1:]
-    assert outlines.shape[1] == 2
-    return np.asarray(low + share * (high - low))
 
 
 @record

@@ -18,7 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
-from orishell.motion.boards import SIDES, Boards
+from orishell.motion.boards import SIDES, Boards, join_boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
 from orishell.motion.layout import LaidOut, Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -51,14 +51,7 @@ class BuiltPanels:
         """All boards, as panels of the sheet with its flaps: ``clipped``."""
         assert self.flaps is not None
         own = _with_flaps_columns(self.boards.panels, clipped)
-        panels = np.concatenate([own, self.flaps.panels])
-        order = np.argsort(panels, kind="stable")
-        both = self.boards, self.flaps
-        return Boards(
-            panels[order],
-            np.concatenate([each.sides for each in both])[order],
-            np.concatenate([each.outlines for each in both])[order],
-        )
+        return join_boards([replace(self.boards, panels=own), self.flaps]).in_order()
 
 
 def _with_flaps_columns(panels: Integers, clipped: Mechanism) -> Integers:

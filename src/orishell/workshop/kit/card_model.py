@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
-from typing import overload
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
+from orishell.design.part import MadeStates
 from orishell.document import Document, DocumentState
 from orishell.document.joined import AnyPart
 from orishell.workshop.assembly import laid_flat
@@ -82,29 +81,13 @@ def _scaled(document: Document, factor: float, scale: float) -> Document:
 
 
 def _scaled_part(part: AnyPart, factor: float) -> AnyPart:
+    def scaled(number: int) -> DocumentState:
+        state = part.states[number]
+        return replace(state, positions=state.positions * factor)
+
     return replace(
         part,
         unit="mm",
         flat=part.require_flat() * factor,
-        states=_ScaledStates(part.states, factor),
+        states=MadeStates(len(part.states), scaled),
     )
-
-
-class _ScaledStates(Sequence[DocumentState]):
-    """States whose vertices are moved when they are asked for."""
-
-    def __init__(self, states: Sequence[DocumentState], factor: float) -> None:
-        self._states, self._factor = states, factor
-
-    def __len__(self) -> int:
-        return len(self._states)
-
-    @overload
-    def __getitem__(self, which: int) -> DocumentState: ...
-    @overload
-    def __getitem__(self, which: slice) -> Sequence[DocumentState]: ...
-    def __getitem__(self, which: int | slice) -> DocumentState | Sequence[DocumentState]:
-        if isinstance(which, slice):
-            return _ScaledStates(self._states[which], self._factor)
-        state = self._states[which]
-        return replace(state, positions=state.positions * self._factor)
