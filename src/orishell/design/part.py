@@ -108,7 +108,15 @@ class Part:
     def parts_in(self, which: int | str) -> tuple[tuple[Part, DocumentState], ...]:
         """The part, and others that are there in a state, each as it is then.
 
-        Raises InputError if there is no such state.
+        Parameters
+        ----------
+        which
+            The state by its number or its name.
+
+        Raises
+        ------
+        InputError
+            If there is no such state.
         """
         return ((self, self.state(which)),)
 
@@ -159,7 +167,7 @@ class Part:
         return self.boards.carried(self.mesh.faces, self.require_flat(), state.positions)
 
     def corners(self, state: DocumentState) -> Array:
-        """Corners (K, 3) of all boards in a state; vertices if panels have no thickness."""
+        """Corners (K, 3) of all boards in a ``state``; vertices if panels have no thickness."""
         if self.boards is None:
             return state.positions
         return self.boards_in(state).reshape(-1, 3)
@@ -175,7 +183,12 @@ class Part:
     def mass(self, areal_mass: float, metres: float) -> float:
         """Its mass (kg): of its boards if their density is known, or by that of its area.
 
-        areal_mass: Mass by area (kg per square of the unit). metres: The unit (m).
+        Parameters
+        ----------
+        areal_mass
+            Mass by area (kg per square of the unit).
+        metres
+            The unit of length (m).
         """
         if self.boards is None or self.panel is None or not self.panel.density:
             return areal_mass * float(self.areas().sum())

@@ -105,7 +105,15 @@ class Document(Part):
     def parts_in(self, which: int | str) -> tuple[tuple[Part, DocumentState], ...]:
         """The sheet, and the other parts that are there in a state, each as it is then.
 
-        Raises InputError if there is no such state.
+        Parameters
+        ----------
+        which
+            The state by its number or its name.
+
+        Raises
+        ------
+        InputError
+            If there is no such state.
         """
         state = self.state(which)
         number = self.named.get(which) if isinstance(which, str) else which
@@ -130,7 +138,7 @@ class Document(Part):
         return joined(self.sheet, parts, flats, joined_states(every))
 
     def moves(self, part: Part) -> bool:
-        """Whether a part is there in all states of the sheet, and so moves with it."""
+        """Whether a ``part`` is there in all states of the sheet, and so moves with it."""
         return len(part.states) == len(self.states) and part.named == self.named
 
     def in_world(self, points: Array) -> Array:

@@ -147,7 +147,10 @@ class Boards:
 def join_boards(several: Sequence[Boards]) -> Boards:
     """The boards of several parts as one, hinges being those of the first.
 
-    All have outlines at as many heights.
+    Parameters
+    ----------
+    several
+        The boards of each, all with outlines at as many heights.
     """
     corners = max(each.outlines.shape[2] for each in several)
     outlines = [  # with corners that coincide with the last
