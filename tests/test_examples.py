@@ -85,6 +85,7 @@ def example(request: pytest.FixtureRequest) -> Example:
     return load(request.param)
 
 
+@pytest.mark.slow
 def test_ends_as_it_says(example: Example) -> None:
     """Flaps lock it, it is stopped at f, or opened from its pack; on the way nothing touches."""
     lock = example.shell.report.lock
@@ -219,6 +220,7 @@ def test_from_drawings(name: str) -> None:
         assert size["from f"] == pytest.approx(0.12, abs=1e-9)  # depth, in from_svg.toml
 
 
+@pytest.mark.slow
 def test_figure_1_card(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -241,6 +243,7 @@ def test_figure_1_card(
     assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
 
 
+@pytest.mark.slow
 def test_shelter_of_boards(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -142,6 +142,7 @@ membrane = 0.0002
 """
 
 
+@pytest.mark.slow
 def test_solids_of_thick_panels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With them "all" means 3MF, and STEP where build123d is; who names STEP is told at once."""
     monkeypatch.setattr(step, "find_spec", lambda name: None)
@@ -166,6 +167,7 @@ def test_solids_of_thick_panels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     assert "\ng 0,0_top\n" in obj
 
 
+@pytest.mark.slow
 def test_a_full_disk_leaves_no_half_file(tmp_path: Path) -> None:
     # No file may be larger than 60 kB: as on a full disk, writing fails half way.
     out = tmp_path / "out"

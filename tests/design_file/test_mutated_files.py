@@ -28,6 +28,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import numpy as np
+import pytest
 
 from orishell.conventions.errors import InputError, OrishellError
 from orishell.design_file import starter_file
@@ -399,6 +400,7 @@ def wrong(result: dict[str, Any]) -> list[str]:
     return [what for what, applies in found.items() if applies]
 
 
+@pytest.mark.slow
 def test_mutated_files_are_made_or_refused(tmp_path: Path) -> None:
     for name, source in DRAWN.items():
         shutil.copy(EXAMPLES / source, tmp_path / name)

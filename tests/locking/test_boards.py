@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pytest
 from hypothesis import Phase, event, given, reject, settings
 from hypothesis import strategies as st
 
@@ -70,6 +71,7 @@ def check(design: Design) -> Lock:
 generated = settings(max_examples=examples(34), phases=[Phase.generate])
 
 
+@pytest.mark.slow
 @generated
 @given(requests(), st.data())
 def test_parallel_repeating(request: Request, data: st.DataObject) -> None:

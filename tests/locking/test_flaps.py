@@ -56,6 +56,7 @@ def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     assert not works(bend(1.01 * widest))
 
 
+@pytest.mark.slow
 def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))
     narrow, wide = (designed(bend(share * widest)).mechanism for share in (1, 1.02))

@@ -19,6 +19,7 @@ from orishell.locking import find_lock, lock_without_clash
 from orishell.motion import corrugation_depth
 from orishell.shell.designed import designed
 from planted import PLANTED, ring
+from samples import thorough
 from strategies import graph
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -102,9 +103,9 @@ def test_a_crease_folded_flat_ends_the_motion_where_nothing_clashes() -> None:
     [
         ("spiral", "flap on panel"),
         ("ring", "opposite flaps"),
-        ("wide flaps", "opposite flaps"),
         ("waist", "at the sheet's edge"),
-        ("deep", "opposite flaps"),
+        pytest.param("wide flaps", "opposite flaps", marks=thorough),
+        pytest.param("deep", "opposite flaps", marks=thorough),
     ],
 )
 def test_kinds_of_planted_clashes(name: str, kind: str) -> None:

@@ -37,6 +37,7 @@ def found(problem: Problem) -> SearchResult:
         return search_designs(problem, pool, journal_in_memory())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("structure", "thick"),
     [(BREAKS, THICK), (BUCKLES, [0.006, 0.01, 0.014])],

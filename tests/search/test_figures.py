@@ -46,6 +46,7 @@ def test_what_a_search_leaves_out_changes_no_figure(report: Report) -> None:
     assert outcome.figures == {name: figure(name).read(report) for name in (*NAMES, *KEYS)}
 
 
+@pytest.mark.slow
 def test_each_figure_needs_what_it_says() -> None:
     for name in ("panels", "mass", "deviation", "packed_volume", "deflection.snow", *KEYS):
         raw = loaded_tables(variables={"pattern.depth": [0.12]}, minimise=[name])

@@ -85,6 +85,7 @@ def test_without_limits_boards_are_worse() -> None:
 FREE: list[tuple[Tables, Tables]] = [(SANDWICH, {"surface": 0.7}), (BEVEL, {"surface": 0.72})]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("panel", "limits"),
     led_by(

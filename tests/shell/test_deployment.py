@@ -47,6 +47,7 @@ def shelter(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Ran]:
     return directory, ran
 
 
+@pytest.mark.slow
 def test_a_shelter_travels_as_a_bundle(shelter: tuple[Path, Ran]) -> None:
     """Deployed as its file asks: 3 x 6 m of floor within, 2 m of headroom.
 
@@ -86,6 +87,7 @@ def test_a_shelter_closes_under_its_own_weight(shelter: tuple[Path, Ran]) -> Non
     assert weight["total"] == pytest.approx(812, rel=0.005)
 
 
+@pytest.mark.slow
 def test_files_have_pack_target_and_flat_sheet(shelter: tuple[Path, Ran]) -> None:
     directory, _ = shelter
     frames = json.loads((directory / "out" / "shell.fold").read_text())["file_frames"]
@@ -182,6 +184,7 @@ def test_hinges_end_the_motion_at_their_angle(tmp_path: Path) -> None:
     assert "its hinges close no further than 150 degrees" in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("unpictured")
 @pytest.mark.parametrize(
     ("columns", "keys", "offered"),

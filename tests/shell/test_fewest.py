@@ -80,6 +80,7 @@ def does(file: DesignFile, pattern: Pattern) -> bool:
     return measure(design, careful=True).error <= limit
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("family", "number"), ALL if THOROUGH else QUICK)
 def test_no_sheet_with_fewer_panels_comes_as_near(family: str, number: int) -> None:
     file = problem(family, number)

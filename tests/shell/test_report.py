@@ -55,6 +55,7 @@ def test_the_report_says_what_was_left_out() -> None:
     )
 
 
+@pytest.mark.slow
 def test_each_part_is_left_out_by_itself() -> None:
     """Of a small shell with stock, under snow: what each part alone takes from the report."""
     file = read_design_file(EXAMPLES / "figure1.toml")

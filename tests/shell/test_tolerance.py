@@ -93,6 +93,7 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
     assert other.trial.panels > 2.5 * choice.trial.panels
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("family", "surface", "pattern"),
     [
@@ -192,6 +193,7 @@ def counted(patch: pytest.MonkeyPatch, of: type, name: str) -> list[int]:
     return sizes
 
 
+@pytest.mark.slow
 def test_angles_left_open_are_chosen_once_for_each_number_of_rows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -211,6 +213,7 @@ def test_angles_left_open_are_chosen_once_for_each_number_of_rows(
     assert measure_deviation(sized.pattern.design(file.f, file.g)).max == choice.trial.error
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sizes", led_by(["surface = 1e-4", "surface = 0.4\npanel_max = 0.02"]))
 def test_what_cannot_be_met_is_refused_after_few_questions(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, sizes: str

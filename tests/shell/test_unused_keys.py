@@ -68,6 +68,7 @@ def named(stderr: str) -> set[str]:
     return set(lines[0].removeprefix(begin).split(", ")) if lines else set()
 
 
+@pytest.mark.slow
 def test_commands_name_what_they_do_not_use(tmp_path: Path) -> None:
     workshop = {"creases": "score", "dash": 0.2, "duty": 0.5, "stock": [6.0, 4.0], "margin": 0.0}
     search = {"variables": {"pattern.rows": [3, 5]}, "minimise": ["panels"]}

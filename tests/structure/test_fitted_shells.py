@@ -24,6 +24,7 @@ CASES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pattern", [SMALL, pytest.param({}, marks=thorough)])
 @pytest.mark.parametrize("name", led_by(["dome", "saddle", "free_roof"]))
 def test_reactions_balance_loads(name: str, pattern: dict[str, Any]) -> None:

@@ -95,6 +95,7 @@ def survey(seeds: Iterable[int]) -> dict[str, int]:
     return ends
 
 
+@pytest.mark.slow
 def test_random_shells_keep_to_coulombs_law() -> None:
     """Of the first twenty all but one, which alone takes longer than the others together."""
     ends = survey(seed for seed in range(20) if seed != 11)
@@ -111,6 +112,7 @@ def test_three_hundred_random_shells_keep_to_coulombs_law(first: int) -> None:
 CASES = sorted(path.stem for path in (Path(__file__).parent / "rough").glob("*.toml"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", led_by(CASES, 3))
 def test_shells_that_had_no_answer_have_one(name: str) -> None:
     """Designs for which the sets of who acts went round in circles."""

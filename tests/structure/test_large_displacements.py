@@ -234,6 +234,7 @@ def test_a_hinged_roof_snaps_through() -> None:
     assert set(unstable[top + 1 : low - 1]) == {1}
 
 
+@pytest.mark.slow
 def test_a_thin_hinged_roof_snaps_back() -> None:
     """6.35 mm: to 0.1953, back to -0.1288, while the middle rises from 17.0 to 14.45 (table 8)."""
     factors, sinks, _ = roof(6.35, 16)

@@ -92,6 +92,7 @@ def test_feet_along_edges_converge(strip: Design) -> None:
     assert fine + (fine - coarse) / ((12 / 8) ** 2 - 1) == pytest.approx(221.4, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_patch_converges(strip: Design) -> None:
     """From 6 to 8 cells its factor changes by 3 %, rising; what is local there is far above."""
     support = Support(at="feet", kind="pinned", patch=0.2)
@@ -101,6 +102,7 @@ def test_a_patch_converges(strip: Design) -> None:
     assert not buckles_at_points(fine)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cells", led_by([4, 6]))
 def test_points_that_spoil_buckling_are_warned_of(strip: Design, cells: int) -> None:
     """Soft enough for the factor to matter; with cells of any size, and not if edges are held."""

@@ -364,6 +364,7 @@ def test_fins_bend() -> None:
     np.testing.assert_allclose(stress[0], largest, rtol=0.03)
 
 
+@pytest.mark.slow
 def test_fins_leave_one_motion() -> None:
     """Fins that give, on one side of a hinge or on both, are no part of the boards' motion."""
     sheet, thickness = small_sheet(3)

@@ -97,6 +97,7 @@ def test_hundred_parts_waste_less_than_a_third() -> None:
     assert min(full) / 40 > 2 / 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spacing", led_by([0.05, 0.0]))
 def test_many_small_parts_lie_in_rows(spacing: float) -> None:
     """400 stars: the first ones where there is room, the others in rows, all of them apart."""

@@ -118,6 +118,7 @@ def test_what_is_cut_out_is_the_sheet_and_its_joints(family: str) -> None:
     assert waste.crease_length == pytest.approx(scored, rel=1e-9)
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(8), deadline=None)
 @given(
     family=st.sampled_from(list(FAMILIES)),
@@ -195,6 +196,7 @@ def test_a_layout_is_made_once_for_a_flat_sheet_and_its_stock() -> None:
     assert lay_out(document, workshop.replace_unchecked(joint="strips")) is not layout
 
 
+@pytest.mark.slow
 def test_drawings_do_not_depend_on_the_hash_seed() -> None:
     code = (
         f"import sys; sys.path.insert(0, {str(TESTS)!r})\n"

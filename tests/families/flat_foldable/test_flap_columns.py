@@ -29,6 +29,7 @@ from orishell.motion import FoldedState, FoldingMotion, measure_fold_angles
 from orishell.shell import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.verification.residuals import measure_residuals
+from samples import thorough
 
 Array = np.ndarray
 STEP = 1e-25
@@ -165,7 +166,7 @@ def test_straight_borders_have_exact_derivatives() -> None:
         ),
         ("", "flaps"),
         ('[deployment]\nflap_attachment = "clipped"\nfrom = "pack"', "crease"),
-        ("[panel]\nthickness = 0.01\nmembrane = 0.002", "flaps"),
+        pytest.param("[panel]\nthickness = 0.01\nmembrane = 0.002", "flaps", marks=thorough),
     ],
 )
 def test_shells_with_flaps(tmp_path: Path, tables: str, cause: str) -> None:

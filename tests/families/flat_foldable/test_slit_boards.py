@@ -102,7 +102,7 @@ def test_corners_are_cut_where_boards_meet_at_border_vertices() -> None:
     assert {column for _, column in found.panels} & {-1, design.mechanism.grid.columns - 1}
 
 
-@pytest.mark.parametrize("build", BUILDS)
+@pytest.mark.parametrize("build", led_by(BUILDS))
 def test_clipped_boards_are_clear_at_the_target(build: str) -> None:
     design = designed(2, BUILDS[build]).with_clipped_flaps()
     lock = find_lock(design)

@@ -130,8 +130,10 @@ def test_vectors_swing_no_faster_than_the_sums_of_bounds(number: int) -> None:
         assert (true <= bound * (1 + 1e-9) + 1e-8).all()
 
 
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("stop", [0.0, 0.1])
+@pytest.mark.parametrize(
+    ("seed", "stop"),
+    led_by([(0, 0.0), (1, 0.1), (2, 0.0), (0, 0.1), (1, 0.0), (2, 0.1)], 3),
+)
 def test_flaps_lock_and_nothing_touches_before(seed: int, stop: float) -> None:
     sheet = sheet_of(seed, stop=stop)
     lock = lock_of(sheet)

@@ -71,6 +71,7 @@ def test_build123d_reads_every_board(construction: Construction, tmp_path: Path)
     np.testing.assert_allclose([*target.max], 1000 * outlines.max(axis=0), atol=1e-3)
 
 
+@pytest.mark.slow
 def test_freecad_opens_it(tmp_path: Path) -> None:
     require_build123d()
     document = thick_document("orthodiagonal", "bevel", size=SMALL)
@@ -82,6 +83,7 @@ def test_freecad_opens_it(tmp_path: Path) -> None:
         assert volume == pytest.approx(sum(each for _, each in expected), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_names_of_files_and_what_they_say(tmp_path: Path) -> None:
     """A pack where the document names one; the same bytes again; no clock; far from the origin."""
     require_build123d()
