@@ -18,8 +18,7 @@ from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.structure.load_path import LoadPath
-from orishell.structure.pages.files import write_structure_files
-from orishell.structure.pages.page import structure_page
+from orishell.structure.pages.files import structure_page, write_structure_files
 from orishell.structure.pages.sections import PATHS
 from orishell.structure.results import Analysis
 from outside import outside_anywhere

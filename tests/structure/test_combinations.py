@@ -17,7 +17,7 @@ from orishell.design_file import read_design_file
 from orishell.structure.combinations import Combination, Factors, LimitState, combine
 from orishell.structure.envelopes import few
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
-from orishell.structure.pages.page import structure_page
+from orishell.structure.pages.files import structure_page
 from orishell.structure.results import Analysis
 
 ACROSS = Wind(speed=26, terrain="II", direction_deg=90)

@@ -26,8 +26,7 @@ from orishell.design_file.file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.structure.mesh.strips import bending_left
-from orishell.structure.pages.files import VERDICTS
-from orishell.structure.pages.page import structure_page
+from orishell.structure.pages.files import VERDICTS, structure_page
 from orishell.structure.results import Analysis
 from samples import led_by
 

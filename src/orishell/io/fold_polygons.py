@@ -1,4 +1,4 @@
-"""Panels of a FOLD file, of any number of corners; or of four, and vertices on their sides."""
+"""Panels of a FOLD file: polygons, those of four corners among them, and the edges beside them."""
 
 from __future__ import annotations
 
@@ -6,9 +6,12 @@ from itertools import chain
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import counted
 from orishell.io.fold_values import misfit, require_vertices, shown
+from orishell.motion.panel_sides import pair_keys
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
@@ -95,3 +98,36 @@ def find_corners(loops: Integers, positions: Array, where: str) -> Integers:
         )
     order = np.argsort(~corner, axis=1, kind="stable")[:, :4]
     return np.asarray(np.take_along_axis(loops, order, axis=1))
+
+
+def sides_among(
+    edges: Integers,
+    letters: NDArray[np.str_] | None,
+    sides: Integers,
+    vertex_count: int,
+    *,
+    welded: bool,
+    notes: list[str],
+) -> tuple[Integers, NDArray[np.str_] | None]:
+    """Which edges are sides of panels, and their letters."""
+    known, count = np.unique(pair_keys(sides, vertex_count), return_counts=True)
+    keys = pair_keys(edges, vertex_count)
+    at = np.minimum(np.searchsorted(known, keys), len(known) - 1)
+    is_side = known[at] == keys
+    chosen = np.flatnonzero(is_side)
+    if not is_side.all():
+        notes.append(f"{counted(int((~is_side).sum()), 'edge')} of no panel: left out")
+    if welded:  # of edges that become one, a crease rather than a border
+        black = np.zeros(len(chosen)) if letters is None else letters[chosen] == "B"
+        order = chosen[np.lexsort((chosen, black))]
+        chosen = order[np.unique(keys[order], return_index=True)[1]]
+    if letters is None:
+        return chosen, None
+    letters = letters[chosen]
+    inner = (count[at[chosen]] > 1) & (letters == "B")
+    if inner.any():
+        unknown = bool(np.isin(letters, ["B", "C"]).all())
+        letters = np.where(inner, "U" if unknown else "C", letters)
+        what = "no crease is assigned" if unknown else "a cut"
+        notes.append(f"{counted(int(inner.sum()), 'border')} between two panels: {what}")
+    return chosen, letters

@@ -13,11 +13,10 @@ from orishell.conventions.quantities import MILLIMETRES, counted
 from orishell.conventions.record import record
 from orishell.io.fold_content import FACES, FoldContent, FoldFrame, FramesError, read_content
 from orishell.io.fold_frames import Frames
-from orishell.io.fold_polygons import require_different
+from orishell.io.fold_polygons import require_different, sides_among
 from orishell.io.format import plain_line
 from orishell.io.patterns.arrangement import arrange
 from orishell.io.patterns.connectivity import PiecesError, require_apart, require_one_piece
-from orishell.io.patterns.fold_panels import sides_among
 from orishell.io.patterns.layout import lay_out, letters_of_folds, seen_from_above
 from orishell.io.patterns.lines import WELD, Lines, weld_points
 from orishell.io.patterns.pattern_file import PatternState, ReadPattern

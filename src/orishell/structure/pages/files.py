@@ -10,14 +10,18 @@ import numpy as np
 from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
+from orishell.io.html_pages import static_page
+from orishell.io.sections import Bullets, Paragraph, Picture, Section, sections_html
 from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
 from orishell.structure.case import CaseResult
 from orishell.structure.pages.anchor_tables import anchor_csv
 from orishell.structure.pages.crease_tables import crease_csv
-from orishell.structure.pages.page import structure_page
+from orishell.structure.pages.details import sentence
+from orishell.structure.pages.sections import answer, structure_sections
 from orishell.structure.results import Analysis
 
 FILES: Final = ("structure.html", "structure.png", "creases.csv", "anchors.csv")
+SHOWN: Final = "The shell under its loads, coloured by displacement."
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:
@@ -42,6 +46,28 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
     (directory / "anchors.csv").write_text(anchor_csv(analysis), encoding="utf-8", newline="\n")
     table = crease_csv(analysis, unit)
     (directory / "creases.csv").write_text(table, encoding="utf-8", newline="\n")
+
+
+def structure_page(
+    report: Analysis, *, title: str, unit: str, png: bytes, paths: bytes | None = None
+) -> str:
+    """The text of ``structure.html``: model, loads, results and what is not covered.
+
+    title: What the shell is.
+    png: The picture of the loaded shell.
+    paths: That of loads against displacements, if large displacements were followed.
+    """
+    top = (
+        Paragraph(f"Does it carry its loads? {sentence(report.in_words())}", f"lead {report.sign}"),
+        *answer(report, unit).parts,
+        Picture(png, SHOWN),
+    )
+    sections = (
+        Section(f"Structure: {title}", top, level=1),
+        Section("Warnings", (Bullets(report.warnings),)),
+        *structure_sections(report, unit, paths),
+    )
+    return static_page(f"Structure: {title}", sections_html(sections))
 
 
 def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: str) -> None:
