@@ -69,9 +69,10 @@ def _searched(
     """What is found by trying."""
     limits = _limits(file, tolerance)
     try:
-        if file.surface is not None:
-            return _sized_on_surface(file, limits, tolerance, progress)
-        pattern, choice = choose(_sizes(file, limits), limits, progress)
+        if file.surface is None:
+            pattern, choice = choose(_sizes(file, limits), limits, progress)
+        else:
+            pattern, choice = file.pattern, _choose_on_surface(file, limits, progress)
     except DesignError as refusal:
         if on_stock(file):
             return _with_any_stock(file, tolerance, progress)
@@ -85,10 +86,8 @@ def _searched(
     return sized, replace(choice, limits=tolerance)
 
 
-def _sized_on_surface(
-    file: DesignFile, limits: Tolerance, tolerance: Tolerance, progress: Progress
-) -> tuple[DesignFile, Choice]:
-    """What is found where the target is a surface, which sheets of every size are fitted to."""
+def _choose_on_surface(file: DesignFile, limits: Tolerance, progress: Progress) -> Choice:
+    """The size where the target is a surface, which sheets of every size are fitted to."""
     surface = file.surface
     assert surface is not None
 
@@ -100,10 +99,7 @@ def _sized_on_surface(
             return trial, NO_BOARDS
         return trial, fit_boards(file, completed(file, design), limits)
 
-    choice = SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
-    sized = file.pattern.sized(choice.trial.rows, choice.trial.columns)
-    table = sized.model_dump(exclude_unset=True)
-    return file.changed({"tolerance": None, "pattern": table}), replace(choice, limits=tolerance)
+    return SurfaceSearch(measured, surface.piece.extents, limits, progress).run()
 
 
 def _with_any_stock(
