@@ -96,7 +96,7 @@ class MiuraPattern(Pattern):
     needs_target: ClassVar[bool] = False
 
     gamma_deg: Annotated[
-        Number, Field(**GAMMA), Knob.angle("Sector angle", "Of all panels", (1, 89), auto=False)
+        Number, Field(**GAMMA), Knob.angle("Sector angle", "Of all panels", (1, 89))
     ] = 60.0
     theta_deg: Annotated[Number, Field(gt=0, lt=90)] = 50.0
     flap: Auto = "auto"  # it has none, and so no control for them

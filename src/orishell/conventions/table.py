@@ -3,8 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeVar
+from dataclasses import KW_ONLY, dataclass, replace
+from types import UnionType
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Final,
+    Literal,
+    Self,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+)
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticCustomError, PydanticKnownError
@@ -136,18 +148,20 @@ class Knob:
 
     A "switch" is on or off, a "size" is a width and a height. The unit "length" is the design's.
     Without a slider it depends on the curves how far it reaches. What is ``advanced`` is folded
-    away until it is asked for.
+    away until it is asked for. Its kind, whether it may be "auto", and its choices, where the type
+    of its key lists them, are those of that type: :func:`knobs_of` fills them in.
     """
 
     label: str
     help: str
-    kind: Kind
-    auto: bool = False
     unit: Measure = ""
+    _: KW_ONLY
     slider: tuple[float, float] | None = None
     step: float | None = None
-    choices: tuple[str, ...] = ()
     advanced: bool = False
+    choices: tuple[str, ...] = ()
+    kind: Kind = "number"
+    auto: bool = False
 
     @classmethod
     def angle(
@@ -157,17 +171,43 @@ class Knob:
         slider: tuple[float, float],
         *,
         step: float = 0.5,
-        auto: bool = True,
         advanced: bool = False,
     ) -> Knob:
         """A knob for an angle in degrees."""
-        return cls(label, help, "number", auto, "deg", slider, step, advanced=advanced)
+        return cls(label, help, "deg", slider=slider, step=step, advanced=advanced)
+
+    def of_type(self, annotation: Any) -> Knob:
+        """The knob of a key with such a type."""
+        found = list(_alternatives(annotation))
+        listed = [each for each in found if isinstance(each, str) and each != "auto"]
+        choices = self.choices or tuple(dict.fromkeys(listed))
+        kinds = [KINDS[each] for each in found if each in KINDS]
+        kind = "choice" if choices else next(iter(kinds), "number")
+        return replace(self, kind=kind, auto="auto" in found and not choices, choices=choices)
+
+
+KINDS: Final[dict[Any, Kind]] = {int: "integer", bool: "switch", list: "angles4", tuple: "size"}
+"""Controls of the types that are neither numbers nor choices."""
+
+
+def _alternatives(annotation: Any) -> Iterator[Any]:
+    """The types that a value may have, lists and tuples without their entries, and literals."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        yield from _alternatives(get_args(annotation)[0])
+    elif origin is Literal:
+        yield from get_args(annotation)
+    elif origin in (Union, UnionType):
+        for each in get_args(annotation):
+            yield from _alternatives(each)
+    else:
+        yield origin or annotation
 
 
 def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:
     """The knobs of all keys of a table that the studio shows, in their order."""
     return {
-        key: each
+        key: each.of_type(field.annotation)
         for key, field in model.model_fields.items()
         for each in field.metadata
         if isinstance(each, Knob)

@@ -83,28 +83,22 @@ Width = Annotated[Number, Field(ge=0)]
 FlapSides = Annotated[Sequence[FlapSide], Field(min_length=2, max_length=2)]
 """Where the left and the right flap fold to."""
 
-ROWS: Final = Knob("Rows", "Rows of inner vertices, odd", "integer", slider=(1, 61), step=2)
-COLUMNS: Final = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
-FLAP: Final = Knob("Flap", "Width of the locking flaps; 0 for none", "number", True, "length")
+ROWS: Final = Knob("Rows", "Rows of inner vertices, odd", slider=(1, 61), step=2)
+COLUMNS: Final = Knob("Columns", "Columns of inner vertices", slider=(2, 61), step=1)
+FLAP: Final = Knob("Flap", "Width of the locking flaps; 0 for none", "length")
 FLAP_SIDE: Final = Knob(
     "Flaps fold to",
     "End of f to which both flaps fold",
-    "choice",
-    choices=("start", "end"),
     advanced=True,
 )
 SPACING: Final = Knob(
     "Spacing",
     "Columns closer together where g bends, or equally far apart",
-    "choice",
-    choices=("curvature", "equal"),
     advanced=True,
 )
 PLACEMENT: Final = Knob(
     "Placement",
     "Columns on g, or moved off it to be equally wrong on both sides",
-    "choice",
-    choices=("inscribed", "balanced"),
     advanced=True,
 )
 

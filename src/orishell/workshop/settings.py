@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal, Self, get_args
+from typing import Annotated, Literal, Self
 
 from pydantic import Field
 
@@ -29,16 +29,12 @@ Length = Annotated[Number, Field(ge=SMALLEST_NUMBER, le=LARGEST_NUMBER)]
 NoLength = Annotated[Size, Field(le=LARGEST_NUMBER)]
 
 
-def _choice(label: str, text: str, of: object) -> Knob:
-    return Knob(label, text, "choice", choices=get_args(of))
-
-
-def _length(label: str, text: str, *, auto: bool = False) -> Knob:
-    return Knob(label, text, "number", auto, "length")
+def _length(label: str, text: str) -> Knob:
+    return Knob(label, text, "length")
 
 
 def _price(label: str, text: str) -> Knob:
-    return Knob(label, f"{text}, in any currency; 0 if not known", "number", advanced=True)
+    return Knob(label, f"{text}, in any currency; 0 if not known", advanced=True)
 
 
 class Workshop(Table):
@@ -52,49 +48,41 @@ class Workshop(Table):
         Knob(
             "Palette",
             "Colours and line widths by which a machine tells layers apart",
-            "choice",
             choices=palette_names(),
         ),
     ] = "plain"
     creases: Annotated[
         CreaseStyle,
-        _choice(
-            "Creases",
-            "Scores are one line, dashes are cuts with bridges, perforations short cuts",
-            CreaseStyle,
+        Knob(
+            "Creases", "Scores are one line, dashes are cuts with bridges, perforations short cuts"
         ),
     ] = "score"
-    dash: Annotated[
-        Length | Auto, _length("Dash", "Length of a dash with the bridge after it", auto=True)
-    ] = "auto"
+    dash: Annotated[Length | Auto, _length("Dash", "Length of a dash with the bridge after it")] = (
+        "auto"
+    )
     duty: Annotated[
         Number,
         Field(gt=0, lt=1),
-        Knob("Cut share", "Share of a dash that is cut, between 0 and 1", "number", step=0.05),
+        Knob("Cut share", "Share of a dash that is cut, between 0 and 1", step=0.05),
     ] = 0.7
     corner_gap: Annotated[
         NoLength | Auto,
-        _length("Corner gap", "Length left uncut at both ends of a crease", auto=True),
+        _length("Corner gap", "Length left uncut at both ends of a crease"),
     ] = "auto"
     relief_hole: Annotated[
         NoLength, _length("Relief hole", "Diameter of a hole at every inner vertex; 0 for none")
     ] = 0.0
     labels: Annotated[
         Labels,
-        _choice(
-            "Labels", "What is engraved: row and column of panels, fold angles of creases", Labels
-        ),
+        Knob("Labels", "What is engraved: row and column of panels, fold angles of creases"),
     ] = "none"
-    title_block: Annotated[
-        bool, Knob("Title block", "Title and scale bar below the sheet", "switch")
-    ] = True
+    title_block: Annotated[bool, Knob("Title block", "Title and scale bar below the sheet")] = True
     stock: Annotated[
         Pair[Length] | None,
         Knob(
             "Stock",
             "Width and height of the sheets to cut from; empty: one as large as needed",
-            "size",
-            unit="length",
+            "length",
         ),
     ] = None
     roll: Annotated[
@@ -102,8 +90,7 @@ class Workshop(Table):
         Knob(
             "Roll",
             "Width and length of the rolls of a membrane; empty: it is cut from stock",
-            "size",
-            unit="length",
+            "length",
         ),
     ] = None
     hinge_stock: Annotated[
@@ -117,17 +104,11 @@ class Workshop(Table):
     ] = 0.0
     row_hinge: Annotated[
         HingeKind | Auto,
-        _choice(
-            "Row hinges", "What joins panels along row creases; auto: as they are built", HingeKind
-        ),
+        Knob("Row hinges", "What joins panels along row creases; auto: as they are built"),
     ] = "auto"
     column_hinge: Annotated[
         HingeKind | Auto,
-        _choice(
-            "Column hinges",
-            "What joins panels along column creases; auto: as they are built",
-            HingeKind,
-        ),
+        Knob("Column hinges", "What joins panels along column creases; auto: as they are built"),
     ] = "auto"
     stock_price: Annotated[NoLength, _price("Stock price", "Of one sheet of stock")] = 0.0
     roll_price: Annotated[NoLength, _price("Roll price", "Of one roll")] = 0.0
@@ -138,36 +119,33 @@ class Workshop(Table):
         Knob(
             "Hinge mass",
             "Of hinges by their length, but of whole boards; 0 if not known",
-            "number",
-            unit="kg/m",
+            "kg/m",
         ),
     ] = 0.0
     tie_linear_density: Annotated[
-        NoLength, Knob("Tie mass", "Of ties by their length; 0 if not known", "number", unit="kg/m")
+        NoLength, Knob("Tie mass", "Of ties by their length; 0 if not known", "kg/m")
     ] = 0.0
     margin: Annotated[NoLength, _length("Margin", "Rim of stock and rolls that is not cut")] = 0.0
     spacing: Annotated[
         NoLength, _length("Spacing", "Least distance between parts, and the saw's cut in bars")
     ] = 0.0
     joint: Annotated[
-        Joint, _choice("Joints", "Tabs on one of two parts, or strips glued under both", Joint)
+        Joint, Knob("Joints", "Tabs on one of two parts, or strips glued under both")
     ] = "tabs"
     joint_width: Annotated[
-        Length | Auto, _length("Joint width", "Width of tabs, or half that of strips", auto=True)
+        Length | Auto, _length("Joint width", "Width of tabs, or half that of strips")
     ] = "auto"
-    paper: Annotated[Paper, _choice("Paper", "Pages of the paper model", Paper)] = "A4"
+    paper: Annotated[Paper, Knob("Paper", "Pages of the paper model")] = "A4"
     paper_scale: Annotated[
         Annotated[Number, Field(gt=0, le=1)] | Auto,
-        Knob("Paper scale", "Size of the paper model relative to the sheet", "number", True),
+        Knob("Paper scale", "Size of the paper model relative to the sheet"),
     ] = "auto"
-    language: Annotated[
-        Language, _choice("Language", "Of the booklet: English or German", Language)
-    ] = "en"
+    language: Annotated[Language, Knob("Language", "Of the booklet: English or German")] = "en"
     model_scale: Annotated[
-        Length, Knob("Print scale", "Size of a printed model relative to the shell", "number")
+        Length, Knob("Print scale", "Size of a printed model relative to the shell")
     ] = 1.0
     areal_density: Annotated[
-        NoLength, Knob("Mass per area", "Of the sheet; 0 if not known", "number", unit="kg/m²")
+        NoLength, Knob("Mass per area", "Of the sheet; 0 if not known", "kg/m²")
     ] = 0.0
 
     cutting_error: Annotated[
@@ -185,8 +163,6 @@ class Workshop(Table):
         Knob(
             "Cut as",
             "Boards err corner by corner, a sheet vertex by vertex; auto: boards have a thickness",
-            "choice",
-            choices=get_args(Cutting),
         ),
     ] = "auto"
 

@@ -32,8 +32,6 @@ class DrawnPattern(Pattern):
         Knob(
             "Move",
             "How far vertices may be moved so that the sheet folds exactly",
-            "number",
-            True,
             "length",
         ),
     ] = "auto"

@@ -41,8 +41,8 @@ from orishell.families.pattern import (
 )
 from orishell.families.shared.candidates import forgiving
 
-ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
-COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
+ROWS = Knob("Rows", "Rows of inner vertices", slider=(1, 61), step=1)
+COLUMNS = Knob("Columns", "Columns of inner vertices", slider=(2, 61), step=1)
 SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
 Angles = list[Annotated[Number, Field(**FOLD)]]
 
@@ -66,8 +66,6 @@ class FlatFoldablePattern(Pattern):
         Knob(
             "Sheet",
             "Miura-ori, an arch, a fan, or what the lists of the design file say",
-            "choice",
-            choices=("miura", "arch", "fan", "lists"),
         ),
     ] = "miura"
     fold_deg: Annotated[
@@ -76,7 +74,7 @@ class FlatFoldablePattern(Pattern):
     ] = "auto"
     sector_deg: Annotated[
         Annotated[Number, Field(**SECTOR)],
-        Knob.angle("Sector angle", "Between rows and columns", (20, 85), step=1, auto=False),
+        Knob.angle("Sector angle", "Between rows and columns", (20, 85), step=1),
     ] = 60.0
     turn_deg: Annotated[
         Annotated[Number, Field(**TURN)] | Auto,
@@ -87,17 +85,12 @@ class FlatFoldablePattern(Pattern):
         Knob(
             "Growth",
             "Last edge of a column by the first",
-            "number",
             slider=(0.2, 5),
             step=0.1,
         ),
     ] = 1.0
-    row_length: Annotated[
-        Length, Knob("Row edge", "Along the middle row", "number", unit="length")
-    ] = 1.0
-    column_length: Annotated[
-        Length, Knob("Column edge", "First edge of a column", "number", unit="length")
-    ] = 1.0
+    row_length: Annotated[Length, Knob("Row edge", "Along the middle row", "length")] = 1.0
+    column_length: Annotated[Length, Knob("Column edge", "First edge of a column", "length")] = 1.0
     row_folds_deg: SignedAngles | Auto = "auto"
     column_folds_deg: SignedAngles | Auto = "auto"
     row_angles_deg: Angles | Auto = "auto"
@@ -114,7 +107,6 @@ class FlatFoldablePattern(Pattern):
         Knob(
             "Edge ratio",
             "Longest edge by the shortest, at most, of a sheet fitted to a surface",
-            "number",
             slider=(3, 30),
             step=0.5,
             advanced=True,
@@ -131,8 +123,6 @@ class FlatFoldablePattern(Pattern):
         Knob(
             "Right border",
             "Straight in the flat sheet where one is fitted to a surface, so that flaps lock it",
-            "choice",
-            choices=("free", "straight"),
             advanced=True,
         ),
     ] = "free"
@@ -141,13 +131,11 @@ class FlatFoldablePattern(Pattern):
         Knob(
             "Ground",
             "As fitted, level at its four corners, or with two sides of its rim cut level",
-            "choice",
-            choices=("free", "corners", "level"),
         ),
     ] = "free"
     flap: Annotated[
         Width | Auto,
-        Knob("Flap", "Width of flaps that lock the shell; 0 for none", "number", True, "length"),
+        Knob("Flap", "Width of flaps that lock the shell; 0 for none", "length"),
     ] = 0.0
 
     @model_validator(mode="after")

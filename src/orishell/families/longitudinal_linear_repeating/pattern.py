@@ -65,14 +65,13 @@ class LongitudinalPattern(Pattern):
 
     sector_deg: Annotated[
         Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto,
-        Knob("Sector angles", "Four angles at the first vertex", "angles4", True, "deg"),
+        Knob("Sector angles", "Four angles at the first vertex", "deg"),
     ]
     solution: Annotated[
         SolutionNumber,
         Knob(
             "Solution",
             "Which solution of equation (4), as `orishell solve` lists them",
-            "integer",
             slider=(0, 1),
             step=1,
             advanced=True,
@@ -84,8 +83,6 @@ class LongitudinalPattern(Pattern):
         Knob(
             "First row",
             "Kind of the vertices of row 1: flat-foldable or column-straight",
-            "choice",
-            choices=("F", "S"),
             advanced=True,
         ),
     ] = "F"
@@ -99,7 +96,7 @@ class LongitudinalPattern(Pattern):
     ] = "auto"
     flap: Annotated[
         Length | Auto,
-        Knob("Border", "Length of the row creases at both borders", "number", True, "length"),
+        Knob("Border", "Length of the row creases at both borders", "length"),
     ] = "auto"
 
     @model_validator(mode="after")

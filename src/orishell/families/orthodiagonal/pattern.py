@@ -61,8 +61,6 @@ class OrthodiagonalPattern(Pattern):
         Knob(
             "Depth",
             "Distance of the zigzag's vertices from f, on both sides",
-            "number",
-            True,
             "length",
         ),
     ] = "auto"
@@ -75,8 +73,6 @@ class OrthodiagonalPattern(Pattern):
         Knob(
             "Middle row",
             "Chords of g, or a zigzag of two headings: then the shell folds flat without flaps",
-            "choice",
-            choices=("chords", "zigzag"),
         ),
     ] = "chords"
     row_angle_deg: Annotated[

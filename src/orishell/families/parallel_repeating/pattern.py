@@ -83,7 +83,6 @@ class ParallelRepeatingPattern(Pattern):
             "Plane angle",
             "Angle from f's plane to g's tangent",
             (20, 160),
-            auto=False,
             advanced=True,
         ),
     ] = 90.0
@@ -92,8 +91,6 @@ class ParallelRepeatingPattern(Pattern):
         Knob(
             "Planes follow",
             "g's tangent, or the angles of its polyline: then the shell folds flat without flaps",
-            "choice",
-            choices=("tangent", "bisector"),
             advanced=True,
         ),
     ] = "tangent"
