@@ -24,8 +24,8 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion
 from orishell.shell.designed import designed
@@ -38,7 +38,9 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 def design(rows: int, columns: int) -> Design:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
-    return design_parallel_repeating(f, g, rows=rows, columns=columns, xi=np.deg2rad(50))
+    return design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=rows, columns=columns, xi_deg=50)
+    )
 
 
 def best_time(function: Callable[[], object], rounds: int = 15) -> float:
@@ -66,9 +68,11 @@ def test_one_state_beyond_the_target(benchmark: BenchmarkFixture, family: str) -
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
     if family == "orthodiagonal":
-        made = design_orthodiagonal(f, g, rows=999, columns=999, flap=0)
+        made = design_orthodiagonal(f, g, OrthodiagonalPattern(rows=999, columns=999, flap=0))
     else:
-        made = design_parallel_repeating(f, g, rows=999, columns=999, xi=np.deg2rad(50), flap=0)
+        made = design_parallel_repeating(
+            f, g, ParallelRepeatingPattern(rows=999, columns=999, xi_deg=50, flap=0)
+        )
     mechanism = made.mechanism
     before = 0.5 * mechanism.target_drive
     beyond = 0.5 * (mechanism.target_drive + mechanism.end_drive)
@@ -88,7 +92,7 @@ def test_one_state_beyond_the_target(benchmark: BenchmarkFixture, family: str) -
 def test_one_state_of_999_x_999_orthodiagonal(benchmark: BenchmarkFixture) -> None:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
-    mechanism = design_orthodiagonal(f, g, rows=999, columns=999).mechanism
+    mechanism = design_orthodiagonal(f, g, OrthodiagonalPattern(rows=999, columns=999)).mechanism
     other = design(999, 999).mechanism
     benchmark(mechanism.positions, 1.0)
     ratio = best_time(lambda: mechanism.positions(1.0)) / best_time(lambda: other.positions(1.0))

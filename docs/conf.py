@@ -80,8 +80,7 @@ autodoc_type_aliases = {
         *("Jet", "CurveJet", "Piece", "Place", "Run", "Location", "Parameter", "Unit"),
         *("Spacing", "Placement", "FlapSide", "End", "Layer", "Anchor"),
         *("CreaseStyle", "Labels", "Joint", "Paper", "Auto", "Content"),
-        *("RowCount", "OddRowCount", "ColumnCount", "Length", "Width", "FlapSides", "ChosenSides"),
-        *("Xi", "Theta", "Plane", "Heading", "Drive", "SolutionNumber"),
+        *("RowCount", "OddRowCount", "ColumnCount", "Length", "Width"),
         *("Coupling", "RowKind", "Version", "SideChoice", "Cause", "Kind"),
         *("Pairs", "Panel", "Block", "Box", "Names", "Progress", "Passing", "Task", "Payload"),
     )

@@ -16,6 +16,9 @@ from numpy.typing import NDArray
 from orishell import (
     Curve,
     Design,
+    LongitudinalPattern,
+    OrthodiagonalPattern,
+    ParallelRepeatingPattern,
     curve_from_formulas,
     curve_from_points,
     design_longitudinal_linear_repeating,
@@ -24,7 +27,6 @@ from orishell import (
     parse_formula,
 )
 from orishell.deviation import Deviation, measure_approach, measure_deviation
-from orishell.families.longitudinal_linear_repeating import Sectors
 
 Array = NDArray[np.float64]
 
@@ -103,7 +105,13 @@ def parallel_rows() -> Series:
     g = graph("5*sin(pi*x/10)", 0, 20)
 
     def measure(rows: int) -> float:
-        return deviation(design_parallel_repeating(f(), g, rows=rows, columns=401, xi=XI, flap=0))
+        return deviation(
+            design_parallel_repeating(
+                f(),
+                g,
+                ParallelRepeatingPattern(rows=rows, columns=401, xi_deg=np.rad2deg(XI), flap=0),
+            )
+        )
 
     return measured("parallel repeating, rows", 1, ROWS, measure, -1)
 
@@ -117,7 +125,11 @@ def parallel_columns() -> Series:
 
     def measure(columns: int) -> float:
         xi = XI * (1 - 1e-10)
-        design = design_parallel_repeating(staircase, g, rows=3, columns=columns, xi=xi, flap=0)
+        design = design_parallel_repeating(
+            staircase,
+            g,
+            ParallelRepeatingPattern(rows=3, columns=columns, xi_deg=np.rad2deg(xi), flap=0),
+        )
         return deviation(design)
 
     return measured("parallel repeating, columns", 2, (11, 21, 41, 81, 161), measure, 1)
@@ -130,7 +142,11 @@ def parallel_polylines() -> Series:
 
     def measure(rows: int) -> float:
         return deviation(
-            design_parallel_repeating(roof, zigzag, rows=rows, columns=13, xi=XI, flap=0)
+            design_parallel_repeating(
+                roof,
+                zigzag,
+                ParallelRepeatingPattern(rows=rows, columns=13, xi_deg=np.rad2deg(XI), flap=0),
+            )
         )
 
     return measured("parallel repeating, rows, f and g polylines", 1, ROWS, measure, -1)
@@ -141,7 +157,9 @@ def orthodiagonal_rows() -> Series:
 
     def measure(rows: int) -> float:
         return deviation(
-            design_orthodiagonal(f(), graph("0*x", 0, 4), rows=rows, columns=5, flap=0)
+            design_orthodiagonal(
+                f(), graph("0*x", 0, 4), OrthodiagonalPattern(rows=rows, columns=5, flap=0)
+            )
         )
 
     return measured("orthodiagonal, rows, g straight", 1, ROWS, measure, -1)
@@ -152,7 +170,9 @@ def orthodiagonal_approach() -> Series:
 
     def measure(rows: int) -> float:
         g = graph(f"{1 / (rows + 1)}*sin(pi*x/2)", 0, 4)
-        return approach(design_orthodiagonal(f(), g, rows=rows, columns=41, flap=0))
+        return approach(
+            design_orthodiagonal(f(), g, OrthodiagonalPattern(rows=rows, columns=41, flap=0))
+        )
 
     return measured("orthodiagonal, rows, from the cylinder", 1, ROWS, measure, -1)
 
@@ -164,9 +184,7 @@ def longitudinal(rows: int) -> Design:
     return design_longitudinal_linear_repeating(
         arch,
         graph("0*x", 0, 3),
-        rows=rows,
-        columns=9,
-        sectors=Sectors.from_degrees(sectors.tolist()),
+        LongitudinalPattern(rows=rows, columns=9, sector_deg=sectors.tolist()),
     )
 
 

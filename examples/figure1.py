@@ -11,6 +11,7 @@ import numpy as np
 from orishell import (
     Design,
     FoldingMotion,
+    ParallelRepeatingPattern,
     curve_from_formulas,
     design_parallel_repeating,
     measure_residuals,
@@ -22,7 +23,9 @@ def design() -> Design:
     """Sweep f = -x**2 along g = 5 sin(pi x/10)."""
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
-    return design_parallel_repeating(f, g, rows=9, columns=11, xi=np.deg2rad(50), flap=0.3)
+    return design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=9, columns=11, xi_deg=50, flap=0.3)
+    )
 
 
 def main() -> None:

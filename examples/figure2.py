@@ -16,15 +16,18 @@ from orishell import (
     measure_residuals,
     parse_formula,
 )
-from orishell.families.orthodiagonal import design_orthodiagonal
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
 
 
 def design(heading_deg: float = 90.0) -> Design:
     """Sweep f = -x**2 along g = 0.25 sin(pi x/2)."""
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
-    heading = float(np.deg2rad(heading_deg))
-    return design_orthodiagonal(f, g, rows=9, columns=13, depth=0.12, heading=heading, flap=0.15)
+    return design_orthodiagonal(
+        f,
+        g,
+        OrthodiagonalPattern(rows=9, columns=13, depth=0.12, heading_deg=heading_deg, flap=0.15),
+    )
 
 
 def main() -> None:

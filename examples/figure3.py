@@ -10,6 +10,7 @@ import numpy as np
 
 from orishell import Design, FoldingMotion, curve_from_formulas, measure_residuals, parse_formula
 from orishell.families.longitudinal_linear_repeating import (
+    LongitudinalPattern,
     Sectors,
     design_longitudinal_linear_repeating,
     find_solutions,
@@ -23,7 +24,11 @@ def design() -> Design:
     f = curve_from_formulas(parse_formula("cos(t)"), parse_formula("sin(t)"), 0.3, 2.8416)
     g = curve_from_formulas(None, parse_formula("0*x"), 0, 2.93)
     return design_longitudinal_linear_repeating(
-        f, g, rows=7, columns=9, sectors=SECTORS, column_lengths=[1.0] * 8
+        f,
+        g,
+        LongitudinalPattern(
+            rows=7, columns=9, sector_deg=SECTORS.degrees, column_lengths=[1.0] * 8
+        ),
     )
 
 

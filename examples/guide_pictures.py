@@ -18,6 +18,9 @@ from orishell import (
     Curve,
     Design,
     FoldingMotion,
+    LongitudinalPattern,
+    OrthodiagonalPattern,
+    ParallelRepeatingPattern,
     curve_from_formulas,
     design_longitudinal_linear_repeating,
     design_orthodiagonal,
@@ -73,9 +76,7 @@ def longitudinal(share: float, columns: int = 9) -> Design:
     return design_longitudinal_linear_repeating(
         pair("cos(t)", "sin(t)", 0.3, 2.8416),
         graph("0*x", 0, 2.93),
-        rows=7,
-        columns=columns,
-        sectors=near_90(share),
+        LongitudinalPattern(rows=7, columns=columns, sector_deg=near_90(share).degrees),
     )
 
 
@@ -128,7 +129,11 @@ def draw_planes(path: Path) -> None:
     g = pair("8*cos(t)", "8*sin(t)", 0.2, 1.6)
     for place, degrees in zip(axes, (90, 75, 60), strict=True):
         design = design_parallel_repeating(
-            graph("-x**2", -1, 1), g, rows=9, columns=15, xi=XI, plane=np.deg2rad(degrees), flap=0
+            graph("-x**2", -1, 1),
+            g,
+            ParallelRepeatingPattern(
+                rows=9, columns=15, xi_deg=np.rad2deg(XI), plane_deg=degrees, flap=0
+            ),
         )
         locked = design.mechanism.positions(design.mechanism.target_drive)
         for lines in (locked, locked.swapaxes(0, 1)):
@@ -147,7 +152,9 @@ def draw_zigzags(path: Path) -> None:
     trace = trace_curve(f)
     figure, axes = new_figure(12, 3.6, 4)
     for place, depth in zip(axes, (0.06, 0.12, 0.2), strict=False):
-        taken = design_orthodiagonal(f, g, rows=9, columns=13, depth=depth).parameters["zigzag_deg"]
+        taken = design_orthodiagonal(
+            f, g, OrthodiagonalPattern(rows=9, columns=13, depth=depth)
+        ).parameters["zigzag_deg"]
         zigzag = min(
             place_zigzags(trace, 9, depth),
             key=lambda each: np.abs(np.rad2deg(each.angles) - taken).max(),
@@ -161,7 +168,11 @@ def draw_zigzags(path: Path) -> None:
         ends = []
         for depth in depths:
             design = design_orthodiagonal(
-                f, g, rows=rows, columns=13, depth=float(depth), flap=0, heading="auto"
+                f,
+                g,
+                OrthodiagonalPattern(
+                    rows=rows, columns=13, depth=float(depth), flap=0, heading_deg="auto"
+                ),
             )
             ends.append(design.parameters["heading_interval_deg"])
         low, high = np.array(ends).T
@@ -240,7 +251,9 @@ def draw_drawing(axes: Axes, drawing: Drawing) -> None:
 def draw_sheets(path: Path) -> None:
     """Figure 2's sheet split over stock, tabs on the parts."""
     design = design_orthodiagonal(
-        graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4), rows=9, columns=13, depth=0.12
+        graph("-x**2", -1, 1),
+        graph("0.25*sin(pi*x/2)", 0, 4),
+        OrthodiagonalPattern(rows=9, columns=13, depth=0.12),
     )
     document = document_of_motion(
         FoldingMotion(design.mechanism, 2), "m", title="shell", curves=design.targets
@@ -260,10 +273,7 @@ def draw_layers(path: Path) -> None:
     design = design_parallel_repeating(
         graph("-x**2/25", -25, 25),
         graph("125*sin(pi*x/250)", 0, 250),
-        rows=5,
-        columns=5,
-        xi=XI,
-        flap=0,
+        ParallelRepeatingPattern(rows=5, columns=5, xi_deg=np.rad2deg(XI), flap=0),
     )
     sheet = design.mechanism
     folds = largest_folds(sheet, sheet.target_drive)
@@ -298,7 +308,9 @@ def draw_hinge(path: Path, build: PanelSpec) -> None:
     from matplotlib.figure import Figure
 
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20), rows=9, columns=11, xi=XI, flap=0
+        graph("-x**2", -1, 1),
+        graph("5*sin(pi*x/10)", 0, 20),
+        ParallelRepeatingPattern(rows=9, columns=11, xi_deg=np.rad2deg(XI), flap=0),
     )
     sheet = design.mechanism
     folds = largest_folds(sheet, sheet.target_drive)
@@ -318,11 +330,9 @@ def draw_clash(path: Path) -> None:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1),
         pair("2.2*cos(t)", "2.2*sin(t)", 0, 5.5),
-        rows=9,
-        columns=24,
-        flap=4.0,
-        flap_sides=("start", "start"),
-        xi=XI,
+        ParallelRepeatingPattern(
+            rows=9, columns=24, flap=4.0, flap_side=["start", "start"], xi_deg=np.rad2deg(XI)
+        ),
     )
     contact = find_lock(design).first_contact
     assert contact is not None

@@ -13,7 +13,7 @@ import numpy as np
 
 from orishell import FoldingMotion, Shell, design_shell, measure_residuals
 from orishell.families.longitudinal_linear_repeating import (
-    Sectors,
+    LongitudinalPattern,
     design_longitudinal_linear_repeating,
 )
 from orishell.locking import Lock, end_motion
@@ -27,7 +27,7 @@ def cosine() -> Shell:
 def sine() -> tuple[FoldingMotion, Lock]:
     """The same sector angles in the sine version, 2 x 2 vertices, as even as they may be."""
     sheet = design_longitudinal_linear_repeating(
-        rows=2, columns=2, sectors=Sectors.from_degrees([85, 80, 95, 100]), solution=1
+        None, None, LongitudinalPattern(rows=2, columns=2, sector_deg=[85, 80, 95, 100], solution=1)
     )
     design, lock = end_motion(sheet)
     return FoldingMotion(design.mechanism, frames=25), lock

@@ -10,7 +10,7 @@ from documents import boarded
 from orishell import curve_from_formulas, parse_formula
 from orishell.design import PanelSpec
 from orishell.document import Document
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 
 CARD = PanelSpec(
     thickness=4.2, construction="sandwich", membrane=0.2, density=650, membrane_density=800
@@ -30,7 +30,7 @@ def boarded_document(
     f = curve_from_formulas(None, parse_formula("-x**2/25"), -25, 25)
     g = curve_from_formulas(None, parse_formula("125*sin(pi*x/250)"), 0, 250)
     design = design_parallel_repeating(
-        f, g, rows=5, columns=5, xi=np.deg2rad(50), flap=10.0 if clipped else 0.0
+        f, g, ParallelRepeatingPattern(rows=5, columns=5, xi_deg=50, flap=10.0 if clipped else 0.0)
     )
     if clipped:
         design = design.with_clipped_flaps()

@@ -16,8 +16,8 @@ from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_design, document_of_motion
 from orishell.document.loaded import LoadedCase, LoadedShell
-from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern, design_flat_foldable
 from orishell.motion import FoldingMotion, Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid
@@ -65,7 +65,9 @@ def slit_document() -> Document:
     """42 panels in 7 rows and 6 columns, and 24 slit flaps."""
     flaps = SlitFlaps(flat_foldable(random_net(6, 5, 2), **TURNED), (0.2, 0.3), 0.0)
     return document_of_design(
-        replace(design_flat_foldable(rows=5, columns=5), mechanism=flaps), "m", frames=3
+        replace(design_flat_foldable(FlatFoldablePattern(rows=5, columns=5)), mechanism=flaps),
+        "m",
+        frames=3,
     )
 
 

@@ -54,7 +54,9 @@ def random_sheet(seed: int) -> Mechanism:
 
 def _parallel(rng: np.random.Generator, rows: int, columns: int) -> Mechanism:
     xi = np.deg2rad(rng.uniform(35, 110))
-    return parallel(rows - 1 | 1, max(columns, 4), planes="bisector", xi=xi, flap=0.0)
+    return parallel(
+        rows - 1 | 1, max(columns, 4), plane="bisector", xi_deg=np.rad2deg(xi), flap=0.0
+    )
 
 
 def _orthodiagonal(rng: np.random.Generator, rows: int, columns: int) -> Mechanism:

@@ -37,8 +37,16 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
     find_even_lengths,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
+from orishell.families.parallel_repeating import (
+    ParallelRepeating,
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 from orishell.motion import Mechanism, find_assignment
 from orishell.motion.grid import Grid
 from strategies import Request, graph, orthodiagonal_requests, requests
@@ -68,8 +76,12 @@ def parallel(
     """Figure 1 of the paper, by and large."""
     f, g = PARABOLA.scaled(scale), graph("5*sin(pi*x/10)", 0, 20).scaled(scale)
     flap = {"flap": 0.3 * scale} if scale != 1 else {}
-    chosen = {"xi": np.deg2rad(50), **flap, **options}
-    return parallel_of(design_parallel_repeating(f, g, rows=rows, columns=columns, **chosen))
+    chosen = {"xi_deg": 50, **flap, **options}
+    return parallel_of(
+        design_parallel_repeating(
+            f, g, ParallelRepeatingPattern(rows=rows, columns=columns, **chosen)
+        )
+    )
 
 
 def upright(
@@ -78,17 +90,23 @@ def upright(
     """A symmetric f: the middle row is level."""
     f, g = PARABOLA.scaled(scale), WAVE.scaled(scale)
     chosen = {"depth": 0.12 * scale, "flap": 0.15 * scale, **options}
-    return orthodiagonal_of(design_orthodiagonal(f, g, rows=rows, columns=columns, **chosen))
+    return orthodiagonal_of(
+        design_orthodiagonal(f, g, OrthodiagonalPattern(rows=rows, columns=columns, **chosen))
+    )
 
 
 def leaning(**options: Any) -> Orthodiagonal:
     """An asymmetric f, so that the middle row is tilted."""
-    return orthodiagonal_of(design_orthodiagonal(LEANING, WAVE, rows=9, columns=12, **options))
+    return orthodiagonal_of(
+        design_orthodiagonal(LEANING, WAVE, OrthodiagonalPattern(rows=9, columns=12, **options))
+    )
 
 
 def straight(text: str) -> Orthodiagonal:
     """A straight g, whose columns do not fold."""
-    return orthodiagonal_of(design_orthodiagonal(PARABOLA, graph(text, 0, 4), rows=9, columns=7))
+    return orthodiagonal_of(
+        design_orthodiagonal(PARABOLA, graph(text, 0, 4), OrthodiagonalPattern(rows=9, columns=7))
+    )
 
 
 def longitudinal(
@@ -236,9 +254,7 @@ def of_longitudinal(*arguments: Any) -> Sample:
 
 SAMPLES: dict[str, Sample] = {
     "parallel": Sample(parallel, lambda scale: parallel(scale=scale, flap=0.3 * scale)),
-    "parallel, oblique": Sample(
-        lambda: parallel(plane=np.deg2rad(70), flap_sides=("start", "end"))
-    ),
+    "parallel, oblique": Sample(lambda: parallel(plane_deg=70, flap_side=["start", "end"])),
     "parallel, no inflection": Sample(lambda: parallel(columns=12)),
     "parallel, no flaps": Sample(lambda: parallel(flap=0)),
     "parallel, one row": Sample(lambda: parallel(rows=1, columns=4)),

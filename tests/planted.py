@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from orishell.design import Design
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from strategies import graph, pair
 
 
@@ -17,10 +17,7 @@ def spiral() -> Design:
     return design_parallel_repeating(
         graph("-x**2", -1, 1),
         pair("(2+0.25*t)*cos(t)", "(2+0.25*t)*sin(t)", 0, 9),
-        rows=9,
-        columns=40,
-        flap=0.3,
-        xi=np.deg2rad(50),
+        ParallelRepeatingPattern(rows=9, columns=40, flap=0.3, xi_deg=50),
     )
 
 
@@ -29,10 +26,7 @@ def ring(flap: float = 0.3) -> Design:
     return design_parallel_repeating(
         graph("-0.3*x**2", -1, 1),
         pair("4*cos(t)", "4*sin(t)", 0, 2 * np.pi),
-        rows=9,
-        columns=30,
-        flap=flap,
-        xi=np.deg2rad(90),
+        ParallelRepeatingPattern(rows=9, columns=30, flap=flap, xi_deg=90),
     )
 
 
@@ -41,11 +35,9 @@ def wide_flaps() -> Design:
     return design_parallel_repeating(
         graph("-x**2", -1, 1),
         pair("2.2*cos(t)", "2.2*sin(t)", 0, 5.5),
-        rows=9,
-        columns=24,
-        flap=4.0,
-        flap_sides=("start", "start"),
-        xi=np.deg2rad(50),
+        ParallelRepeatingPattern(
+            rows=9, columns=24, flap=4.0, flap_side=["start", "start"], xi_deg=50
+        ),
     )
 
 
@@ -54,10 +46,7 @@ def waist() -> Design:
     return design_parallel_repeating(
         graph("-0.5*x**2", -1, 1),
         pair("5*cos(t)", "sin(t)*(0.8+1.9*cos(t)**2)", -2.9, 2.83),
-        rows=9,
-        columns=50,
-        flap=0.2,
-        xi=np.deg2rad(60),
+        ParallelRepeatingPattern(rows=9, columns=50, flap=0.2, xi_deg=60),
     )
 
 
@@ -66,10 +55,7 @@ def deep() -> Design:
     return design_parallel_repeating(
         pair("0.6*t", "1.5*cos(t)", -1.4, 1.4),
         pair("(1.2+0.2*t)*cos(t)", "(1.2+0.2*t)*sin(t)", 0, 7),
-        rows=9,
-        columns=24,
-        flap=0.3,
-        xi=np.deg2rad(40),
+        ParallelRepeatingPattern(rows=9, columns=24, flap=0.3, xi_deg=40),
     )
 
 
@@ -87,8 +73,5 @@ def clear() -> Design:
     return design_orthodiagonal(
         pair("1.5*sin(t)", "1.5*cos(t)", -2.6, 2.6),
         graph("0.25*sin(pi*x/2)", 0, 4),
-        rows=21,
-        columns=13,
-        flap=0.15,
-        depth=0.12,
+        OrthodiagonalPattern(rows=21, columns=13, flap=0.15, depth=0.12),
     )

@@ -20,8 +20,9 @@ from orishell.curves import (
     trace_curve,
 )
 from orishell.design import Design
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
+from orishell.families.pattern import Pattern
 
 
 def graph(text: str, start: float, stop: float) -> Curve:
@@ -76,15 +77,16 @@ def curves() -> st.SearchStrategy[Curve]:
 
 @dataclass(frozen=True)
 class Request:
-    """Arguments of a family's function, which can be changed as the design file can."""
+    """Curves and keys of a family's function, which can be changed as the design file can."""
 
     make: Callable[..., Design]
+    table: Callable[..., Pattern]
     f: Curve
     g: Curve
     options: dict[str, Any]
 
     def design(self) -> Design:
-        return self.make(self.f, self.g, **self.options)
+        return self.make(self.f, self.g, self.table(**self.options))
 
     def refusal(self) -> DesignError:
         with pytest.raises(DesignError) as caught:
@@ -98,9 +100,7 @@ class Request:
         for key, value in remedy.changes.items():
             table, _, name = key.rpartition(".")
             if table == "pattern":
-                angle = name.endswith("_deg")
-                typed = np.deg2rad(value) if angle and not isinstance(value, str) else value
-                options[name.removesuffix("_deg")] = typed
+                options[name] = value
             else:
                 curve = curves[table[-1]]
                 if name == "scale":
@@ -108,7 +108,7 @@ class Request:
                 else:
                     changed = curve.part_of_drawn(*value)
                 curves[table[-1]] = changed
-        return Request(self.make, curves["f"], curves["g"], options)
+        return Request(self.make, self.table, curves["f"], curves["g"], options)
 
     def candidates(self, error: DesignError) -> list[Request]:
         """The requests with each change that a refusal leaves open, the family kept."""
@@ -155,11 +155,11 @@ class Request:
 
 
 def parallel_repeating(f: Curve, g: Curve, **options: Any) -> Request:
-    return Request(design_parallel_repeating, f, g, options)
+    return Request(design_parallel_repeating, ParallelRepeatingPattern, f, g, options)
 
 
 def orthodiagonal(f: Curve, g: Curve, **options: Any) -> Request:
-    return Request(design_orthodiagonal, f, g, options)
+    return Request(design_orthodiagonal, OrthodiagonalPattern, f, g, options)
 
 
 def _plain(remedy: Remedy) -> bool:
@@ -182,11 +182,11 @@ def requests(draw: st.DrawFn) -> Request:
     options = {
         "rows": 2 * draw(st.integers(0, 12)) + 1,
         "columns": draw(st.integers(2, 24)),
-        "xi": float(xi),
-        "theta": float(theta),
-        "plane": np.deg2rad(draw(numbers(40, 140))),
+        "xi_deg": float(np.rad2deg(xi)),
+        "theta_deg": float(np.rad2deg(theta)),
+        "plane_deg": draw(numbers(40, 140)),
         "flap": draw(st.sampled_from(["auto", 0.05, 0.5, 0.0])),
-        "flap_sides": (
+        "flap_side": (
             draw(st.sampled_from(["start", "end"])),
             draw(st.sampled_from(["start", "end"])),
         ),
@@ -208,9 +208,9 @@ def orthodiagonal_requests(draw: st.DrawFn) -> Request:
         "rows": rows,
         "columns": draw(st.integers(2, 24)),
         "depth": draw(st.one_of(st.just("auto"), numbers(0.1, 1).map(lambda x: x * length / rows))),
-        "heading": draw(st.one_of(st.just("auto"), numbers(30, 150).map(np.deg2rad))),
+        "heading_deg": draw(st.one_of(st.just("auto"), numbers(30, 150))),
         "flap": draw(st.sampled_from(["auto", 0.05, 0.5, 0.0])),
-        "flap_sides": (draw(side), draw(side)),
+        "flap_side": (draw(side), draw(side)),
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
         "placement": draw(st.sampled_from(["inscribed", "balanced"])),
     }

@@ -190,9 +190,9 @@ def test_a_trace_knows_where_its_frame_lies_on_the_drawing() -> None:
 @pytest.mark.parametrize("at", [0.0, 1e6])
 def test_small_panels_are_small_beside_the_sheet(at: float) -> None:
     """Columns of 1e-7 of the sheet are kept, wherever it is (1e-8 is the limit)."""
-    from orishell.families.orthodiagonal import design_orthodiagonal
+    from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
 
     f = graph("-x**2", -1, 1)
     g = pair(f"{at!r} + t", "0*t", 0, 4)
-    design = design_orthodiagonal(f, g, rows=9, columns=13, flap=1e-6)
+    design = design_orthodiagonal(f, g, OrthodiagonalPattern(rows=9, columns=13, flap=1e-6))
     assert design.parameters["flap"] == 1e-6

@@ -34,7 +34,9 @@ import numpy as np
 import orishell
 f = orishell.curve_from_formulas(None, orishell.parse_formula("-x**2"), -1, 1)
 g = orishell.curve_from_formulas(None, orishell.parse_formula("0.1*x"), 0, 2)
-design = orishell.design_parallel_repeating(f, g, rows=3, columns=2, xi=np.radians(50), flap=0.3)
+design = orishell.design_parallel_repeating(
+    f, g, orishell.ParallelRepeatingPattern(rows=3, columns=2, xi_deg=50, flap=0.3)
+)
 try:
     print(type(orishell.show(design)).__name__)
 except orishell.InputError as error:

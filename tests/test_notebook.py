@@ -17,6 +17,7 @@ from documents import demo_document
 from orishell import (
     Design,
     FoldingMotion,
+    ParallelRepeatingPattern,
     analyse_structure,
     curve_from_formulas,
     design_parallel_repeating,
@@ -72,7 +73,9 @@ def test_the_widget_holds_the_view_and_the_program() -> None:
 def small_design() -> Design:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.1*x"), 0, 2)
-    return design_parallel_repeating(f, g, rows=3, columns=2, xi=np.radians(50), flap=0.3)
+    return design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=3, columns=2, xi_deg=50, flap=0.3)
+    )
 
 
 def test_a_design_is_shown_as_it_folds_with_its_surface_and_curves() -> None:

@@ -88,7 +88,9 @@ def test_odd_arguments_are_one_message(
 def _mechanism() -> orishell.Mechanism:
     f = orishell.curve_from_formulas(None, orishell.parse_formula("-x**2"), -1, 1)
     g = orishell.curve_from_formulas(None, orishell.parse_formula("0*x"), 0, 2)
-    return orishell.design_parallel_repeating(f, g, rows=3, columns=3).mechanism
+    return orishell.design_parallel_repeating(
+        f, g, orishell.ParallelRepeatingPattern(rows=3, columns=3)
+    ).mechanism
 
 
 def test_formats_and_structures_that_are_none(shell: Shell, tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from pydantic import Field
 
 from orishell import Design
 from orishell.conventions.table import Knob, Number
-from orishell.families.pattern import Auto, Limits, Pattern
+from orishell.families.pattern import Auto, Pattern
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
@@ -31,7 +31,6 @@ rows = 3
 columns = 4
 gamma_deg = 60
 """
-GAMMA: Limits = {"gt": 0, "lt": 90}
 
 
 @dataclass(frozen=True)
@@ -96,16 +95,16 @@ class MiuraPattern(Pattern):
     needs_target: ClassVar[bool] = False
 
     gamma_deg: Annotated[
-        Number, Field(**GAMMA), Knob.angle("Sector angle", "Of all panels", (1, 89))
+        Number, Field(gt=0, lt=90), Knob.angle("Sector angle", "Of all panels", (1, 89))
     ] = 60.0
     theta_deg: Annotated[Number, Field(gt=0, lt=90)] = 50.0
     flap: Auto = "auto"  # it has none, and so no control for them
 
     def design_without_target(self) -> Design:
-        asked = self.arguments()
+        gamma = float(np.deg2rad(self.gamma_deg))
         grid = Grid(self.rows + 2, self.columns + 2)
         return Design(
-            mechanism=Miura(grid, asked["gamma"], asked["theta"]),
+            mechanism=Miura(grid, gamma, float(np.deg2rad(self.theta_deg))),
             parameters={"gamma_deg": self.gamma_deg},
             targets={},
             closeness={},

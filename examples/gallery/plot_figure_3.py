@@ -26,7 +26,12 @@ from drawing import (
     same_scale,
 )
 
-from orishell import curve_from_formulas, design_longitudinal_linear_repeating, parse_formula
+from orishell import (
+    LongitudinalPattern,
+    curve_from_formulas,
+    design_longitudinal_linear_repeating,
+    parse_formula,
+)
 from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.motion import find_assignment
@@ -43,12 +48,14 @@ second = find_solutions(first)[0].second
 period = design_longitudinal_linear_repeating(
     f,
     g,
-    rows=2,
-    columns=4,
-    sectors=first,
-    flap=0.3,
-    row_lengths=[1, 1, 1],
-    column_lengths=[1, 1, 1],
+    LongitudinalPattern(
+        rows=2,
+        columns=4,
+        sector_deg=first.degrees,
+        flap=0.3,
+        row_lengths=[1, 1, 1],
+        column_lengths=[1, 1, 1],
+    ),
 )
 flat = period.mechanism.positions(0.0)[..., :2]
 

@@ -9,9 +9,16 @@ if TYPE_CHECKING:
     from orishell.conventions.version import __version__
     from orishell.curves import Curve, curve_from_formulas, curve_from_points, parse_formula
     from orishell.design import Design
-    from orishell.families.longitudinal_linear_repeating import design_longitudinal_linear_repeating
-    from orishell.families.orthodiagonal import design_orthodiagonal
-    from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+    from orishell.families.longitudinal_linear_repeating import (
+        LongitudinalPattern,
+        design_longitudinal_linear_repeating,
+    )
+    from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+    from orishell.families.parallel_repeating import (
+        ParallelRepeating,
+        ParallelRepeatingPattern,
+        design_parallel_repeating,
+    )
     from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
     from orishell.shell.analyse import analyse_structure
     from orishell.shell.export import convert_fold, write_shell
@@ -26,9 +33,12 @@ __all__ = [
     "FoldedState",
     "FoldingMotion",
     "InputError",
+    "LongitudinalPattern",
     "Mechanism",
     "OrishellError",
+    "OrthodiagonalPattern",
     "ParallelRepeating",
+    "ParallelRepeatingPattern",
     "Shell",
     "__version__",
     "analyse_structure",
@@ -52,9 +62,16 @@ _HOMES = {
     "orishell.curves": ("Curve", "curve_from_formulas", "curve_from_points", "parse_formula"),
     "orishell.design": ("Design",),
     "orishell.conventions.errors": ("DesignError", "InputError", "OrishellError"),
-    "orishell.families.longitudinal_linear_repeating": ("design_longitudinal_linear_repeating",),
-    "orishell.families.orthodiagonal": ("design_orthodiagonal",),
-    "orishell.families.parallel_repeating": ("ParallelRepeating", "design_parallel_repeating"),
+    "orishell.families.longitudinal_linear_repeating": (
+        "LongitudinalPattern",
+        "design_longitudinal_linear_repeating",
+    ),
+    "orishell.families.orthodiagonal": ("OrthodiagonalPattern", "design_orthodiagonal"),
+    "orishell.families.parallel_repeating": (
+        "ParallelRepeating",
+        "ParallelRepeatingPattern",
+        "design_parallel_repeating",
+    ),
     "orishell.verification.residuals": ("measure_residuals",),
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
     "orishell.studio.notebook": ("show",),

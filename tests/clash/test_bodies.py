@@ -124,7 +124,7 @@ def test_corners_are_cut_off_no_further_than_is_needed() -> None:
 def test_boards_along_a_straight_line_are_settled() -> None:
     """A straight g: column creases do not fold, and boards touch at vertices without a gap."""
     f, g = graph("-x**2", -1, 1), graph("0*x", 0, 4)
-    design = parallel_repeating(f, g, rows=5, columns=6, xi=np.deg2rad(50), flap=0.0).design()
+    design = parallel_repeating(f, g, rows=5, columns=6, xi_deg=50, flap=0.0).design()
     design = replace(design, panel=PanelSpec(thickness=0.02, membrane=1e-3))
     built, path = prove_boards(design, design.mechanism.target_drive, 1e-9)
     assert built.settled().all()

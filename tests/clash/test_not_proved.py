@@ -15,7 +15,7 @@ from orishell.clash.ranges import TICKS, Outcome, search_ranges
 from orishell.conventions.errors import ClashError
 from orishell.conventions.progress import no_progress
 from orishell.design import Design
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.locking import end_motion, find_lock
 from orishell.motion import diagonal
 from orishell.motion.layout import Layout, points_of
@@ -49,7 +49,9 @@ class Unbounded:
 def small() -> Design:
     """A few panels, free of contact."""
     f, g = graph("-x**2", -1, 1), graph("0.1*cos(pi*x/2)", 0, 4)
-    return design_parallel_repeating(f, g, rows=3, columns=3, xi=np.deg2rad(50), flap=0.2)
+    return design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=3, columns=3, xi_deg=50, flap=0.2)
+    )
 
 
 @pytest.fixture(scope="module")

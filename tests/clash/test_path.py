@@ -12,7 +12,7 @@ from orishell.clash.acceleration_bounds import EdgeBounds
 from orishell.clash.broad_phase import PanelTree
 from orishell.clash.ranges import BASE
 from orishell.conventions.errors import DesignError
-from orishell.families.flat_foldable.design import design_flat_foldable
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern, design_flat_foldable
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from planted import PLANTED, clear
@@ -162,7 +162,7 @@ def test_a_finer_base_finds_the_same_contact(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_a_crowd_that_is_apart_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where few pairs are called a crowd, a stack takes as many ranges as otherwise, 87 here."""
-    sheet = design_flat_foldable(rows=8, columns=8).mechanism
+    sheet = design_flat_foldable(FlatFoldablePattern(rows=8, columns=8)).mechanism
     usual = find_first_contact(sheet, np.pi, 1e-6).proof.ranges
     monkeypatch.setattr("orishell.clash.path.CROWD", 4)
     assert find_first_contact(sheet, np.pi, 1e-6).proof.ranges < 2 * usual
@@ -178,7 +178,9 @@ def test_a_stack_asks_for_no_more_ranges_where_the_sheet_is_larger() -> None:
     """
     ranges = [
         find_first_contact(
-            design_flat_foldable(rows=count, columns=count).mechanism, np.pi, 1e-6
+            design_flat_foldable(FlatFoldablePattern(rows=count, columns=count)).mechanism,
+            np.pi,
+            1e-6,
         ).proof.ranges
         for count in (14, 40)
     ]

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from orishell import (
     FoldingMotion,
+    ParallelRepeatingPattern,
     curve_from_formulas,
     curve_from_points,
     design_parallel_repeating,
@@ -98,7 +98,9 @@ def test_results_are_one_line(shell: Shell, tmp_path: Path) -> None:
 def test_what_it_says() -> None:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.1*x"), 0, 2)
-    design = design_parallel_repeating(f, g, rows=3, columns=2, xi=np.radians(50), flap=0.3)
+    design = design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=3, columns=2, xi_deg=50, flap=0.3)
+    )
     sheet = "ParallelRepeating(5 x 4 vertices, 12 panels, drive to 180 degrees)"
     assert repr(f) == "Curve(from (-1, -1) to (1, -1), parameter -1 to 1)"
     zigzag = curve_from_points([[0, 0], [1, 1], [2, 0]], smooth=False)

@@ -22,7 +22,7 @@ from orishell.solids.hinged import find_hinges
 from orishell.solids.setbacks import largest_folds
 
 SHEETS: dict[str, Mechanism] = {
-    "parallel repeating": parallel(9, 8, planes="bisector", xi=np.deg2rad(50), flap=0.0),
+    "parallel repeating": parallel(9, 8, plane="bisector", xi_deg=50, flap=0.0),
     "orthodiagonal": upright(7, 6, row="zigzag", depth=0.1, flap=0.0).straightened(),
     "flat-foldable": flat_foldable(random_net(5, 4, 3)),
 }

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from orishell.deployment import count_layers, find_pack, smallest_box
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion.grid import Grid
 from strategies import graph
 
@@ -61,7 +61,9 @@ def test_layers_of_more_panels_than_are_looked_at_are_not_too_many(
 
 
 def test_a_flat_sheet_is_one_layer() -> None:
-    design = design_parallel_repeating(graph("-x**2", -1, 1), STRAIGHT, rows=5, columns=4, flap=0.2)
+    design = design_parallel_repeating(
+        graph("-x**2", -1, 1), STRAIGHT, ParallelRepeatingPattern(rows=5, columns=4, flap=0.2)
+    )
     mechanism = design.mechanism
     points = mechanism.positions(0.0).reshape(-1, 3)
     assert count_layers(points, mechanism.grid.faces_vertices()) == 1
@@ -69,7 +71,9 @@ def test_a_flat_sheet_is_one_layer() -> None:
 
 def test_a_straight_tunnel_closes_to_a_bundle_of_all_its_rows() -> None:
     f = graph("0.01*sin(x)", 0, 9)  # so nearly straight that all rows overlap
-    design = design_parallel_repeating(f, STRAIGHT, rows=5, columns=4, flap=0.0, xi=1.0)
+    design = design_parallel_repeating(
+        f, STRAIGHT, ParallelRepeatingPattern(rows=5, columns=4, flap=0.0, xi_deg=np.rad2deg(1.0))
+    )
     mechanism = design.mechanism
     pack = find_pack(mechanism, mechanism.end_drive, 9)
     assert pack.drive == mechanism.end_drive
@@ -81,7 +85,9 @@ def test_a_straight_tunnel_closes_to_a_bundle_of_all_its_rows() -> None:
 
 def test_a_thick_limit_is_compared_with_the_states_before() -> None:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), STRAIGHT, rows=5, columns=4, flap=0.0, xi=0.8
+        graph("-x**2", -1, 1),
+        STRAIGHT,
+        ParallelRepeatingPattern(rows=5, columns=4, flap=0.0, xi_deg=np.rad2deg(0.8)),
     )
     mechanism = design.mechanism
     limit = mechanism.target_drive + 0.1

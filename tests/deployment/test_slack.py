@@ -13,7 +13,7 @@ from orishell.deployment import ColumnDistances, feet_ties, find_ties
 from orishell.deployment.fixings import Fixings
 from orishell.deployment.slack import find_slack
 from orishell.design_file import read_design_file
-from orishell.families.flat_foldable import design_flat_foldable
+from orishell.families.flat_foldable import FlatFoldablePattern, design_flat_foldable
 from orishell.motion import Mechanism
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -54,7 +54,7 @@ def require_truth(mechanism: Mechanism, limit: float) -> float:
 
 def arch(turn: float, fold: float, rows: int) -> Mechanism:
     return design_flat_foldable(
-        rows=rows, columns=4, sheet="arch", turn=np.deg2rad(turn), fold=np.deg2rad(fold)
+        FlatFoldablePattern(rows=rows, columns=4, sheet="arch", turn_deg=turn, fold_deg=fold)
     ).mechanism
 
 
@@ -74,7 +74,7 @@ def test_feet_of_an_arch_are_proved_up_to_its_flat_stack() -> None:
 
 def test_where_flaps_stop_the_sheet_opening_it_stretches_ties() -> None:
     """Beyond the target there is nothing to prove, and there the rate by the drive may vanish."""
-    design = design_flat_foldable(rows=5, columns=4, sheet="arch", flap=0.2)
+    design = design_flat_foldable(FlatFoldablePattern(rows=5, columns=4, sheet="arch", flap=0.2))
     locked = design.mechanism
     assert locked.target_drive == locked.end_drive
     ties = find_ties(locked, feet_ties(locked, (0, locked.grid.rows - 1)), np.pi)

@@ -17,8 +17,12 @@ from orishell.deployment.weight import Body
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import (
+    ParallelRepeating,
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 from orishell.motion import Mechanism
 from orishell.motion.grid import Grid
 from samples import examples
@@ -164,10 +168,14 @@ def test_columns_whose_zigzags_nearly_close() -> None:
 def test_a_parabola_is_opened_by_its_weight() -> None:
     """References found on their own: -dV/dL = 20.9 of 121.7 N, and 15.0 of 175.5 N."""
     size: dict[str, Any] = {"rows": 9, "columns": 9, "flap": 0.0}
-    orthodiagonal = weigh(design_orthodiagonal(PARABOLA, STRAIGHT, depth=0.05, **size))
+    orthodiagonal = weigh(
+        design_orthodiagonal(PARABOLA, STRAIGHT, OrthodiagonalPattern(depth=0.05, **size))
+    )
     assert orthodiagonal.total == pytest.approx(121.7, abs=0.05)
     assert orthodiagonal.at_feet == pytest.approx(20.9, abs=0.05)
-    parallel = weigh(design_parallel_repeating(PARABOLA, STRAIGHT, **size))
+    parallel = weigh(
+        design_parallel_repeating(PARABOLA, STRAIGHT, ParallelRepeatingPattern(**size))
+    )
     assert parallel.total == pytest.approx(175.5, abs=0.05)
     assert parallel.at_feet == pytest.approx(15.0, abs=0.05)
 

@@ -10,7 +10,7 @@ from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.design import Design, Path, Sliding, Surface, Turning
 from orishell.deviation.triangles import Triangles
 from orishell.families.longitudinal_linear_repeating import (
-    Sectors,
+    LongitudinalPattern,
     design_longitudinal_linear_repeating,
 )
 from samples import examples
@@ -191,9 +191,7 @@ def test_it_passes_through_the_targets_longitudinal() -> None:
         design_longitudinal_linear_repeating(
             pair("cos(t)", "sin(t)", 0.3, 2.8),
             curve_from_points(np.array([[1, 2], [3, 3.5]], float), smooth=False),
-            rows=7,
-            columns=7,
-            sectors=Sectors.from_degrees([85, 80, 95, 100]),
+            LongitudinalPattern(rows=7, columns=7, sector_deg=[85, 80, 95, 100]),
         )
     )
 

@@ -27,11 +27,11 @@ from orishell.deviation import (
 from orishell.deviation.report import ApproachReport, describe_deviation
 from orishell.deviation.triangles import FINEST, mesh_surface
 from orishell.families.longitudinal_linear_repeating import (
-    Sectors,
+    LongitudinalPattern,
     design_longitudinal_linear_repeating,
 )
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from samples import examples, thorough
 from strategies import (
     Request,
@@ -170,14 +170,12 @@ def figure_1(**options: object) -> Design:
     arguments: dict[str, Any] = {
         "rows": 9,
         "columns": 11,
-        "xi": np.deg2rad(50),
+        "xi_deg": 50,
         "flap": 0.3,
         **options,
     }
     return design_parallel_repeating(
-        graph("-x**2", -1, 1),
-        graph("5*sin(pi*x/10)", 0, 20),
-        **arguments,
+        graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20), ParallelRepeatingPattern(**arguments)
     )
 
 
@@ -189,9 +187,7 @@ def test_flaps_are_not_measured() -> None:
     longitudinal = design_longitudinal_linear_repeating(
         pair("cos(t)", "sin(t)", 0.3, 2.8),
         graph("0*x", 0, 3),
-        rows=7,
-        columns=9,
-        sectors=Sectors.from_degrees([85, 80, 95, 100]),
+        LongitudinalPattern(rows=7, columns=9, sector_deg=[85, 80, 95, 100]),
     )
     assert locked_shell(longitudinal).shape == (9, 9, 3)
 
@@ -210,7 +206,11 @@ def test_more_samples_agree_and_know_better() -> None:
 def test_lengths_scale() -> None:
     def design(scale: float) -> Design:
         f, g = graph("-x**2", -1, 1).scaled(scale), graph("sin(x)", 0, 6).scaled(3 * scale)
-        return design_parallel_repeating(f, g, rows=5, columns=7, xi=0.8, flap=0.1 * scale)
+        return design_parallel_repeating(
+            f,
+            g,
+            ParallelRepeatingPattern(rows=5, columns=7, xi_deg=np.rad2deg(0.8), flap=0.1 * scale),
+        )
 
     one, thousand = (measure_deviation(design(scale), samples=COARSE) for scale in (1, 1000))
     assert thousand.max == pytest.approx(1000 * one.max, rel=1e-6)
@@ -226,25 +226,33 @@ def test_a_target_that_is_met_exactly() -> None:
     f = curve_from_points(np.stack([corners.real, corners.imag], axis=-1), smooth=False)
     for points in ([[0, 0], [3, 0]], [[0, 0], [4, 1], [8, 0], [12, 3]]):
         g = curve_from_points(points, smooth=False)
-        design = design_parallel_repeating(f, g, rows=3, columns=4, xi=xi * (1 - 1e-10), flap=0)
+        design = design_parallel_repeating(
+            f,
+            g,
+            ParallelRepeatingPattern(
+                rows=3, columns=4, xi_deg=np.rad2deg(xi * (1 - 1e-10)), flap=0
+            ),
+        )
         deviation = measure_deviation(design, samples=5_000)
         assert deviation.max < 1e-9
 
 
 def test_what_is_approached_instead() -> None:
     assert figure_1().approached is None
-    slanted = figure_1(plane=np.deg2rad(80), columns=41)
+    slanted = figure_1(plane_deg=80, columns=41)
     approach = measure_approach(slanted, samples=COARSE)
     assert approach is not None
     assert slanted.approached is not None
     assert "stretched along its plane" in slanted.approached.what
     assert approach.max < 0.8 * measure_deviation(slanted, samples=COARSE).max
     f = graph("-x**2", -1, 1)
-    shifted = design_orthodiagonal(f, graph("0.25*sin(pi*x/2)", 0, 4), rows=9, columns=13)
+    shifted = design_orthodiagonal(
+        f, graph("0.25*sin(pi*x/2)", 0, 4), OrthodiagonalPattern(rows=9, columns=13)
+    )
     assert shifted.approached is not None
     assert "waves by 0.5 and" in shifted.approached.what
     assert measure_approach(shifted, samples=COARSE) is not None
-    straight = design_orthodiagonal(f, graph("0*x", 0, 4), rows=9, columns=13)
+    straight = design_orthodiagonal(f, graph("0*x", 0, 4), OrthodiagonalPattern(rows=9, columns=13))
     assert straight.approached is None
     report = describe_deviation(shifted, measured=False)
     assert report is not None
@@ -357,10 +365,7 @@ def test_a_small_sheet_over_wild_curves_takes_little_memory() -> None:
     design = design_parallel_repeating(
         graph("-x**2/4 + 0.0002*sin(1000*x)", -1, 1),
         graph("0.001*sin(300*x)", 0, 20),
-        rows=3,
-        columns=6,
-        xi=0.5,
-        flap=0,
+        ParallelRepeatingPattern(rows=3, columns=6, xi_deg=np.rad2deg(0.5), flap=0),
     )
     tracemalloc.start()
     try:

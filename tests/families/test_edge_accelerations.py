@@ -29,7 +29,11 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
     Wanted,
     find_even_lengths,
 )
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import Mechanism
 from samples import examples
@@ -74,7 +78,9 @@ def sheet(
 def test_cut_flaps_stay_within_the_bounds() -> None:
     """Their outlines are no edges of columns: they slant where the flap is cut."""
     f = pair("1.55*cos(t)", "2.3*sin(t)", 0, np.pi)
-    design = design_orthodiagonal(f, graph("0.1*cos(2*pi*x)", 0, 6), rows=11, columns=13)
+    design = design_orthodiagonal(
+        f, graph("0.1*cos(2*pi*x)", 0, 6), OrthodiagonalPattern(rows=11, columns=13)
+    )
     assert isinstance(design.mechanism, Orthodiagonal)
     assert (design.mechanism.kept < 1).any()
     rows, columns = shares_of_bounds(design.mechanism, count=60)
@@ -152,11 +158,7 @@ def test_a_straight_g_up_to_its_pack(heading: float) -> None:
     design = design_orthodiagonal(
         graph("-x**2", -1, 1),
         graph("0*x", 0, 1),
-        rows=9,
-        columns=5,
-        depth=0.12,
-        heading=np.deg2rad(heading),
-        flap=0,
+        OrthodiagonalPattern(rows=9, columns=5, depth=0.12, heading_deg=heading, flap=0),
     )
     assert isinstance(design.mechanism, Orthodiagonal)
     straight = np.abs(design.mechanism.target_drive - np.pi / 2) < 1e-14

@@ -11,8 +11,16 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
+from orishell.families.parallel_repeating import (
+    ParallelRepeating,
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 from orishell.motion import diagonal, measure_fold_angles
 from orishell.motion.grid import crease_signs
 from samples import examples
@@ -24,12 +32,14 @@ PARABOLA = graph("-x**2", -1, 1)
 
 def parallel() -> Design:
     g = graph("5*sin(pi*x/10)", 0, 20)
-    return design_parallel_repeating(PARABOLA, g, rows=9, columns=11, xi=np.deg2rad(50))
+    return design_parallel_repeating(
+        PARABOLA, g, ParallelRepeatingPattern(rows=9, columns=11, xi_deg=50)
+    )
 
 
 def orthodiagonal() -> Design:
     g = graph("0.25*sin(pi*x/2)", 0, 4)
-    return design_orthodiagonal(PARABOLA, g, rows=9, columns=13, depth=0.12)
+    return design_orthodiagonal(PARABOLA, g, OrthodiagonalPattern(rows=9, columns=13, depth=0.12))
 
 
 def sheet_of(design: Design) -> Sheet:
@@ -147,7 +157,9 @@ def test_sheets_without_flaps_have_no_stop() -> None:
 def test_cut_flaps_stay_cut() -> None:
     """Each keeps its share of the row creases of the whole flap."""
     f = pair("1.55*cos(t)", "2.3*sin(t)", 0, np.pi)
-    design = design_orthodiagonal(f, graph("0.1*cos(2*pi*x)", 0, 6), rows=11, columns=13)
+    design = design_orthodiagonal(
+        f, graph("0.1*cos(2*pi*x)", 0, 6), OrthodiagonalPattern(rows=11, columns=13)
+    )
     cut = sheet_of(design).with_stop(0.1)
     assert isinstance(cut, Orthodiagonal)
     assert (cut.kept < 1).any()

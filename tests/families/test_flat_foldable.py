@@ -57,7 +57,7 @@ def without(request: Request, *keys: str, **more: Any) -> Request:
 
 
 def bisected() -> st.SearchStrategy[Request]:
-    return requests().map(lambda each: without(each, "plane", planes="bisector"))
+    return requests().map(lambda each: without(each, "plane_deg", plane="bisector"))
 
 
 @settings(max_examples=EXAMPLES)
@@ -73,7 +73,11 @@ def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
     np.testing.assert_allclose(slope, slope[0], rtol=1e-12)
     # The target is met as with other planes: the row on g's polyline, column 1 on f's staircase.
     options = request.options
-    f = fit_profile(request.f, options["rows"] + 1, options["xi"], options["theta"])
+    f = fit_profile(
+        request.f,
+        options["rows"] + 1,
+        *np.deg2rad([options["xi_deg"], options["theta_deg"]]).tolist(),
+    )
     g = trace_curve(request.g).in_own_frame()
     chords = place_chords(g, options["columns"], options["spacing"], options["placement"])
     locked = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
@@ -98,7 +102,7 @@ def test_a_zigzag_row_makes_any_g_flat_foldable() -> None:
         g = graph(f"{a}*x + {b}*x**2/2 + {c}*x**3/6 + {d}*sin(2*x)", -half, half)
         rows, columns = 2 * rng.integers(1, 8) + 1, rng.integers(3, 16)
         request = orthodiagonal(
-            PARABOLA, g, rows=rows, columns=columns, row="zigzag", heading="auto", flap=0
+            PARABOLA, g, rows=rows, columns=columns, row="zigzag", heading_deg="auto", flap=0
         )
         try:
             design = request.design()
@@ -137,7 +141,7 @@ def require_flat_foldable_zigzag(design: Design, g: Curve) -> None:
 @pytest.mark.parametrize(
     "request_",
     [
-        parallel_repeating(PARABOLA, WAVE, rows=9, columns=11, flap=0, planes="bisector"),
+        parallel_repeating(PARABOLA, WAVE, rows=9, columns=11, flap=0, plane="bisector"),
         orthodiagonal(PARABOLA, RIPPLE, rows=9, columns=14, depth=0.12, flap=0, row="zigzag"),
     ],
     ids=["parallel-repeating", "orthodiagonal"],
@@ -152,7 +156,9 @@ def test_all_row_creases_of_a_row_fold_alike(request_: Request) -> None:
 def test_bisecting_planes_come_to_stand_square_to_g() -> None:
     # On Figure 1's wave; the worst column is the one on its inflection.
     off = [
-        parallel_repeating(PARABOLA, WAVE, rows=9, columns=n, xi=0.9, planes="bisector")
+        parallel_repeating(
+            PARABOLA, WAVE, rows=9, columns=n, xi_deg=np.rad2deg(0.9), plane="bisector"
+        )
         .design()
         .parameters["plane_off_deg"]
         for n in (11, 21, 41)
@@ -160,7 +166,7 @@ def test_bisecting_planes_come_to_stand_square_to_g() -> None:
     assert off == pytest.approx([3.359, 1.290, 0.504], abs=1e-3)
     # On an arc they do from the first, for chords of equal length are symmetric about its radii.
     arc = graph("sqrt(400 - x**2)", -9, 9)
-    design = parallel_repeating(PARABOLA, arc, rows=9, columns=8, planes="bisector").design()
+    design = parallel_repeating(PARABOLA, arc, rows=9, columns=8, plane="bisector").design()
     assert design.parameters["plane_off_deg"] == pytest.approx(0, abs=1e-4)
     assert design.parameters["column_scale"] == pytest.approx([1, 1], abs=1e-6)
 
@@ -168,7 +174,7 @@ def test_bisecting_planes_come_to_stand_square_to_g() -> None:
 def test_planes_bisect_corners_of_g_as_its_tangents_do() -> None:
     g = curve_from_points([[0, 0], [6, 1], [12, -1], [20, 0]], smooth=False)
     bisector, tangent = (
-        parallel_repeating(PARABOLA, g, rows=9, columns=10, planes=planes).design().mechanism
+        parallel_repeating(PARABOLA, g, rows=9, columns=10, plane=planes).design().mechanism
         for planes in ("bisector", "tangent")
     )
     np.testing.assert_allclose(bisector.positions(2.0), tangent.positions(2.0), atol=1e-12)
@@ -177,7 +183,7 @@ def test_planes_bisect_corners_of_g_as_its_tangents_do() -> None:
 def test_end_planes_that_do_not_cross_need_more_columns() -> None:
     # Two chords of a circle and its tangents at both ends, which turn by more than 90 degrees.
     circle = pair("10*cos(t)", "10*sin(t)", 0, 5)
-    asked = parallel_repeating(PARABOLA, circle, rows=5, columns=2, planes="bisector")
+    asked = parallel_repeating(PARABOLA, circle, rows=5, columns=2, plane="bisector")
     error = asked.refusal()
     assert error.condition == "f's plane does not cross the chord of g"
     assert "plane_deg" not in error.size
@@ -201,7 +207,7 @@ def test_a_straight_g_gets_the_flattest_zigzag() -> None:
 def test_the_heading_of_a_zigzag_follows_the_chord_of_g() -> None:
     slanted = graph("0.75*x", 0, 4)
     design = orthodiagonal(
-        PARABOLA, slanted, rows=9, columns=13, depth=0.2, heading="auto", row="zigzag"
+        PARABOLA, slanted, rows=9, columns=13, depth=0.2, heading_deg="auto", row="zigzag"
     ).design()
     assert design.parameters["heading_deg"] == pytest.approx(np.rad2deg(np.arctan(4 / 3)))
     assert design.parameters["row_heading_interval_deg"] == pytest.approx(
@@ -216,7 +222,7 @@ def test_the_heading_of_a_zigzag_follows_the_chord_of_g() -> None:
 
 def test_a_zigzag_too_open_for_g_is_refused_with_angles_that_work() -> None:
     asked = orthodiagonal(
-        PARABOLA, RIPPLE, rows=9, columns=25, depth=0.12, row="zigzag", row_angle=np.deg2rad(150)
+        PARABOLA, RIPPLE, rows=9, columns=25, depth=0.12, row="zigzag", row_angle_deg=150
     )
     error = asked.refusal()
     assert error.condition == "row_angle_deg = 150 is too large for g"
@@ -260,21 +266,14 @@ def test_what_does_not_go_together_is_refused_alike(
     with pytest.raises(ValidationError, match="1 validation error") as caught:
         family.model_validate({**SIZE, **wrong})
     assert caught.value.errors()[0]["ctx"]["key"] == key
-    asked: dict[str, Any] = dict(SIZE)
-    for name, value in wrong.items():
-        if name == "plane":
-            asked["planes"] = value
-        else:
-            asked[name.removesuffix("_deg")] = np.deg2rad(value) if "_deg" in name else value
-    make = parallel_repeating if family is ParallelRepeatingPattern else orthodiagonal
-    with pytest.raises(InputError, match=rf": {key.removesuffix('_deg')}: this value does not fit"):
-        make(PARABOLA, RIPPLE, **asked).design()
+    with pytest.raises(InputError, match=rf"Pattern: {key}: this value does not fit"):
+        family(**{**SIZE, **wrong})
 
 
 @pytest.mark.parametrize(
     ("page", "request_"),
     [
-        ("parallel-repeating", parallel_repeating(PARABOLA, WAVE, **SIZE, planes="bisector")),
+        ("parallel-repeating", parallel_repeating(PARABOLA, WAVE, **SIZE, plane="bisector")),
         ("orthodiagonal", orthodiagonal(PARABOLA, RIPPLE, **SIZE, depth=0.2, row="zigzag")),
     ],
 )

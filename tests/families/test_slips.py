@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 from design_tables import formula, made, mended, refused, tables
-from orishell import InputError, design_orthodiagonal, design_parallel_repeating
-from strategies import graph
 
 F, G = formula("-x**2", -1, 1), formula("0.2*sin(pi*x/2)", 0, 4)
 SIZE = {"rows": 5, "columns": 5, "flap": 0.1}
@@ -96,22 +94,3 @@ def test_curves_of_like_sizes_draw_no_question() -> None:
     long = formula("0.1*sin(x/4)", 0, 50)  # a tunnel
     for warning in made(tables("parallel-repeating", F, long, rows=3, columns=9)).report.warnings:
         assert "unit" not in warning.partition(" as large as ")[2]
-
-
-@pytest.mark.parametrize(
-    ("make", "key", "value", "expected"),
-    [
-        (design_parallel_repeating, "xi", 50, "at most 3.13985 (50 degrees are 0.8727)"),
-        (design_parallel_repeating, "theta", -30, "at least -6.28319 (-30 degrees are -0.5236)"),
-        (design_parallel_repeating, "plane", 90, "less than 3.14159 (90 degrees are 1.571)"),
-        (design_orthodiagonal, "heading", 90, "at most 3.14159 (90 degrees are 1.571)"),
-        (design_orthodiagonal, "row_angle", 120, "(120 degrees are 2.094)"),
-        (design_parallel_repeating, "xi", 500, "an angle in radians, at most 3.13985 or 'auto'"),
-    ],
-)
-def test_functions_take_radians(make: Any, key: str, value: float, expected: str) -> None:
-    f, g = graph("-x**2", -1, 1), graph("0.2*sin(pi*x/2)", 0, 4)
-    with pytest.raises(InputError) as caught:
-        make(f, g, rows=5, columns=5, **{key: value})
-    assert "an angle in radians" in caught.value.expected
-    assert expected in caught.value.expected

@@ -10,8 +10,16 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
+from orishell.families.parallel_repeating import (
+    ParallelRepeating,
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion, diagonal
 from orishell.motion.grid import Grid
@@ -32,13 +40,19 @@ Sheet = ParallelRepeating | Orthodiagonal
 def parallel(**options: Any) -> Design:
     g = graph("5*sin(pi*x/10)", 0, 20)
     return design_parallel_repeating(
-        PARABOLA, g, rows=9, columns=11, xi=np.deg2rad(50), flap_sides=("start", "end"), **options
+        PARABOLA,
+        g,
+        ParallelRepeatingPattern(
+            rows=9, columns=11, xi_deg=50, flap_side=["start", "end"], **options
+        ),
     )
 
 
 def orthodiagonal(**options: Any) -> Design:
     g = graph("0.25*sin(pi*x/2)", 0, 4)
-    return design_orthodiagonal(PARABOLA, g, rows=9, columns=13, depth=0.12, **options)
+    return design_orthodiagonal(
+        PARABOLA, g, OrthodiagonalPattern(rows=9, columns=13, depth=0.12, **options)
+    )
 
 
 def drive_without_flaps(bare: Sheet, drive: float) -> float:
@@ -141,10 +155,14 @@ def test_ends_are_trimmed_for_the_columns_that_there_are() -> None:
 def test_smallest_sheets(rows: int, columns: int) -> None:
     for design in (
         design_parallel_repeating(
-            PARABOLA.scaled(0.2), graph("x**2/40", 0, 10), rows=rows, columns=columns, flap=0
+            PARABOLA.scaled(0.2),
+            graph("x**2/40", 0, 10),
+            ParallelRepeatingPattern(rows=rows, columns=columns, flap=0),
         ),
         design_orthodiagonal(
-            PARABOLA, graph("0.02*x**2", 0, 1), rows=rows, columns=columns, flap=0
+            PARABOLA,
+            graph("0.02*x**2", 0, 1),
+            OrthodiagonalPattern(rows=rows, columns=columns, flap=0),
         ),
     ):
         assert design.mechanism.grid == Grid(rows + 2, columns)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from orishell.document.from_design import document_of_motion
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.io import write_fold
 from orishell.motion import FoldingMotion, measure_fold_angles
 from strategies import graph
@@ -19,7 +19,9 @@ M, N, FRAMES = 5, 7, 4
 @pytest.fixture(scope="module")
 def motion() -> FoldingMotion:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("2*sin(pi*x/10)", 0, 20), rows=M, columns=N, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1),
+        graph("2*sin(pi*x/10)", 0, 20),
+        ParallelRepeatingPattern(rows=M, columns=N, xi_deg=np.rad2deg(0.8), flap=0.3),
     )
     return FoldingMotion(design.mechanism, FRAMES)
 
@@ -46,7 +48,9 @@ def test_key_frame(fold: dict[str, Any]) -> None:
 
 def test_two_columns_without_flaps(tmp_path: Path) -> None:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("x/2", 0, 3), rows=1, columns=2, xi=0.8, flap=0
+        graph("-x**2", -1, 1),
+        graph("x/2", 0, 3),
+        ParallelRepeatingPattern(rows=1, columns=2, xi_deg=np.rad2deg(0.8), flap=0),
     )
     motion = FoldingMotion(design.mechanism, 2)
     write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))

@@ -9,7 +9,7 @@ import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.document.from_design import document_of_motion
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.io import FoldFile, read_fold, write_fold
 from orishell.motion import FoldingMotion
 from orishell.verification import inspect_fold
@@ -37,7 +37,9 @@ def frame(**keys: Any) -> dict[str, Any]:
 
 def test_our_own_file_is_read_back(tmp_path: Path) -> None:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("2*sin(pi*x/10)", 0, 20), rows=5, columns=7, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1),
+        graph("2*sin(pi*x/10)", 0, 20),
+        ParallelRepeatingPattern(rows=5, columns=7, xi_deg=np.rad2deg(0.8), flap=0.3),
     )
     motion = FoldingMotion(design.mechanism, 4)
     write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))

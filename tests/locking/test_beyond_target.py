@@ -11,7 +11,14 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from orishell import Design, DesignError, design_orthodiagonal, design_parallel_repeating
+from orishell import (
+    Design,
+    DesignError,
+    OrthodiagonalPattern,
+    ParallelRepeatingPattern,
+    design_orthodiagonal,
+    design_parallel_repeating,
+)
 from orishell.clash import find_contacts
 from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
@@ -49,10 +56,12 @@ def parallel_repeating(random: np.random.Generator) -> Design:
     return design_parallel_repeating(
         f,
         graph(wave(random, length), 0, length),
-        rows=int(random.choice([3, 5, 7, 9])),
-        columns=int(random.integers(3, 14)),
-        xi=np.deg2rad(random.uniform(30, 80)),
-        flap=0,
+        ParallelRepeatingPattern(
+            rows=int(random.choice([3, 5, 7, 9])),
+            columns=int(random.integers(3, 14)),
+            xi_deg=random.uniform(30, 80),
+            flap=0,
+        ),
     )
 
 
@@ -63,9 +72,9 @@ def orthodiagonal(random: np.random.Generator) -> Design:
     return design_orthodiagonal(
         f,
         graph(wave(random, 0.6 * length), 0, length),
-        rows=int(random.choice([3, 5, 7, 9])),
-        columns=int(random.integers(3, 14)),
-        flap=0,
+        OrthodiagonalPattern(
+            rows=int(random.choice([3, 5, 7, 9])), columns=int(random.integers(3, 14)), flap=0
+        ),
     )
 
 
@@ -123,7 +132,9 @@ def test_the_end_found_is_neither_early_nor_late(
 def test_an_orthodiagonal_shell_that_curls_up(depth: float) -> None:
     f, g = pair("cos(t)", "sin(t)", 0, 5.6), graph("0.1*sin(2*x)", 0, 3)
     rows = {0.4: 15, 0.2: 25}[depth]
-    design = design_orthodiagonal(f, g, rows=rows, columns=5, depth=depth, flap=0)
+    design = design_orthodiagonal(
+        f, g, OrthodiagonalPattern(rows=rows, columns=5, depth=depth, flap=0)
+    )
     lock = require_neither_early_nor_late(design)
     # Before its target: its rims pass each other while it is folded up from the flat sheet.
     assert lock.cause == "clash"
@@ -135,10 +146,7 @@ def test_figure_1_without_flaps_meets_itself_beyond_its_target() -> None:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1),
         graph("5*sin(pi*x/10)", 0, 20),
-        rows=9,
-        columns=11,
-        xi=np.deg2rad(50),
-        flap=0,
+        ParallelRepeatingPattern(rows=9, columns=11, xi_deg=50, flap=0),
     )
     lock = require_neither_early_nor_late(design)
     assert lock.cause == "clash"

@@ -123,7 +123,7 @@ def test_a_knuckle_is_settled_with_what_turns_about_it_alone() -> None:
 
 def test_an_arm_that_meets_a_board_is_named_and_overlaps_just_beyond() -> None:
     """Arms of 0.52 are longer than the shortest edges, 0.19, of this sheet."""
-    sheet = parallel(13, 15, planes="bisector", flap=0.0)
+    sheet = parallel(13, 15, plane="bisector", flap=0.0)
     lock = find_lock(design_of(sheet, 0.04, 0.004))
     contact = lock.first_contact
     assert lock.cause == "boards"

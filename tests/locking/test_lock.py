@@ -11,8 +11,8 @@ from brute_force import exact_contacts, first_crossing
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import (
+    LongitudinalPattern,
     RowKind,
-    Sectors,
     design_longitudinal_linear_repeating,
 )
 from orishell.locking import find_lock, lock_without_clash
@@ -78,10 +78,9 @@ def test_a_longitudinal_sheet_has_no_flaps(first_row: RowKind, columns: int) -> 
     design = design_longitudinal_linear_repeating(
         graph("-0.3*x**2", -1, 1),
         graph("0*x", 0, 1),
-        rows=1,
-        columns=columns,
-        first_row=first_row,
-        sectors=Sectors.from_degrees([85, 80, 95, 100]),
+        LongitudinalPattern(
+            rows=1, columns=columns, first_row=first_row, sector_deg=[85, 80, 95, 100]
+        ),
     )
     assert lock_without_clash(design).cause == "crease"
     contact = find_lock(design).first_contact

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from accelerations import shares_of_bounds
 from mechanisms import DRAWN, LEANING, NEAR, PARABOLA, SAMPLES, longitudinal
 from orishell.conventions.errors import DesignError
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import (
     FoldedState,
     FoldingMotion,
@@ -213,10 +213,12 @@ def parallel_sheet(size: int, g: str, spacing: str) -> Mechanism:
     return design_parallel_repeating(
         PARABOLA.scaled(0.5),
         graph(g, 0, 20),
-        rows=size,
-        columns=size,
-        xi=np.deg2rad(50),
-        spacing="curvature" if spacing == "curvature" else "equal",
+        ParallelRepeatingPattern(
+            rows=size,
+            columns=size,
+            xi_deg=50,
+            spacing="curvature" if spacing == "curvature" else "equal",
+        ),
     ).mechanism
 
 
@@ -250,10 +252,12 @@ def test_large_orthodiagonal_sheets_keep_twelve_digits(size: int, g: str, spacin
         mechanism = design_orthodiagonal(
             f,
             graph(g, 0, 4),
-            rows=size,
-            columns=size,
-            heading="auto",
-            spacing="curvature" if spacing == "curvature" else "equal",
+            OrthodiagonalPattern(
+                rows=size,
+                columns=size,
+                heading_deg="auto",
+                spacing="curvature" if spacing == "curvature" else "equal",
+            ),
         ).mechanism
         require_rigid(mechanism, FoldingMotion(mechanism, 5 if size > 99 else 25), 1e-12, 1e-9)
 

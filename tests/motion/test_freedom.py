@@ -27,8 +27,8 @@ from orishell.conventions.errors import OrishellError
 from orishell.curves import Curve
 from orishell.design import PanelSpec
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import Mechanism, diagonal
 from orishell.motion.freedom import find_freedom_of_sheet, held_by_flaps
 from orishell.motion.grid import Grid
@@ -64,11 +64,17 @@ def _swept(rng: np.random.Generator, number: int) -> Mechanism:
     flap: Any = (0.0, 0.0, 0.1, "auto")[int(rng.integers(4))]
     f, g = _f(rng), _g(rng)
     if number % 2:
-        return parallel_of(design_parallel_repeating(f, g, rows=rows, columns=columns, flap=flap))
+        return parallel_of(
+            design_parallel_repeating(
+                f, g, ParallelRepeatingPattern(rows=rows, columns=columns, flap=flap)
+            )
+        )
     kind = "zigzag" if rng.integers(4) == 0 else "curve"
     options: Any = {"row": "zigzag"} if kind == "zigzag" else {}
     return orthodiagonal_of(
-        design_orthodiagonal(f, g, rows=rows, columns=columns, depth=0.1, flap=flap, **options)
+        design_orthodiagonal(
+            f, g, OrthodiagonalPattern(rows=rows, columns=columns, depth=0.1, flap=flap, **options)
+        )
     )
 
 
@@ -150,7 +156,9 @@ def test_rows_of_a_straight_g_fold_by_themselves(text: str) -> None:
 def test_rows_of_a_strip_fold_by_themselves() -> None:
     """Two columns of vertices, none of which panels surround: a bus shelter of 13 x 2."""
     f, g = graph("-x**2", -1, 1), graph("0*x", 0, 3)
-    strip = orthodiagonal_of(design_orthodiagonal(f, g, rows=13, columns=2, depth=0.05, flap=0))
+    strip = orthodiagonal_of(
+        design_orthodiagonal(f, g, OrthodiagonalPattern(rows=13, columns=2, depth=0.05, flap=0))
+    )
     found = find_freedom_of_sheet(strip)
     assert found.count == freedoms_of_panels(strip, 0.5 * strip.target_drive) == 13
     assert found.in_words() == "13 degrees of freedom: rows 1 to 13 fold by themselves"
@@ -178,8 +186,10 @@ def test_couplings_too_weak_to_be_felt_make_no_one_motion(bend: float, one: bool
 
 def swept_straight() -> Mechanism:
     f, g = graph("-0.5*x**2", -1, 1), graph("0.2*x", 0, 4)
-    options: Any = {"planes": "bisector", "flap": 0}
-    return parallel_of(design_parallel_repeating(f, g, rows=5, columns=4, **options))
+    options: Any = {"plane": "bisector", "flap": 0}
+    return parallel_of(
+        design_parallel_repeating(f, g, ParallelRepeatingPattern(rows=5, columns=4, **options))
+    )
 
 
 @pytest.mark.parametrize("number", led_by(range(6), 3))
@@ -188,7 +198,7 @@ def test_whole_boards_have_as_many_as_their_sheet(number: int) -> None:
     sheet = (
         flat_foldable(miura_net()),
         upright(5, 6, row="zigzag", flap=0).straightened(),
-        parallel(5, 6, planes="bisector", flap=0),
+        parallel(5, 6, plane="bisector", flap=0),
         straight("0*x").without_flaps(),
         swept_straight(),
         flat_foldable(random_net(4, 5, 3)),

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import InputError
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import measure_fold_angles
 from orishell.motion.grid import Grid
 from orishell.motion.mesh import build_mesh, measure_mesh_folds, measure_sector_sums
@@ -46,7 +46,9 @@ def test_a_grid_in_any_order(rows: int, columns: int, seed: int) -> None:
 
 def test_fold_angles_are_those_of_the_grid() -> None:
     mechanism = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("x**2/30", 0, 10), rows=3, columns=4, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1),
+        graph("x**2/30", 0, 10),
+        ParallelRepeatingPattern(rows=3, columns=4, xi_deg=np.rad2deg(0.8), flap=0.3),
     ).mechanism
     grid, positions = mechanism.grid, mechanism.positions(1.0)
     expected = measure_fold_angles(positions).on_edges()

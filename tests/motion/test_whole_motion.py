@@ -17,7 +17,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell import Design, design_orthodiagonal, design_parallel_repeating
+from orishell import (
+    Design,
+    OrthodiagonalPattern,
+    ParallelRepeatingPattern,
+    design_orthodiagonal,
+    design_parallel_repeating,
+)
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.columns import SLIM
 from orishell.families.parallel_repeating import ParallelRepeating
@@ -184,7 +190,9 @@ def measure_lean(sheet: Orthodiagonal, drives: Array) -> tuple[Array, float]:
 def test_rows_that_are_straight_or_nearly_so(g: str) -> None:
     # What a row takes across f's plane decides where the pack is, however small it is beside 1.
     f = graph("-x**2", -1, 1)
-    design = design_orthodiagonal(f, graph(g, 0, 4), rows=9, columns=7, depth=0.12, flap=0)
+    design = design_orthodiagonal(
+        f, graph(g, 0, 4), OrthodiagonalPattern(rows=9, columns=7, depth=0.12, flap=0)
+    )
     sheet = design.mechanism
     assert isinstance(sheet, Orthodiagonal)
     require_whole_motion(sheet, 0)
@@ -202,7 +210,9 @@ def test_rows_that_are_straight_or_nearly_so(g: str) -> None:
 def test_panel_columns_that_fold_flat_nearly_together(g: str, columns: int) -> None:
     # At the end row creases in all panel columns are nearly closed: what differs counts.
     design = design_parallel_repeating(
-        graph("0*x", -1, 1), graph(g, -3, 3), rows=1, columns=columns, xi=1.4, flap=0
+        graph("0*x", -1, 1),
+        graph(g, -3, 3),
+        ParallelRepeatingPattern(rows=1, columns=columns, xi_deg=np.rad2deg(1.4), flap=0),
     )
     sheet = design.mechanism
     assert isinstance(sheet, ParallelRepeating)
@@ -216,7 +226,11 @@ def test_straight_rows_close_with_the_zigzags_of_the_columns() -> None:
     # and the angles psi between the edges of a column with cot(psi/2) = kappa cot(beta/2).
     f = graph("-x**2", -1, 1)
     sheet = design_orthodiagonal(
-        f, graph("0*x", 0, 4), rows=9, columns=7, depth=0.12, heading=np.pi / 2, flap=0
+        f,
+        graph("0*x", 0, 4),
+        OrthodiagonalPattern(
+            rows=9, columns=7, depth=0.12, heading_deg=np.rad2deg(np.pi / 2), flap=0
+        ),
     ).mechanism
     assert isinstance(sheet, Orthodiagonal)
     assert sheet.target_drive == pytest.approx(np.pi / 2, abs=1e-15)
@@ -234,7 +248,9 @@ def test_straight_rows_close_with_the_zigzags_of_the_columns() -> None:
 @pytest.mark.parametrize("frames", [3, 4, 25])
 def test_states_from_the_pack_over_the_target_to_the_flat_sheet(frames: int) -> None:
     f, g = graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4)
-    sheet = design_orthodiagonal(f, g, rows=9, columns=13, depth=0.12, flap=0).mechanism
+    sheet = design_orthodiagonal(
+        f, g, OrthodiagonalPattern(rows=9, columns=13, depth=0.12, flap=0)
+    ).mechanism
     for pack in (sheet.end_drive, 0.5 * (sheet.target_drive + sheet.end_drive)):
         motion = FoldingMotion(sheet, frames, pack)
         assert len(motion.drives) == frames

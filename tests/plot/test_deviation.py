@@ -6,7 +6,7 @@ import numpy as np
 from PIL import Image
 
 from orishell.deviation import locked_shell, measure_signed
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.plot import plot_deviation
 from samples import thorough
 from strategies import graph
@@ -15,7 +15,9 @@ from strategies import graph
 def picture(path: Path, rows: int = 5, columns: int = 6, sign: float = 0.0) -> np.ndarray:
     """A shell in its colours, or all in one: ``sign`` times the largest distance."""
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("x**2/60", 0, 20), rows=rows, columns=columns, xi=0.8
+        graph("-x**2", -1, 1),
+        graph("x**2/60", 0, 20),
+        ParallelRepeatingPattern(rows=rows, columns=columns, xi_deg=np.rad2deg(0.8)),
     )
     signed = measure_signed(locked_shell(design), design.surface, 2_000, 30)
     distances = signed.distances

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinge_lines import IN_CREASES
@@ -26,7 +26,9 @@ def picture(
     hinged: float | None = None,
 ) -> np.ndarray:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=flap
+        graph("-x**2", -1, 1),
+        graph(g, 0, 20),
+        ParallelRepeatingPattern(rows=rows, columns=columns, xi_deg=np.rad2deg(0.8), flap=flap),
     )
     plot_overview(
         path,

@@ -13,11 +13,11 @@ from orishell.design import Design, PanelSpec
 from orishell.design_file import check_design, read_design_file
 from orishell.deviation import locked_shell
 from orishell.families.longitudinal_linear_repeating import (
-    Sectors,
+    LongitudinalPattern,
     design_longitudinal_linear_repeating,
 )
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.locking import lock_without_clash
 from orishell.shell.board_warnings import SAW
 from orishell.shell.build_warnings import (
@@ -51,13 +51,13 @@ def matching(design: Design, words: str, unit: str = "m", **workshop: Any) -> li
 
 
 def parallel(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Design:
-    defaults = {"rows": 9, "columns": 7, "flap": 0.2, "xi": np.deg2rad(50)}
-    return design_parallel_repeating(f, g, **{**defaults, **options})
+    defaults = {"rows": 9, "columns": 7, "flap": 0.2, "xi_deg": 50}
+    return design_parallel_repeating(f, g, ParallelRepeatingPattern(**{**defaults, **options}))
 
 
 def orthodiagonal(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Design:
     defaults = {"rows": 9, "columns": 13, "flap": 0.15, "depth": 0.12}
-    return design_orthodiagonal(f, g, **{**defaults, **options})
+    return design_orthodiagonal(f, g, OrthodiagonalPattern(**{**defaults, **options}))
 
 
 def heights(design: Design) -> tuple[float, float, float]:
@@ -74,7 +74,7 @@ def heights(design: Design) -> tuple[float, float, float]:
 def test_flaps_below_the_feet() -> None:
     f, g = graph("-2*x**2", -0.5, 1.5), graph("0*x", 0, 4)
     options: dict[str, Any] = {"columns": 2, "depth": "auto", "flap": 0.4}
-    design = orthodiagonal(f, g, **options, flap_sides=("end", "end"))
+    design = orthodiagonal(f, g, **options, flap_side=["end", "end"])
     size, below, _ = heights(design)
     assert below > BELOW * size
     (text,) = matching(design, "the flaps reach")
@@ -109,7 +109,9 @@ def test_flaps_beside_the_feet() -> None:
 def test_strips_of_the_third_family_are_not_called_flaps() -> None:
     f = pair("cos(t)", "sin(t)", 0.3, 2.8416)
     design = design_longitudinal_linear_repeating(
-        f, graph("0*x", 0, 2.93), rows=7, columns=9, sectors=Sectors.from_degrees([85, 80, 95, 100])
+        f,
+        graph("0*x", 0, 2.93),
+        LongitudinalPattern(rows=7, columns=9, sector_deg=[85, 80, 95, 100]),
     )
     assert not any("flaps reach" in each for each in caveats(design))
 
@@ -141,14 +143,14 @@ def test_a_sheet_much_larger_than_its_surface() -> None:
         area = 0.5 * abs((x * np.roll(y, -1) - y * np.roll(x, -1)).sum())
         return float(area / design.surface.area())
 
-    deep, shallow = parallel(graph("-0.3*x**2", -1, 1)), parallel(xi=np.deg2rad(53))
+    deep, shallow = parallel(graph("-0.3*x**2", -1, 1)), parallel(xi_deg=53)
     for design in (deep, shallow, orthodiagonal(depth=0.3), orthodiagonal()):
         words = f"the sheet is {ratio(design):.2f} times as large as the surface"
         assert bool(matching(design, words)) == (ratio(design) > WASTEFUL)
     assert ratio(deep) > WASTEFUL
     assert ratio(orthodiagonal()) < WASTEFUL
     assert "a wider xi_deg (50 now, possible below " in matching(deep, "times as large")[0]
-    assert "an f with less steep ends" in matching(parallel(xi=np.deg2rad(53)), "times as")[0]
+    assert "an f with less steep ends" in matching(parallel(xi_deg=53), "times as")[0]
 
 
 @pytest.mark.parametrize("design", [parallel, orthodiagonal])
@@ -184,7 +186,7 @@ def test_a_sheet_larger_than_any_board() -> None:
 
 def test_chamfers_steeper_than_saws_make() -> None:
     # With next to no gap a chamfer is half the fold angle of its crease.
-    design = parallel(rows=9, columns=11, xi=np.deg2rad(50), flap=0)
+    design = parallel(rows=9, columns=11, xi_deg=50, flap=0)
     folds = design.mechanism.fold_angles(design.mechanism.target_drive)
     half = np.rad2deg(np.abs(folds.on_edges())) / 2
     assert half.max() > SAW

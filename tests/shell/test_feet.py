@@ -14,8 +14,8 @@ from orishell.deployment.feet import find_feet, stand
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
-from orishell.families.orthodiagonal import design_orthodiagonal
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.io import read_fold
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
@@ -27,7 +27,11 @@ G = graph("0.3*sin(pi*x/5)", 0, 10)
 
 
 def parallel(f: Any, **options: Any) -> Design:
-    return design_parallel_repeating(f, G, rows=9, columns=7, flap=0.2, xi=1.0, **options)
+    return design_parallel_repeating(
+        f,
+        G,
+        ParallelRepeatingPattern(rows=9, columns=7, flap=0.2, xi_deg=np.rad2deg(1.0), **options),
+    )
 
 
 def shell(f: str, ends: list[float], **table: Any) -> Shell:
@@ -85,7 +89,7 @@ def test_what_cannot_stand_stays_where_g_puts_it(f: Any) -> None:
 def test_a_wall_cannot_stand() -> None:
     """f upright: the shell is a screen along g, with one row at its foot."""
     f = pair("0.1*sin(3*t)", "t", 0, 2)
-    design = design_orthodiagonal(f, graph("0*x", 0, 4), rows=9, columns=3)
+    design = design_orthodiagonal(f, graph("0*x", 0, 4), OrthodiagonalPattern(rows=9, columns=3))
     assert find_feet(design) is None
 
 
@@ -103,7 +107,9 @@ def test_the_lowest_row_is_a_foot_though_it_is_not_the_last() -> None:
 
 def test_an_arch_lower_than_its_corrugation_does_not_stand_on_its_ends() -> None:
     f = graph("-0.05*x**2", -1, 1)
-    design = design_parallel_repeating(f, G, rows=3, columns=7, flap=0.2, xi=1.0)
+    design = design_parallel_repeating(
+        f, G, ParallelRepeatingPattern(rows=3, columns=7, flap=0.2, xi_deg=np.rad2deg(1.0))
+    )
     height = design.mechanism.positions(np.pi)[:, design.mechanism.inner_columns, 2]
     assert height.min(axis=1).argmin() == 2  # the middle row
     assert find_feet(design) is None
@@ -111,7 +117,9 @@ def test_an_arch_lower_than_its_corrugation_does_not_stand_on_its_ends() -> None
 
 def test_ends_that_no_plane_trims_are_uneven_by_what_their_rows_are() -> None:
     g = graph("0.25*sin(pi*x/2)", 0, 4)
-    design = design_orthodiagonal(graph("-x**2", -1, 1), g, rows=19, columns=13, depth=0.06)
+    design = design_orthodiagonal(
+        graph("-x**2", -1, 1), g, OrthodiagonalPattern(rows=19, columns=13, depth=0.06)
+    )
     assert design.parameters["ends"] == ["untrimmed", "untrimmed"]
     feet = find_feet(design)
     assert feet is not None

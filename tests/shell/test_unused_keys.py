@@ -14,15 +14,15 @@ from design_tables import Tables, formula, tables
 from documents import EXAMPLES
 from kits import read_sound
 from orishell import (
+    OrthodiagonalPattern,
+    ParallelRepeatingPattern,
     curve_from_formulas,
-    design_orthodiagonal,
-    design_parallel_repeating,
     parse_formula,
 )
 from orishell.conventions.table import Table
-from orishell.design import Design
 from orishell.design_file import check_design, read_design_file
 from orishell.design_file.tables import with_values
+from orishell.families.pattern import Pattern
 from orishell.motion.layout import points_of
 from orishell.shell import make_shell
 from orishell.shell.kit import write_kit
@@ -129,13 +129,13 @@ def test_what_is_named_can_be_left_out() -> None:
         assert one.as_dict()[key] == other.as_dict()[key]
 
 
-@pytest.mark.parametrize("make", [design_parallel_repeating, design_orthodiagonal])
-def test_where_flaps_fold_to_is_idle_without_flaps(make: Callable[..., Design]) -> None:
+@pytest.mark.parametrize("family", [ParallelRepeatingPattern, OrthodiagonalPattern])
+def test_where_flaps_fold_to_is_idle_without_flaps(family: Callable[..., Pattern]) -> None:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.1*x**2"), 0, 2)
     sheets = [
-        make(f, g, rows=5, columns=3, flap=0.0, **sides).mechanism
-        for sides in ({}, {"flap_sides": ("start", "start")}, {"flap_sides": ("end", "start")})
+        family(rows=5, columns=3, flap=0.0, **sides).design(f, g).mechanism
+        for sides in ({}, {"flap_side": "start"}, {"flap_side": ["end", "start"]})
     ]
     for drive in (0.0, 0.9 * sheets[0].target_drive):
         first, *others = (points_of(sheet, drive) for sheet in sheets)

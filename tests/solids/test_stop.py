@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError, Value
 from orishell.curves import curve_from_formulas, curve_from_points, parse_formula
 from orishell.design import PanelSpec, Setback
 from orishell.design_file import DesignFile, read_design_file
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
@@ -109,12 +109,9 @@ def test_flaps_beside_a_column_that_all_but_folds_flat_have_no_room(gap: float) 
     design = design_parallel_repeating(
         f,
         curve_from_points(points, smooth=False),
-        rows=1,
-        columns=2,
-        xi=np.deg2rad(10),
-        plane=np.deg2rad(40),
-        theta=0.3,
-        flap=0.1,
+        ParallelRepeatingPattern(
+            rows=1, columns=2, xi_deg=10, plane_deg=40, theta_deg=np.rad2deg(0.3), flap=0.1
+        ),
     )
     with pytest.raises(DesignError, match="no thickness is small enough") as refused:
         find_stop(design.mechanism, PanelSpec(thickness=1e-3, membrane=1e-4, gap=gap))

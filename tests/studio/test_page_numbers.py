@@ -16,7 +16,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
-from orishell import curve_from_points, design_parallel_repeating
+from orishell import ParallelRepeatingPattern, curve_from_points, design_parallel_repeating
 from orishell.design import Design, PanelSpec
 from orishell.document.from_design import document_of_motion
 from orishell.io.view import dump_view
@@ -80,7 +80,9 @@ def turned(start: Array, end: Array, share: float) -> Array:
 def small_shell(flap: float) -> Design:
     f = curve_from_points([[-1, -0.3], [-0.4, -0.05], [0.4, -0.05], [1, -0.3]], smooth=True)
     g = curve_from_points([[0.0, 0.0], [1.0, 0.2], [2.0, 0.0]], smooth=True)
-    return design_parallel_repeating(f, g, rows=3, columns=2, xi=np.deg2rad(100), flap=flap)
+    return design_parallel_repeating(
+        f, g, ParallelRepeatingPattern(rows=3, columns=2, xi_deg=100, flap=flap)
+    )
 
 
 def test_panels_move_as_scipy_turns_them() -> None:

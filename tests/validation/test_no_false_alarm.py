@@ -21,7 +21,7 @@ from brute_force import crosses, distance_of_panels, not_designed
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating import (
-    Sectors,
+    LongitudinalPattern,
     design_longitudinal_linear_repeating,
 )
 from orishell.locking import Lock, find_lock
@@ -108,14 +108,14 @@ def longitudinal_requests(draw: st.DrawFn) -> dict[str, Any]:
     span = draw(numbers(0.3, 1.4))
     arc = pair("cos(t)", "sin(t)", 1.57 - span, 1.57 + span)
     near = draw(st.tuples(*[numbers(-4, 4) for _ in range(4)]))
-    sectors = Sectors.from_degrees([90 + each for each in near])
+    sectors = [90 + each for each in near]
     return {
         "f": draw(st.sampled_from([arc, graph("-x**2/2", -span, span)])),
         "g": graph("0*x", 0, draw(numbers(0.5, 4))),
         "rows": draw(st.integers(2, 9)),
         "columns": draw(st.integers(2, 9)),
         "first_row": draw(st.sampled_from(["F", "S"])),
-        "sectors": draw(st.sampled_from(["auto", "auto", "auto", sectors])),
+        "sector_deg": draw(st.sampled_from(["auto", "auto", "auto", sectors])),
     }
 
 
@@ -130,7 +130,9 @@ def test_longitudinal_designs() -> None:
         if seen.total() == wanted:
             return
         try:
-            design = design_longitudinal_linear_repeating(**request)
+            design = design_longitudinal_linear_repeating(
+                request.pop("f"), request.pop("g"), LongitudinalPattern(**request)
+            )
         except DesignError:
             return
         require_agreement(design, seen)

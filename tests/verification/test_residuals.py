@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import FoldedState, Mechanism, diagonal, extents, sheet_area
 from orishell.motion.grid import CreaseValues
 from orishell.verification import residuals
@@ -17,7 +17,9 @@ from strategies import graph
 @pytest.fixture
 def mechanism() -> Mechanism:
     return design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("x**2/30", 0, 10), rows=3, columns=4, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1),
+        graph("x**2/30", 0, 10),
+        ParallelRepeatingPattern(rows=3, columns=4, xi_deg=np.rad2deg(0.8), flap=0.3),
     ).mechanism
 
 

@@ -10,7 +10,7 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.design_file import read_design_file
 from orishell.document.from_design import document_of_motion
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.io import write_fold
 from orishell.motion import FoldingMotion
 from sheets import facts, failed, inspect, miura, shuffled, strip
@@ -241,7 +241,9 @@ def test_progress_sees_every_frame(tmp_path: Path) -> None:
 
 def test_our_own_pattern_with_all_its_names(tmp_path: Path) -> None:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph("x**2/30", 0, 10), rows=3, columns=4, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1),
+        graph("x**2/30", 0, 10),
+        ParallelRepeatingPattern(rows=3, columns=4, xi_deg=np.rad2deg(0.8), flap=0.3),
     )
     motion = FoldingMotion(design.mechanism, 3)
     write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))

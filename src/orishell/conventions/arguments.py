@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, TypedDict, TypeVar, cast, get_type_hints
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, ValidationError, create_model, model_validator
+from pydantic import BaseModel, ConfigDict, ValidationError, create_model
 from pydantic_core import ErrorDetails
 
 from orishell.conventions.errors import InputError
@@ -178,18 +178,16 @@ def _shown(value: Any) -> str:
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
+def checked() -> Callable[[F], F]:
     """Have a function's arguments checked against the types in its signature before it runs.
 
     Numbers and arrays of numpy's are taken as numbers and lists. A fault is an
-    :class:`~orishell.conventions.errors.InputError` that names the function and the argument. Rules
-    are what arguments must fulfil together: each is called with an object that has all of them, and
-    raises a ``PydanticCustomError``.
+    :class:`~orishell.conventions.errors.InputError` that names the function and the argument.
     """
 
     def decorate(function: F) -> F:
         signature = inspect.signature(function)
-        model = cache(lambda: _model(function, signature, rules))
+        model = cache(lambda: _model(function, signature))
 
         @wraps(function)
         def call(*args: Any, **kwargs: Any) -> Any:
@@ -201,17 +199,43 @@ def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
             try:
                 found = model().model_validate(raw)
             except ValidationError as error:
-                raise first_fault(raw, error, place, lambda _: []) from None
+                raise _of_call(function.__name__, raw, error) from None
             return function(**{name: getattr(found, name) for name in given})
-
-        def place(location: Location) -> Place:
-            name, *index = location
-            where = f"{function.__name__}: {name}" + "".join(f"[{each}]" for each in index)
-            return {"where": where}
 
         return cast("F", call)
 
     return decorate
+
+
+def _of_call(name: str, raw: dict[str, Any], error: ValidationError, *keys: str) -> InputError:
+    """The first fault of what a function or a class was called with; ``keys`` that it takes."""
+
+    def place(location: Location) -> Place:
+        key, *index = location or ("",)
+        return {"where": f"{name}: {key}" + "".join(f"[{each}]" for each in index)}
+
+    return first_fault(raw, error, place, lambda _: list(keys))
+
+
+class Called(type(BaseModel)):  # type: ignore[misc]
+    """Makes tables that are called like functions: what is wrong is said as of arguments.
+
+    Numbers and arrays of numpy's are taken as numbers and lists, and tuples as lists.
+    """
+
+    def __call__(cls, *args: Any, **values: Any) -> Any:
+        """A table of these values.
+
+        Raises
+        ------
+        InputError
+            Naming the class and the key.
+        """
+        raw = {name: _as_in_file(value) for name, value in values.items()}
+        try:
+            return super().__call__(*args, **raw)
+        except ValidationError as error:
+            raise _of_call(cls.__name__, raw, error, *cls.model_fields) from None
 
 
 def path_of(value: str | Path, name: str) -> Path:
@@ -226,28 +250,16 @@ def path_of(value: str | Path, name: str) -> Path:
     return Path(value)
 
 
-def _model(
-    function: Callable[..., Any],
-    signature: inspect.Signature,
-    rules: tuple[Callable[[Any], None], ...],
-) -> type[BaseModel]:
+def _model(function: Callable[..., Any], signature: inspect.Signature) -> type[BaseModel]:
     """What a function takes, as a table with its parameters as keys."""
     hints = get_type_hints(function, include_extras=True)
-
-    def check(values: Any) -> Any:
-        for rule in rules:
-            rule(values)
-        return values
-
     fields: dict[str, Any] = {
         name: (hints[name], ... if each.default is each.empty else each.default)
         for name, each in signature.parameters.items()
     }
-    validators: dict[str, Any] = {"rules": model_validator(mode="after")(check)}
     return create_model(
         function.__name__,
         __config__=ConfigDict(strict=True, arbitrary_types_allowed=True),
-        __validators__=validators,
         **fields,
     )
 
@@ -259,3 +271,9 @@ def _plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return type(value)(map(_plain, value))
     return value
+
+
+def _as_in_file(value: Any) -> Any:
+    """A value as a design file has it: lists of Python's numbers."""
+    value = _plain(value)
+    return [_as_in_file(each) for each in value] if isinstance(value, list | tuple) else value

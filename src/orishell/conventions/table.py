@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import KW_ONLY, dataclass, replace
 from types import UnionType
 from typing import (
@@ -98,9 +98,9 @@ class Table(BaseModel):
             vars(made)[PLACE] = Place(vars(made)[PLACE].keys, asked)
         return made
 
-    def note_all(self) -> None:
-        """Note that it is read as a whole."""
-        for name in type(self).model_fields:
+    def note_all(self, beside: Collection[str] = ()) -> None:
+        """Note that it is read as a whole, or all of it beside some keys."""
+        for name in type(self).model_fields.keys() - set(beside):
             getattr(self, name)
 
 
@@ -181,8 +181,8 @@ class Knob:
         found = list(_alternatives(annotation))
         listed = [each for each in found if isinstance(each, str) and each != "auto"]
         choices = self.choices or tuple(dict.fromkeys(listed))
-        kinds = [KINDS[each] for each in found if each in KINDS]
-        kind = "choice" if choices else next(iter(kinds), "number")
+        kinds: list[Kind] = [KINDS[each] for each in found if each in KINDS]
+        kind: Kind = "choice" if choices else next(iter(kinds), "number")
         return replace(self, kind=kind, auto="auto" in found and not choices, choices=choices)
 
 

@@ -147,10 +147,15 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
 
     Examples
     --------
-    >>> from orishell import curve_from_formulas, design_parallel_repeating, parse_formula
+    >>> from orishell import (
+    ...     ParallelRepeatingPattern, curve_from_formulas, design_parallel_repeating,
+    ...     parse_formula,
+    ... )
     >>> f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     >>> g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
-    >>> design = design_parallel_repeating(f, g, rows=9, columns=11, xi=np.deg2rad(50))
+    >>> design = design_parallel_repeating(
+    ...     f, g, ParallelRepeatingPattern(rows=9, columns=11, xi_deg=50)
+    ... )
     >>> round(measure_deviation(design, samples=COARSE).max, 2)
     0.23
     """

@@ -1,16 +1,15 @@
 """Which values the parameters of a family may take, and how the studio shows them.
 
-The types stand both in the tables [pattern] and in the signatures of the functions that design, so
-that both refuse the same values. Angles are in degrees in the tables, in radians in the functions.
+All that is known of a parameter stands once, at its key in the table [pattern] of its family, which
+is what the functions that design take. Angles are in degrees there (``_deg``).
 """
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Final, Literal, Self, TypedDict, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, overload
 
 import numpy as np
 from pydantic import AfterValidator, Field
@@ -19,52 +18,31 @@ from orishell.conventions.errors import InputError, Remedy
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
-from orishell.design import Design, FlapSide, PiecedSurface
+from orishell.design import Design, PiecedSurface
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.drawing import Drawing
+
+if TYPE_CHECKING:  # what Called is a kind of
+    from pydantic._internal._model_construction import ModelMetaclass as Called
+else:
+    from orishell.conventions.arguments import Called
 
 Auto = Literal["auto"]
 
 
-class Limits(TypedDict, total=False):
-    """Limits of an angle, as pydantic's ``Field`` takes them."""
-
-    ge: float
-    gt: float
-    le: float
-    lt: float
-
-
-LIMITED: Final[dict[str, tuple[Callable[[float, float], bool], str]]] = {
-    "ge": (operator.ge, "at least"),
-    "gt": (operator.gt, "greater than"),
-    "le": (operator.le, "at most"),
-    "lt": (operator.lt, "less than"),
-}
-
-
-def in_radians(limits: Limits) -> AfterValidator:
-    """The check of an angle in radians by limits in degrees: to the last bit the same.
+@overload
+def in_radians(angle: float) -> float: ...
+@overload
+def in_radians(angle: float | Auto) -> float | Auto: ...
+def in_radians(angle: float | Auto) -> float | Auto:
+    """An angle in radians, "auto" as it is.
 
     Parameters
     ----------
-    limits
-        The limits (degrees).
+    angle
+        As a table has it (degrees).
     """
-    degrees = cast("dict[str, float]", limits)
-
-    def check(angle: float) -> float:
-        for key, end in degrees.items():
-            within, words = LIMITED[key]
-            limit = float(np.deg2rad(end))
-            if not within(angle, limit):
-                meant = ""
-                if all(LIMITED[each][0](angle, other) for each, other in degrees.items()):
-                    meant = f" ({angle:g} degrees are {np.deg2rad(angle):.4g})"
-                raise misfit(f"an angle in radians, {words} {limit:g}{meant}", angle)
-        return angle
-
-    return AfterValidator(check)
+    return angle if isinstance(angle, str) else float(np.deg2rad(angle))
 
 
 def _require_odd(rows: int) -> int:
@@ -80,8 +58,6 @@ ColumnCount = Annotated[int, Field(ge=2, le=10**15)]
 Length = Annotated[Number, Field(gt=0)]
 Width = Annotated[Number, Field(ge=0)]
 """A width that may be 0: then there are no flaps."""
-FlapSides = Annotated[Sequence[FlapSide], Field(min_length=2, max_length=2)]
-"""Where the left and the right flap fold to."""
 
 ROWS: Final = Knob("Rows", "Rows of inner vertices, odd", slider=(1, 61), step=2)
 COLUMNS: Final = Knob("Columns", "Columns of inner vertices", slider=(2, 61), step=1)
@@ -108,7 +84,7 @@ Aim = Literal["curves", "surface", "drawing", "none"]
 all."""
 
 
-class Pattern(Table):
+class Pattern(Table, metaclass=Called):
     """What every family asks for: rows and columns of inner vertices, and flaps."""
 
     rows: Annotated[RowCount, ROWS]
@@ -170,26 +146,6 @@ class Pattern(Table):
     def idle(self) -> set[str]:
         """Keys that change nothing beside the others, so that nothing is asked of them."""
         return set() if self.flap else {"flap_side"}
-
-    def arguments(self) -> dict[str, Any]:
-        """The keys as the functions take them: angles in radians, one side for each flap.
-
-        Those that are idle are left out.
-        """
-        values: dict[str, Any] = {}
-        idle = self.idle()
-        for key in type(self).model_fields:
-            if key in idle:
-                continue
-            value = getattr(self, key)
-            if key == "flap_side":
-                values["flap_sides"] = (value, value) if isinstance(value, str) else tuple(value)
-            elif key.endswith("_deg"):
-                found = value if value == "auto" else np.deg2rad(value).tolist()
-                values[key.removesuffix("_deg")] = found
-            else:
-                values[key] = value
-        return values
 
     @classmethod
     def knobs(cls) -> dict[str, Knob]:

@@ -11,7 +11,7 @@ import pytest
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design import Design
 from orishell.design_file import DesignFile, check_design
-from orishell.families.flat_foldable import FlatFoldable, design_flat_foldable
+from orishell.families.flat_foldable import FlatFoldable, FlatFoldablePattern, design_flat_foldable
 from orishell.shell.make import make_shell
 from rigid import distance_after_motion
 
@@ -187,7 +187,7 @@ def test_it_is_proved_to_fold_from_flat_to_the_flat_stack(asked: dict[str, Any])
 
 def test_functions_take_what_the_table_takes() -> None:
     one = designed(sheet="arch", turn_deg=80)
-    other = design_flat_foldable(**SIZE, sheet="arch", turn=np.deg2rad(80.0))
+    other = design_flat_foldable(FlatFoldablePattern(**SIZE, sheet="arch", turn_deg=80.0))
     np.testing.assert_allclose(target(one), target(other), atol=1e-14)
-    with pytest.raises(InputError, match="design_flat_foldable: turn"):
-        design_flat_foldable(**SIZE, turn=0.3)
+    with pytest.raises(InputError, match="FlatFoldablePattern: turn_deg"):
+        FlatFoldablePattern(**SIZE, turn_deg=20)

@@ -20,10 +20,14 @@ from mechanisms import (
 )
 from orishell.conventions.errors import DesignError
 from orishell.design_file import read_design_file
-from orishell.families.flat_foldable.design import SheetKind, design_flat_foldable
 from orishell.families.flat_foldable.locks.flaps import FlapColumns, with_flaps
 from orishell.families.flat_foldable.locks.straight import straight_bordered
 from orishell.families.flat_foldable.net import Net
+from orishell.families.flat_foldable.pattern import (
+    FlatFoldablePattern,
+    SheetKind,
+    design_flat_foldable,
+)
 from orishell.locking import find_lock
 from orishell.motion import FoldedState, FoldingMotion, measure_fold_angles
 from orishell.shell import make_shell
@@ -92,7 +96,7 @@ def test_the_crease_between_sheet_and_flaps_folds_less_than_a_right_angle() -> N
 @pytest.mark.parametrize("make", [miura_net, lambda: random_net(6, 5, 3)])
 def test_flaps_lock_and_nothing_touches_before(make: Callable[[], Net], width: float) -> None:
     sheet = with_flap_columns(make(), (0.0, width))
-    design = design_flat_foldable(rows=5, columns=5)
+    design = design_flat_foldable(FlatFoldablePattern(rows=5, columns=5))
     lock = find_lock(replace(design, mechanism=sheet))
     assert lock.first_contact is not None
     assert (lock.cause, lock.early, lock.first_contact.kind) == ("flaps", False, "flap on flap")
@@ -101,11 +105,11 @@ def test_flaps_lock_and_nothing_touches_before(make: Callable[[], Net], width: f
 
 @pytest.mark.parametrize("kind", ["miura", "arch", "fan"])
 def test_named_sheets_lock(kind: SheetKind) -> None:
-    design = design_flat_foldable(rows=5, columns=6, sheet=kind, flap="auto")
+    design = design_flat_foldable(FlatFoldablePattern(rows=5, columns=6, sheet=kind, flap="auto"))
     assert len(design.mechanism.flap_columns) == 2
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("flaps", False)
-    bare = design_flat_foldable(rows=5, columns=6, sheet=kind)
+    bare = design_flat_foldable(FlatFoldablePattern(rows=5, columns=6, sheet=kind))
     assert bare.mechanism.flap_columns == ()
     assert bare.parameters["flap"] == 0
 

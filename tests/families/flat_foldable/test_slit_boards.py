@@ -16,8 +16,8 @@ from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.broad_phase import PanelTree
 from orishell.design import Design, PanelSpec
 from orishell.design_file import check_design
-from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern, design_flat_foldable
 from orishell.io.format import Settings
 from orishell.io.formats.step import write_step
 from orishell.io.formats.threemf import write_3mf
@@ -53,7 +53,7 @@ def designed(
 ) -> Design:
     """A random sheet with flaps 0.2 and 0.3 wide; edges are about 1 long."""
     sheet = SlitFlaps(flat_foldable(random_net(*size, seed), **TURNED), (0.2, 0.3))
-    design = replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet)
+    design = replace(design_flat_foldable(FlatFoldablePattern(rows=5, columns=5)), mechanism=sheet)
     return replace(design.with_stop(find_stop(sheet, build) if stop is None else stop), panel=build)
 
 

@@ -16,12 +16,12 @@ from orishell.design.piece import Piece
 from orishell.design_file import check_design
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
-from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.design import mechanism_of
 from orishell.families.flat_foldable.fit.initial_guesses import Task, fit_sheet
 from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern, design_flat_foldable
 from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import end_motion, find_lock
 from orishell.locking.result import Lock
@@ -52,7 +52,7 @@ def sheet_of(seed: int, widths: tuple[float, float] = (0.2, 0.3), stop: float = 
 
 
 def lock_of(sheet: SlitFlaps) -> Lock:
-    design = design_flat_foldable(rows=5, columns=5)
+    design = design_flat_foldable(FlatFoldablePattern(rows=5, columns=5))
     return find_lock(replace(design, mechanism=sheet))
 
 
@@ -184,7 +184,7 @@ def test_fitted_shells_lock(name: str) -> None:
 @thorough
 def test_width_is_found_by_the_proof() -> None:
     bare = fitted("saddle", 9)
-    made = replace(design_flat_foldable(rows=5, columns=5), mechanism=bare)
+    made = replace(design_flat_foldable(FlatFoldablePattern(rows=5, columns=5)), mechanism=bare)
 
     def of_width(width: float) -> Design:
         sheet = SlitFlaps(bare, (width, width))
@@ -206,7 +206,9 @@ def test_hinges_that_stop_end_the_motion_before() -> None:
 
 
 def written(sheet: SlitFlaps) -> Document:
-    return document_of_design(replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet))
+    return document_of_design(
+        replace(design_flat_foldable(FlatFoldablePattern(rows=5, columns=5)), mechanism=sheet)
+    )
 
 
 @pytest.mark.parametrize("stop", [0.0, 0.1])
@@ -257,7 +259,9 @@ def test_the_flat_pattern_is_one_outline_with_slits() -> None:
 
 
 def test_flaps_are_clipped_on_in_pairs() -> None:
-    design = replace(design_flat_foldable(rows=5, columns=5), mechanism=sheet_of(2))
+    design = replace(
+        design_flat_foldable(FlatFoldablePattern(rows=5, columns=5)), mechanism=sheet_of(2)
+    )
     clipped = design.with_clipped_flaps()
     assert clipped.mechanism is design.mechanism.without_flaps()
     document = document_of_design(clipped)

@@ -11,6 +11,7 @@ from orishell.curves import Curve, trace_curve
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating import (
     LongitudinalLinearRepeating,
+    LongitudinalPattern,
     Sectors,
     design_longitudinal_linear_repeating,
 )
@@ -31,8 +32,10 @@ def line(length: float) -> Curve:
 
 
 def design(f: Curve = ARC, g: Curve | None = None, **options: Any) -> Design:
-    given = {"rows": 7, "columns": 9, "sectors": PAPER, **options}
-    return design_longitudinal_linear_repeating(f, line(3) if g is None else g, **given)
+    given = {"rows": 7, "columns": 9, "sector_deg": PAPER.degrees, **options}
+    return design_longitudinal_linear_repeating(
+        f, line(3) if g is None else g, LongitudinalPattern(**given)
+    )
 
 
 def mechanism_of(made: Design) -> LongitudinalLinearRepeating:
@@ -73,7 +76,7 @@ def require_rigid(made: Design) -> None:
 )
 @pytest.mark.parametrize("first_row", ["F", "S"])
 def test_column_1_follows_f(f: Curve, length: float, first_row: str) -> None:
-    made = design(f, line(length), rows=8, columns=4, first_row=first_row, sectors="auto")
+    made = design(f, line(length), rows=8, columns=4, first_row=first_row, sector_deg="auto")
     require_rigid(made)
     size = trace_curve(f).length
     assert made.closeness["f"].max < 0.02 * size
@@ -89,7 +92,7 @@ def test_column_1_follows_f(f: Curve, length: float, first_row: str) -> None:
 def test_closer_with_more_rows() -> None:
     # The polygon touches f from both sides: second order in the number of rows.
     distances = [
-        design(g=line(1.5), rows=rows, columns=4, sectors="auto").closeness["f"].max
+        design(g=line(1.5), rows=rows, columns=4, sector_deg="auto").closeness["f"].max
         for rows in (4, 9, 19)
     ]
     assert distances[1] < distances[0] / 3
@@ -157,20 +160,20 @@ def test_given_lengths() -> None:
 
 
 def test_given_stage() -> None:
-    made = design(stage=float(np.deg2rad(2)))
+    made = design(stage_deg=np.rad2deg(float(np.deg2rad(2))))
     assert made.parameters["stage_deg"] == pytest.approx(2)
     require_rigid(made)
     assert design().closeness["f"].max < made.closeness["f"].max
 
 
 def test_stage_beyond_the_end_of_the_motion() -> None:
-    error = refusal(stage=2.5, rows=2, columns=3, g=line(1))
+    error = refusal(stage_deg=np.rad2deg(2.5), rows=2, columns=3, g=line(1))
     nearest = float(np.deg2rad(first(error, "pattern.stage_deg")))
-    assert design(g=line(0.8), rows=2, columns=3, stage=nearest)
+    assert design(g=line(0.8), rows=2, columns=3, stage_deg=np.rad2deg(nearest))
 
 
 def test_sector_angles_auto() -> None:
-    made = design(graph("-0.1*x**2", -1, 1), sectors="auto")
+    made = design(graph("-0.1*x**2", -1, 1), sector_deg="auto")
     require_rigid(made)
     assert made.closeness["f"].max < 2e-3
     longest_to_shortest = made.parameters["longest_to_shortest"]
@@ -280,9 +283,9 @@ def test_sine_version_follows_no_convex_curve() -> None:
 
 
 def test_rows_that_fold_to_both_sides() -> None:
-    error = refusal(sectors=Sectors.from_degrees([85, 80, 85, 80.5]), rows=3, columns=3)
+    error = refusal(sector_deg=[85, 80, 85, 80.5], rows=3, columns=3)
     assert first(error, "pattern.sector_deg") == "auto"
-    assert design(rows=3, columns=3, sectors="auto")
+    assert design(rows=3, columns=3, sector_deg="auto")
 
 
 def test_unusable_input() -> None:
@@ -302,7 +305,7 @@ def test_99_x_99_near_90_degrees() -> None:
         line(2),
         rows=99,
         columns=99,
-        sectors=Sectors.from_degrees([89.95, 89.9, 90.05, 90.1]),
+        sector_deg=[89.95, 89.9, 90.05, 90.1],
     )
     motion = FoldingMotion(made.mechanism, 4)
     residuals, assignment = measure_residuals(motion, motion.flat)

@@ -14,6 +14,7 @@ from orishell.design import Design
 from orishell.deviation import measure_deviation
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import (
+    LongitudinalPattern,
     Sectors,
     design_longitudinal_linear_repeating,
     find_solutions,
@@ -31,8 +32,8 @@ ROW = [1.4, 0.23, 1.0, 1.9] * 2
 
 
 def design(**options: Any) -> Design:
-    asked: dict[str, Any] = {"rows": 5, "columns": 9, "sectors": PAPER, **options}
-    return design_longitudinal_linear_repeating(**asked)
+    asked: dict[str, Any] = {"rows": 5, "columns": 9, "sector_deg": PAPER.degrees, **options}
+    return design_longitudinal_linear_repeating(None, None, LongitudinalPattern(**asked))
 
 
 def paper(**options: Any) -> Design:
@@ -147,7 +148,7 @@ def test_any_listed_solution(degrees: list[float], first_row: str, size: tuple[i
     for number in range(len(find_solutions(sectors))):
         asked = {"rows": size[0], "columns": size[1], "first_row": first_row}
         try:
-            made = design(sectors=sectors, solution=number, **asked)
+            made = design(sector_deg=sectors.degrees, solution=number, **asked)
         except DesignError:
             continue
         ended, lock = end_motion(made)
@@ -156,7 +157,7 @@ def test_any_listed_solution(degrees: list[float], first_row: str, size: tuple[i
 
 
 def test_a_given_stage() -> None:
-    made = paper(stage=float(np.deg2rad(5)))
+    made = paper(stage_deg=5)
     ended, lock = end_motion(made)
     assert ended is made
     assert made.parameters["stage_deg"] == 5
@@ -166,17 +167,17 @@ def test_a_given_stage() -> None:
 
 def test_panels_that_meet_before_a_given_stage() -> None:
     with pytest.raises(DesignError, match="meet before the shell reaches its stage") as caught:
-        end_motion(paper(stage=float(np.deg2rad(20))))
+        end_motion(paper(stage_deg=20))
     stage = float(values(caught.value, "stage_deg")[0])
-    works = paper(stage=float(np.deg2rad(stage)))
+    works = paper(stage_deg=stage)
     assert not end_motion(works)[1].early
-    farther = paper(stage=float(np.deg2rad(1.002 * stage)))
+    farther = paper(stage_deg=1.002 * stage)
     assert end_motion(farther, allow_clash=True)[1].early
 
 
 def test_a_stage_beyond_the_end_of_the_motion() -> None:
     with pytest.raises(DesignError, match="beyond the end") as caught:
-        paper(stage=2.2)
+        paper(stage_deg=np.rad2deg(2.2))
     made_end = float(str(paper().parameters["motion_end_deg"]))
     *near, auto = values(caught.value, "stage_deg")
     assert auto == "auto"
@@ -192,9 +193,9 @@ def values(error: DesignError, key: str) -> list[Any]:
 def test_the_smallest_stages() -> None:
     for stage in (1e-9, 1e-12, 1e-300):
         with pytest.raises(DesignError, match="leaves creases unfolded") as caught:
-            paper(stage=stage)
+            paper(stage_deg=np.rad2deg(stage))
         offered = values(caught.value, "stage_deg")[0]
-        require_rigid(paper(stage=float(np.deg2rad(offered))), 2)
+        require_rigid(paper(stage_deg=offered), 2)
 
 
 def test_lengths_that_make_no_sheet() -> None:
@@ -232,7 +233,9 @@ def test_offers_make_a_sheet(given: dict[str, list[float]]) -> None:
 def test_half_a_target() -> None:
     with pytest.raises(InputError, match="belong together"):
         design_longitudinal_linear_repeating(
-            graph("-x**2", -1, 1), rows=3, columns=3, sectors=PAPER
+            graph("-x**2", -1, 1),
+            None,
+            LongitudinalPattern(rows=3, columns=3, sector_deg=PAPER.degrees),
         )
 
 
@@ -246,7 +249,7 @@ def test_there_is_nothing_to_compare_it_with() -> None:
 
 
 def test_sector_angles_auto_and_couplings() -> None:
-    require_rigid(design(rows=9, columns=12, sectors="auto"))
+    require_rigid(design(rows=9, columns=12, sector_deg="auto"))
     require_rigid(design(couplings=["parallel", "solve"] * 4))
 
 
@@ -255,8 +258,8 @@ def test_a_small_stage_takes_no_more_states_to_examine() -> None:
     lengths = [1.79, 1.21, 1.48, 0.55]
     sectors = Sectors.from_degrees([93.05, 93.24, 90.47, 92.92])
     for stage in (1e-4, 1e-1):
-        asked = {"rows": 3, "columns": 5, "sectors": sectors, "first_row": "S"}
-        proof = find_lock(design(row_lengths=lengths, stage=stage, **asked)).path
+        asked = {"rows": 3, "columns": 5, "sector_deg": sectors.degrees, "first_row": "S"}
+        proof = find_lock(design(row_lengths=lengths, stage_deg=np.rad2deg(stage), **asked)).path
         assert proof is not None
         assert proof.states < 100
 
@@ -272,8 +275,8 @@ def test_panels_too_slender_for_rounding() -> None:
 
     near = find_solutions(sectors(180 - 1e-7))[0].second.degrees[0]
     assert near == pytest.approx(180 - 1e-7, abs=1e-12)
-    assert "slender" in refusal(rows=2, columns=3, sectors=sectors(180 - 1e-7)).condition
-    require_rigid(design(rows=2, columns=3, sectors=sectors(179)))
+    assert "slender" in refusal(rows=2, columns=3, sector_deg=sectors(180 - 1e-7).degrees).condition
+    require_rigid(design(rows=2, columns=3, sector_deg=sectors(179).degrees))
 
 
 @pytest.mark.parametrize("flap", [1e30, 1e200, 1e-30])

@@ -36,7 +36,7 @@ def test_candidates_mend_what_they_are_named_for(asked: Request) -> None:
 
 @pytest.mark.parametrize("degrees", led_by([60, 130, 75, 110]))
 def test_heading_outside_its_interval(degrees: float) -> None:
-    what = request(heading=np.deg2rad(degrees))
+    what = request(heading_deg=degrees)
     error = what.refusal()
     assert "neighbouring rows meet" in error.condition
     assert error.place.startswith("between rows ")
@@ -47,7 +47,7 @@ def test_heading_outside_its_interval(degrees: float) -> None:
         assert what.changed(remedy).design()
     # 0.5 % more than the largest scale does not work.
     scale = max(float(str(each.changes.get("target.g.scale", 0))) for each in remedies)
-    request(heading=np.deg2rad(degrees), g=WAVE.scaled(1.005 * scale)).refusal()
+    request(heading_deg=degrees, g=WAVE.scaled(1.005 * scale)).refusal()
 
 
 def test_interval_is_reported() -> None:
@@ -57,7 +57,7 @@ def test_interval_is_reported() -> None:
     low, high = (float(degrees) for degrees in interval)
     assert 80 < low < 90 < high < 101
     for degrees in (low + 0.01, high - 0.01):
-        assert request(heading=np.deg2rad(degrees)).design()
+        assert request(heading_deg=degrees).design()
     bounds, alpha = (design.parameters[f"alpha_0{name}_deg"] for name in ("_interval", ""))
     assert isinstance(bounds, list)
     assert isinstance(alpha, float)
@@ -65,11 +65,11 @@ def test_interval_is_reported() -> None:
 
 
 def test_auto_heading() -> None:
-    assert request(heading="auto").design().parameters["heading_deg"] == 90.0
+    assert request(heading_deg="auto").design().parameters["heading_deg"] == 90.0
     # g at 40 degrees to its own x axis: a right angle to its chord is at 50.
     g = curve_from_points(np.array([[0, 0], [3.0, 2.5]]), smooth=False)
     assert request(g=g).refusal()
-    heading = request(g=g, heading="auto").design().parameters["heading_deg"]
+    heading = request(g=g, heading_deg="auto").design().parameters["heading_deg"]
     assert heading == pytest.approx(90 - np.rad2deg(np.arctan2(2.5, 3)), abs=1)
 
 
@@ -86,7 +86,7 @@ def test_balanced_row_errs_on_both_sides_of_g() -> None:
 
 
 def test_plane_that_does_not_cross_g() -> None:
-    what = request(g=graph("2*x", 0, 0.1), heading=np.deg2rad(150))
+    what = request(g=graph("2*x", 0, 0.1), heading_deg=150)
     error = what.refusal()
     assert "does not cross" in error.condition
     assert "between columns" in error.place
@@ -126,7 +126,7 @@ def test_depth_too_small_to_alternate() -> None:
 def test_depth_that_alternates_barely_is_mended_too() -> None:
     # Rows that hardly turn admit hardly any g: far greater depths must be looked at.
     f = curve_from_points([(0, 0), (1, 0), (2, 0.5), (2.5, 0), (3, 0)], smooth=False)
-    what = request(f, graph("x**2", 0, 2), depth=0.0214, rows=17, columns=3, heading="auto")
+    what = request(f, graph("x**2", 0, 2), depth=0.0214, rows=17, columns=3, heading_deg="auto")
     mended = what.candidates(what.refusal())[0]
     assert "turn left" not in _condition(mended)
     assert mended.candidates(mended.refusal())[0].design()
@@ -190,7 +190,7 @@ def test_curves_may_run_either_way() -> None:
 @pytest.mark.parametrize("heading", [np.pi / 2, 1.5])
 def test_f_stands_upright_to_the_right_of_g(heading: float) -> None:
     f = graph("0.5*x + 0.2*sin(2*x)", 0, 3)
-    design = request(f=f, heading=heading, depth="auto").design()
+    design = request(f=f, heading_deg=np.rad2deg(heading), depth="auto").design()
     column = design.mechanism.positions(np.pi)[:, 1]
     t = np.array([np.cos(heading), -np.sin(heading)])
     end = f.position(3.0) - f.position(0.0)
@@ -217,7 +217,7 @@ def test_ends_of_the_shell() -> None:
         across = (locked[row] - locked[row, 1]) @ np.array([0, chord[1], chord[2]])
         assert np.abs(across).max() < 1e-12
     # Where neither is within reason the end edges stay as they are.
-    design = request(rows=99, columns=30, depth="auto", heading="auto").design()
+    design = request(rows=99, columns=30, depth="auto", heading_deg="auto").design()
     assert design.parameters["ends"] == ["untrimmed", "untrimmed"]
 
 
@@ -230,7 +230,7 @@ def test_polyline_f_with_corners() -> None:
 @pytest.mark.parametrize(("rows", "columns"), [(1, 2), (1, 13), (9, 2), (3, 3)])
 def test_smallest_sheets(rows: int, columns: int) -> None:
     design = request(
-        g=graph("0.02*x**2", 0, 1), rows=rows, columns=columns, depth="auto", heading="auto"
+        g=graph("0.02*x**2", 0, 1), rows=rows, columns=columns, depth="auto", heading_deg="auto"
     ).design()
     assert design.mechanism.positions(1.0).shape == (rows + 2, columns + 2, 3)
 
@@ -245,7 +245,7 @@ def test_smallest_sheets(rows: int, columns: int) -> None:
 )
 def test_reported_interval_is_exact(f: Curve, g: Curve, columns: int) -> None:
     def at(degrees: float) -> Request:
-        return request(f, g, columns=columns, heading=np.deg2rad(degrees))
+        return request(f, g, columns=columns, heading_deg=degrees)
 
     interval = at(90).design().parameters["heading_interval_deg"]
     assert isinstance(interval, list)
@@ -259,15 +259,15 @@ def test_no_heading_is_offered_where_none_works() -> None:
     # f's plane crosses g at many headings, but rows meet at all of them: the crossing interval,
     # like the paper's condition, is only necessary.
     roof, bowl = graph("-abs(x)", -1, 1), graph("-sqrt(4-x**2)", -1.5, 1.5)
-    error = request(roof, bowl, depth=0.1, heading=np.pi).refusal()
+    error = request(roof, bowl, depth=0.1, heading_deg=np.rad2deg(np.pi)).refusal()
     first = next(iter(error.candidates))
     assert set(first.changes) == {"target.g.scale", "pattern.heading_deg"}
-    assert request(roof, bowl, depth=0.1, heading=np.pi).changed(first).design()
+    assert request(roof, bowl, depth=0.1, heading_deg=np.rad2deg(np.pi)).changed(first).design()
     # Flaps of a given width may be too wide there.
-    wide = request(roof, bowl, depth=0.1, heading=np.pi, flap=0.5)
+    wide = request(roof, bowl, depth=0.1, heading_deg=np.rad2deg(np.pi), flap=0.5)
     assert next(iter(wide.refusal().candidates)).changes["pattern.flap"] == "auto"
     # Who wants no flaps is not offered any.
-    bare = request(roof, bowl, depth=0.1, heading=np.pi, flap=0)
+    bare = request(roof, bowl, depth=0.1, heading_deg=np.rad2deg(np.pi), flap=0)
     first = next(iter(bare.refusal().candidates))
     assert "pattern.flap" not in first.changes
     assert bare.changed(first).design().mechanism.grid.columns == 13

@@ -8,7 +8,11 @@ import shapely
 
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
 from orishell.families.orthodiagonal.flaps import SMALLEST_KEPT
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion
@@ -21,7 +25,9 @@ CROSSING = graph("0.1*cos(2*pi*x)", 0, 6)
 
 def shelter(**options: Any) -> Design:
     """Half an ellipse 2.3 high, with flaps as wide as "auto" makes them: 0.5."""
-    return design_orthodiagonal(ELLIPSE, CROSSING, rows=11, columns=13, **options)
+    return design_orthodiagonal(
+        ELLIPSE, CROSSING, OrthodiagonalPattern(rows=11, columns=13, **options)
+    )
 
 
 def mechanism_of(design: Design) -> Orthodiagonal:
@@ -63,7 +69,9 @@ def test_flaps_of_an_arch_end_level_with_its_feet() -> None:
     np.testing.assert_allclose(height[[0, -1]], inner.min(), atol=1e-12)
     assert height.min() == pytest.approx(inner.min(), abs=1e-12)
     # Whole they reach 0.2 below; before they were cut they made the ends square, and reached 1.05.
-    whole = design_orthodiagonal(ELLIPSE, CROSSING, rows=11, columns=13, flap=0.2)
+    whole = design_orthodiagonal(
+        ELLIPSE, CROSSING, OrthodiagonalPattern(rows=11, columns=13, flap=0.2)
+    )
     assert (mechanism_of(whole).kept == 1).all()
 
 
@@ -90,7 +98,9 @@ def test_cut_flaps_are_rigid_and_lock() -> None:
 @pytest.mark.parametrize("flap", [0.3, 0.6, 2.0])
 def test_the_wider_the_flaps_the_more_is_cut(flap: float) -> None:
     f = pair("2.5*cos(t)", "3*sin(t)", 0, np.pi)
-    design = design_orthodiagonal(f, graph("0*x", 0, 6), rows=7, columns=3, flap=flap)
+    design = design_orthodiagonal(
+        f, graph("0*x", 0, 6), OrthodiagonalPattern(rows=7, columns=3, flap=flap)
+    )
     height, inner = heights(design)
     assert height.min() == pytest.approx(inner.min(), abs=1e-12)
     assert (mechanism_of(design).kept < 1).any() == (flap == 2.0)
@@ -109,16 +119,16 @@ def test_a_side_that_stays_clear_is_chosen(
 ) -> None:
     """Asked for, the flaps reach so far below the feet; left open, they do not."""
     options: dict[str, Any] = {"rows": 9, "columns": 7, "flap": flap}
-    asked = design_orthodiagonal(f, g, **options, flap_sides=sides)
+    asked = design_orthodiagonal(f, g, OrthodiagonalPattern(**options, flap_side=sides))
     assert depth_below_feet(asked) == pytest.approx(depth, abs=1e-3)
-    assert depth_below_feet(design_orthodiagonal(f, g, **options)) < 1e-12
+    assert depth_below_feet(design_orthodiagonal(f, g, OrthodiagonalPattern(**options))) < 1e-12
 
 
 def test_flaps_that_no_trim_helps_are_not_cut() -> None:
     """An end that no plane cuts off: flaps asked to fold there stay whole and reach below."""
-    options: dict[str, Any] = {"flap": 0.4, "flap_sides": ("end", "end")}
+    options: dict[str, Any] = {"flap": 0.4, "flap_side": "end"}
     f, g = graph("-2*x**2", -0.5, 1.5), graph("0*x", 0, 4)
-    design = design_orthodiagonal(f, g, rows=9, columns=7, **options)
+    design = design_orthodiagonal(f, g, OrthodiagonalPattern(rows=9, columns=7, **options))
     ends = design.parameters["ends"]
     assert isinstance(ends, list)
     assert "untrimmed" in ends

@@ -6,8 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.families.orthodiagonal import Orthodiagonal
-from orishell.families.orthodiagonal.design import headings_of
-from orishell.families.orthodiagonal.headings import HeadingConditions, SideChoice, holds
+from orishell.families.orthodiagonal.headings import (
+    HeadingConditions,
+    SideChoice,
+    headings_of,
+    holds,
+)
 from orishell.polylines import Zigzag
 from samples import examples
 from strategies import numbers

@@ -5,7 +5,11 @@ import pytest
 from hypothesis import given, settings
 
 from mechanisms import PARABOLA, leaning, orthodiagonal_of, upright
-from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
+from orishell.families.orthodiagonal import (
+    Orthodiagonal,
+    OrthodiagonalPattern,
+    design_orthodiagonal,
+)
 from orishell.motion import (
     FoldedState,
     FoldingMotion,
@@ -84,7 +88,7 @@ def test_all_rows_reach_their_angle_together() -> None:
 def test_sector_angles_are_equation_3() -> None:
     # Both flaps to the start of f: there the paper's signs hold. gamma is measured on the locked
     # middle row, "from the same side".
-    mechanism = upright(flap_sides=("start", "start"))
+    mechanism = upright(flap_side=["start", "start"])
     alpha = mechanism.sector_angles()
     beta = mechanism.angles
     middle = len(beta) // 2
@@ -105,7 +109,7 @@ def test_sector_angles_are_equation_3() -> None:
 
 
 def test_sector_angles_are_those_of_the_flat_sheet() -> None:
-    mechanism = leaning(flap_sides=("start", "end"))
+    mechanism = leaning(flap_side=["start", "end"])
     flat = mechanism.positions(0.0)
 
     def angle(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -142,7 +146,9 @@ def test_fold_angles_satisfy_the_degree_4_vertex_relation() -> None:
 def test_straight_g_leaves_the_inner_columns_unfolded() -> None:
     for text in ("0*x", "0.1*x + 1"):
         g = graph(text, 0, 4)
-        mechanism = design_orthodiagonal(PARABOLA, g, rows=9, columns=7).mechanism
+        mechanism = design_orthodiagonal(
+            PARABOLA, g, OrthodiagonalPattern(rows=9, columns=7)
+        ).mechanism
         signs = find_assignment(mechanism)
         assert (signs.column[:, 1:-1] == 0).all()
         assert (signs.column[:, [0, -1]] != 0).all()
@@ -175,7 +181,7 @@ def test_the_middle_row_does_not_drift() -> None:
 
 def test_flaps_fold_to_the_chosen_side() -> None:
     for sides in (("end", "end"), ("start", "end"), ("end", "start"), ("start", "start")):
-        mechanism = upright(flap_sides=sides)
+        mechanism = upright(flap_side=sides)
         locked = mechanism.positions(np.pi)[..., :2] @ np.array([1, 1j])
         t, _ = column_directions(mechanism)
         for side, outer, inner in (

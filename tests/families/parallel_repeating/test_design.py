@@ -18,7 +18,7 @@ STRAIGHT = graph("0*x", 0, 20)
 
 
 def request(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Request:
-    asked = {"rows": 9, "columns": 11, "xi": np.deg2rad(50), "flap": 0.3, **options}
+    asked = {"rows": 9, "columns": 11, "xi_deg": 50, "flap": 0.3, **options}
     return parallel_repeating(f, g, **asked)
 
 
@@ -35,10 +35,10 @@ def test_figure_1_needs_no_mending() -> None:
 
 
 def test_too_large_xi_names_the_limit() -> None:
-    error = request(xi=np.deg2rad(60)).refusal()
+    error = request(xi_deg=60).refusal()
     assert "below 53.1301" in error.size
     assert "xi_deg = 60 is too large" in error.condition
-    what = request(xi=np.deg2rad(60))
+    what = request(xi_deg=60)
     values = of_key(error, "pattern.xi_deg")
     assert values == sorted(values, reverse=True)
     assert 53 < values[0] < 53.1301
@@ -47,14 +47,14 @@ def test_too_large_xi_names_the_limit() -> None:
 
 
 def test_too_large_xi_offers_the_rotations_that_work() -> None:
-    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi=np.deg2rad(60))
+    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi_deg=60)
     error = what.refusal()
     for degrees in of_key(error, "pattern.theta_deg"):
         assert what.changed(Remedy({"pattern.theta_deg": degrees})).design()
 
 
 def test_rotation_that_admits_no_xi() -> None:
-    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi="auto", theta=np.deg2rad(40))
+    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi_deg="auto", theta_deg=40)
     error = what.refusal()
     assert "no staircase for theta_deg = 40" in error.condition
     assert what.improved(error).design()
@@ -63,15 +63,15 @@ def test_rotation_that_admits_no_xi() -> None:
 def test_f_that_turns_too_much() -> None:
     circle = pair("cos(t)", "sin(t)", 0, 3.3)
     asked: list[dict[str, Any]] = [
-        {"xi": "auto"},
-        {"theta": "auto"},
-        {"xi": "auto", "theta": "auto"},
+        {"xi_deg": "auto"},
+        {"theta_deg": "auto"},
+        {"xi_deg": "auto", "theta_deg": "auto"},
     ]
     for options in asked:
         error = request(f=circle, **options).refusal()
         assert "turns too much" in error.condition
         assert "orthodiagonal" in of_key(error, "shell.family")
-        assert request(f=circle, g=STRAIGHT, xi="auto").mended().design()
+        assert request(f=circle, g=STRAIGHT, xi_deg="auto").mended().design()
 
 
 def test_bend_tighter_than_the_reach_of_f() -> None:
@@ -89,7 +89,7 @@ def test_bend_tighter_than_the_reach_of_f() -> None:
 
 
 def test_plane_that_does_not_cross_g() -> None:
-    what = request(plane=np.deg2rad(10))
+    what = request(plane_deg=10)
     error = what.refusal()
     assert "does not cross" in error.condition
     match = re.search(r"between ([\d.]+) and ([\d.]+)$", error.size)
@@ -97,10 +97,10 @@ def test_plane_that_does_not_cross_g() -> None:
     low, high = (float(each) for each in match.groups())
     for plane in (low + 0.01, high - 0.01):  # both ends of the interval are admissible
         try:
-            request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(plane)).design()
+            request(f=PARABOLA.scaled(0.05), plane_deg=plane).design()
         except DesignError as other:
             assert "does not cross" not in other.condition  # noqa: PT017
-    request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(low - 0.3)).refusal()
+    request(f=PARABOLA.scaled(0.05), plane_deg=low - 0.3).refusal()
 
 
 def test_too_few_columns_for_any_plane() -> None:
@@ -114,7 +114,7 @@ def test_too_few_columns_for_any_plane() -> None:
 def test_flat_sheet_that_overlaps_itself() -> None:
     # The flat sheet turns by sin(xi/2) of what g turns: 7 * 0.97 is more than a full turn.
     ring = pair("20*cos(t)", "20*sin(t)", 0, 7)
-    what = request(f=graph("0.1*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(150))
+    what = request(f=graph("0.1*x", -1, 1), g=ring, columns=60, xi_deg=150)
     error = what.refusal()
     assert "overlaps itself" in error.condition
     for mended in what.candidates(error):
@@ -124,7 +124,7 @@ def test_flat_sheet_that_overlaps_itself() -> None:
 def test_flaps_that_overlap_in_the_flat_sheet() -> None:
     # Flat, the ring turns by 6.2 * sin(80 degrees) = 6.1: almost a full turn.
     ring = pair("20*cos(t)", "20*sin(t)", 0, 6.2)
-    what = request(f=graph("0.05*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(160), flap=4.0)
+    what = request(f=graph("0.05*x", -1, 1), g=ring, columns=60, xi_deg=160, flap=4.0)
     error = what.refusal()
     assert "flaps overlap" in error.condition
     assert what.improved(error).design()
@@ -160,7 +160,7 @@ def test_f_may_run_either_way() -> None:
 def test_asymmetric_f_stands_to_the_right_of_g_and_upright() -> None:
     # Contract: f's y axis is +z; f's x axis lies to the right, seen along g.
     f = graph("0.3*x + 0.1*sin(x)", 0, 2)
-    design = request(f=f, g=STRAIGHT, xi=1.0).design()
+    design = request(f=f, g=STRAIGHT, xi_deg=np.rad2deg(1.0)).design()
     locked = design.mechanism.positions(np.pi)
     column = locked[:, 1]
     assert column[-1, 2] > column[0, 2]
@@ -171,7 +171,7 @@ def test_asymmetric_f_stands_to_the_right_of_g_and_upright() -> None:
 
 def test_targets_are_placed_on_the_locked_shell() -> None:
     for plane in (np.pi / 2, 1.1):
-        design = request(plane=plane, theta=0.01).design()
+        design = request(plane_deg=np.rad2deg(plane), theta_deg=np.rad2deg(0.01)).design()
         locked = design.mechanism.positions(np.pi)
         np.testing.assert_allclose(design.targets["f"][[0, -1]], locked[[0, -1], 1], atol=1e-12)
         np.testing.assert_allclose(design.targets["g"][[0, -1]], locked[5, [1, -2]], atol=1e-12)
@@ -194,23 +194,23 @@ def test_panels_lost_in_rounding_are_refused() -> None:
         ("columns", 1),
         ("flap", -1.0),
         ("flap", float("nan")),
-        ("xi", -1.0),
-        ("xi", np.pi),
-        ("theta", float("nan")),
-        ("plane", 0.0),
-        ("flap_sides", ("left", "right")),
+        ("xi_deg", -1.0),
+        ("xi_deg", 180.0),
+        ("theta_deg", float("nan")),
+        ("plane_deg", 0.0),
+        ("flap_side", ["left", "right"]),
         ("spacing", "even"),
         ("placement", "outside"),
     ],
 )
 def test_parameters_without_meaning_are_refused(name: str, value: Any) -> None:
-    with pytest.raises(InputError, match=rf"^design_parallel_repeating: {name}(\[0\])?: "):
+    with pytest.raises(InputError, match=rf"^ParallelRepeatingPattern: {name}(\[0\])?: "):
         request(**{name: value}).design()
 
 
 def test_places_are_named_as_f_was_drawn() -> None:
     # Steepest at t = 1, where the curve drawn from right to left is at (-1, -1).
-    error = request(f=pair("-t", "-t**2", -0.2, 1), xi=np.deg2rad(80)).refusal()
+    error = request(f=pair("-t", "-t**2", -0.2, 1), xi_deg=80).refusal()
     assert error.place == "at the point (-1, -1) of f"
 
 
@@ -223,7 +223,7 @@ def test_column_scales() -> None:
     # Rows stay parallel to g, so (lambda t)' is parallel to g': lambda'/lambda is cot(delta) times
     # the turning of t, t being to the right of g. On a circle lambda grows as exp(cot(delta) turn).
     arc = pair("20*cos(t)", "20*sin(t)", 0, 1)
-    oblique = request(g=arc, columns=81, plane=np.deg2rad(60)).design().parameters["column_scale"]
+    oblique = request(g=arc, columns=81, plane_deg=60).design().parameters["column_scale"]
     assert oblique == pytest.approx([1, np.exp(1 / np.tan(np.pi / 3))], rel=1e-3)
     square = request(g=arc, columns=81).design().parameters["column_scale"]
     assert square == pytest.approx([1, 1], abs=1e-9)

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 
 from mechanisms import parallel, parallel_of
 from orishell.curves import trace_curve
-from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import (
     diagonal,
     find_assignment,
@@ -63,9 +63,7 @@ def test_column_1_is_the_staircase_of_f() -> None:
     design = design_parallel_repeating(
         graph("-x**2 + 0.2*x", -1, 1.1),
         graph("x**2/40", 0, 20),
-        rows=11,
-        columns=7,
-        xi=np.deg2rad(40),
+        ParallelRepeatingPattern(rows=11, columns=7, xi_deg=40),
     )
     mechanism = parallel_of(design)
     column = mechanism.positions(np.pi)[:, 1]
@@ -108,7 +106,7 @@ def test_sector_angles_are_equation_2() -> None:
 
 
 def test_sector_angles_are_those_of_the_flat_sheet() -> None:
-    mechanism = parallel(plane=np.deg2rad(70), flap_sides=("start", "end"))
+    mechanism = parallel(plane_deg=70, flap_side=["start", "end"])
     flat = mechanism.positions(0.0)
 
     def angle(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -128,7 +126,7 @@ def test_sector_angles_are_those_of_the_flat_sheet() -> None:
 def test_fold_angles_satisfy_the_degree_4_vertex_relation() -> None:
     # geometry.md section 2(a), checked at every inner vertex with a = LU, b = LD, c = RD:
     # P = cot(left/2), Q = cot(down/2); independent of the column-straight formulas used.
-    mechanism = parallel(plane=np.deg2rad(75))
+    mechanism = parallel(plane_deg=75)
     angles = mechanism.fold_angles(1.9)
     alpha = mechanism.sector_angles()
     a, b, c = alpha[:, 1], alpha[:, 2], alpha[:, 3]
@@ -166,7 +164,7 @@ def test_the_middle_row_does_not_drift() -> None:
 
 def test_flaps_fold_to_the_chosen_side() -> None:
     for sides in (("end", "end"), ("start", "end"), ("end", "start"), ("start", "start")):
-        mechanism = parallel(flap_sides=sides)
+        mechanism = parallel(flap_side=sides)
         locked = mechanism.positions(np.pi)[..., :2] @ np.array([1, 1j])
         for side, outer, inner, axis in (
             (sides[0], locked[5, 0], locked[5, 1], mechanism.axes[0]),

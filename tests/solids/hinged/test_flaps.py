@@ -59,7 +59,7 @@ def ranks(sheet: Mechanism) -> tuple[Array, Booleans]:
 @pytest.mark.parametrize(
     "make",
     [
-        lambda: parallel(5, 6, planes="bisector"),
+        lambda: parallel(5, 6, plane="bisector"),
         lambda: upright(7, 6, row="zigzag", depth=0.1),
         arch_with_flaps,
         pytest.param(slit, marks=thorough),

@@ -67,7 +67,7 @@ def test_hinges_lie_beyond_the_faces_on_which_their_creases_close(seed: int) -> 
 
 def test_a_column_that_does_not_fold_has_no_arm() -> None:
     """The crest of this g: the column in its middle stays unfolded."""
-    sheet = parallel(planes="bisector", flap=0.0)
+    sheet = parallel(plane="bisector", flap=0.0)
     still = find_assignment(sheet).column == 0
     assert still.any()
     hinges = find_hinges(sheet, BUILD)

@@ -52,7 +52,7 @@ def test_no_angle_changes_and_boards_come_nearer(seed: int) -> None:
 @pytest.mark.parametrize(
     "sheet",
     [
-        parallel(9, 11, planes="bisector", xi=np.deg2rad(50), flap=0.0),
+        parallel(9, 11, plane="bisector", xi_deg=50, flap=0.0),
         upright(9, 13, row="zigzag", depth=0.1, flap=0.0).straightened(),
     ],
     ids=["parallel repeating", "orthodiagonal"],

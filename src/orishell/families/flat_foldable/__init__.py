@@ -4,7 +4,7 @@ Not in the paper: the meshes are those of Feng, Dang, James and Plucinsky, J. Me
 (2020) 104018. Derived in docs/theory/flat-foldable.md.
 """
 
-from orishell.families.flat_foldable.design import design_flat_foldable
 from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern, design_flat_foldable
 
-__all__ = ["FlatFoldable", "design_flat_foldable"]
+__all__ = ["FlatFoldable", "FlatFoldablePattern", "design_flat_foldable"]

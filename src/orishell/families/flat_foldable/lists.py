@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.conventions.table import misfit
 from orishell.design import Parameter
 from orishell.families.flat_foldable.net import Net, Numbers, Sheet
 from orishell.numerics.arrays import Array
@@ -17,10 +15,10 @@ from orishell.numerics.arrays import Array
 CORNERS = (1.0,) * 8
 """Corners of parallelograms."""
 LISTS = {
-    "row_folds": 0,
-    "column_folds": 1,
-    "row_angles": 1,
-    "column_angles": 0,
+    "row_folds_deg": 0,
+    "column_folds_deg": 1,
+    "row_angles_deg": 1,
+    "column_angles_deg": 0,
     "left_lengths": 0,
     "right_lengths": 0,
     "top_lengths": 1,
@@ -121,33 +119,3 @@ def _logs(angles: Sequence[float]) -> Array:
 def _degrees(angles: Numbers) -> list[float]:
     found: list[float] = np.rad2deg(angles[:, 0]).tolist()
     return found
-
-
-def require_lists(asked: Any) -> None:
-    """Refuse lists beside a named sheet, or that are not as long as the sheet needs."""
-    counts = asked.rows, asked.columns
-    for name, axis in (*LISTS.items(), *SHORTER.items(), ("corners", None)):
-        key = name if hasattr(asked, name) else f"{name}_deg"
-        given = getattr(asked, key)
-        if asked.sheet != "lists":
-            if given != "auto":
-                raise misfit('"auto", or sheet = "lists"', given, key)
-            continue
-        if name in ("row_folds", "column_folds") and given == "auto":
-            raise misfit('a list of fold angles, or another sheet ("miura")', given, key)
-        if given == "auto" or axis is None:
-            continue
-        count = counts[axis] - (name in SHORTER)
-        if len(given) != count:
-            raise misfit(f"{count} entries", len(given), key)
-        if "folds" in name and 0 in given:
-            raise misfit("fold angles other than 0", 0.0, key)
-    if asked.sheet in ("miura", "lists"):
-        key = "turn" if hasattr(asked, "turn") else "turn_deg"
-        if getattr(asked, key) != "auto":
-            raise misfit('"auto", or sheet = "arch" or "fan"', getattr(asked, key), key)
-    if asked.sheet == "arch":
-        key = "turn" if hasattr(asked, "turn") else "turn_deg"
-        turn = getattr(asked, key)
-        if turn != "auto" and turn <= 0:
-            raise misfit("an angle above 0 in an arch", turn, key)

@@ -1,34 +1,28 @@
-"""The table [pattern] of the flat-foldable family, and how it is listed."""
+"""The table [pattern] of the flat-foldable family (not in the paper), and how it is listed."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
 import numpy as np
 from pydantic import Field, model_validator
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.table import Knob, Number
+from orishell.conventions.table import Knob, Number, misfit
 from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, PiecedSurface, Surface, Turning
 from orishell.design.path import Path as Pieces
-from orishell.families.flat_foldable.design import (
-    FOLD,
-    SECTOR,
-    SIGNED,
-    TURN,
-    Corners,
-    SheetKind,
-    design_flat_foldable,
-)
+from orishell.families.flat_foldable.design import of_lists, of_name
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
 from orishell.families.flat_foldable.ground import Ground
-from orishell.families.flat_foldable.lists import require_lists
+from orishell.families.flat_foldable.lists import CORNERS, LISTS, SHORTER, Lists
 from orishell.families.flat_foldable.locks.flaps import locked
+from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.pattern import (
     Aim,
     Auto,
@@ -38,13 +32,18 @@ from orishell.families.pattern import (
     Pattern,
     RowCount,
     Width,
+    in_radians,
 )
 from orishell.families.shared.candidates import forgiving
 
 ROWS = Knob("Rows", "Rows of inner vertices", slider=(1, 61), step=1)
 COLUMNS = Knob("Columns", "Columns of inner vertices", slider=(2, 61), step=1)
-SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
-Angles = list[Annotated[Number, Field(**FOLD)]]
+Fold = Annotated[Number, Field(gt=0, lt=180)]
+SignedAngles = list[Annotated[Number, Field(gt=-180, lt=180)]]
+Angles = list[Fold]
+Corners = Annotated[list[Number], Field(min_length=len(CORNERS), max_length=len(CORNERS))]
+SheetKind = Literal["miura", "arch", "fan", "lists"]
+T = TypeVar("T")
 
 
 class FlatFoldablePattern(Pattern):
@@ -69,15 +68,15 @@ class FlatFoldablePattern(Pattern):
         ),
     ] = "miura"
     fold_deg: Annotated[
-        Annotated[Number, Field(**FOLD)] | Auto,
+        Fold | Auto,
         Knob.angle("Fold", "Largest fold angle of the shell", (5, 175), step=1),
     ] = "auto"
     sector_deg: Annotated[
-        Annotated[Number, Field(**SECTOR)],
+        Annotated[Number, Field(gt=0, lt=90)],
         Knob.angle("Sector angle", "Between rows and columns", (20, 85), step=1),
     ] = 60.0
     turn_deg: Annotated[
-        Annotated[Number, Field(**TURN)] | Auto,
+        Annotated[Number, Field(ge=-360, le=360)] | Auto,
         Knob.angle("Turn", "How far an arch turns, or a fan spreads", (1, 240), step=1),
     ] = "auto"
     growth: Annotated[
@@ -140,8 +139,47 @@ class FlatFoldablePattern(Pattern):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        require_lists(self)
+        counts = self.rows, self.columns
+        for key, axis in (*LISTS.items(), *SHORTER.items(), ("corners", None)):
+            given = getattr(self, key)
+            if self.sheet != "lists":
+                if given != "auto":
+                    raise misfit('"auto", or sheet = "lists"', given, key)
+                continue
+            if "folds" in key and given == "auto":
+                raise misfit('a list of fold angles, or another sheet ("miura")', given, key)
+            if given == "auto" or axis is None:
+                continue
+            count = counts[axis] - (key in SHORTER)
+            if len(given) != count:
+                raise misfit(f"{count} entries", len(given), key)
+            if "folds" in key and 0 in given:
+                raise misfit("fold angles other than 0", 0.0, key)
+        if self.turn_deg == "auto":
+            return self
+        if self.sheet in ("miura", "lists"):
+            raise misfit('"auto", or sheet = "arch" or "fan"', self.turn_deg, "turn_deg")
+        if self.sheet == "arch" and self.turn_deg <= 0:
+            raise misfit("an angle above 0 in an arch", self.turn_deg, "turn_deg")
         return self
+
+    def lists(self) -> Lists:
+        """The lists of the sheet, those that are left open as such."""
+        assert self.row_folds_deg != "auto"
+        assert self.column_folds_deg != "auto"
+        return Lists(
+            row_folds=np.deg2rad(self.row_folds_deg).tolist(),
+            column_folds=np.deg2rad(self.column_folds_deg).tolist(),
+            row_angles=_all_in_radians(self.row_angles_deg),
+            column_angles=_all_in_radians(self.column_angles_deg),
+            row_lengths=_given(self.row_lengths) or [self.row_length] * (self.columns - 1),
+            column_lengths=_given(self.column_lengths) or [self.column_length] * (self.rows - 1),
+            top=_given(self.top_lengths),
+            bottom=_given(self.bottom_lengths),
+            left=_given(self.left_lengths),
+            right=_given(self.right_lengths),
+            corners=_given(self.corners),
+        )
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Fit a sheet to f swept along g, f's middle on g, as to any surface."""
@@ -186,7 +224,7 @@ class FlatFoldablePattern(Pattern):
                 columns=self.columns,
                 edge_ratio=self.edge_ratio,
                 direction=None if self.direction_deg == "auto" else self.direction_deg,
-                fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
+                fold=_given(in_radians(self.fold_deg)),
                 straight=self.border == "straight",
                 ground=self.ground,
             ),
@@ -203,6 +241,50 @@ class FlatFoldablePattern(Pattern):
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
         return forgiving(self, design_flat_foldable)
+
+
+@checked()
+def design_flat_foldable(pattern: FlatFoldablePattern) -> Design:
+    """Design a sheet that folds flat, by a few numbers or by its lists, with no target to meet.
+
+    Parameters
+    ----------
+    pattern
+        Rows, columns, and which sheet is asked for.
+
+    Raises
+    ------
+    InputError
+        If an argument has no meaning.
+    DesignError
+        If there is no such sheet: the condition, where, by how much, what works.
+
+    Examples
+    --------
+    >>> design_flat_foldable(FlatFoldablePattern(rows=5, columns=6)).mechanism
+    FlatFoldable(7 x 8 vertices, 42 panels, drive to 90 degrees)
+    """
+    if pattern.sheet == "lists":
+        return of_lists(pattern.lists(), _given(in_radians(pattern.fold_deg)), pattern.flap)
+    fold = 90.0 if pattern.fold_deg == "auto" else pattern.fold_deg
+    named = NamedSheet(
+        pattern.rows,
+        pattern.columns,
+        in_radians(pattern.sector_deg),
+        in_radians(fold),
+        pattern.row_length,
+        pattern.column_length,
+        pattern.growth,
+    )
+    return of_name(named, pattern.sheet, _given(in_radians(pattern.turn_deg)), pattern.flap)
+
+
+def _given(value: T | Auto) -> T | None:
+    return None if isinstance(value, str) else value
+
+
+def _all_in_radians(angles: list[float] | Auto) -> list[float] | None:
+    return None if isinstance(angles, str) else [in_radians(angle) for angle in angles]
 
 
 FAMILY = Family(

@@ -6,9 +6,6 @@ Limit: the longitudinal family approaches a section whose radius grows along the
 cylinder. It reaches only sheets whose rows do not meet; ``orishell solve`` names the largest.
 """
 
-from orishell.families.longitudinal_linear_repeating.design import (
-    design_longitudinal_linear_repeating,
-)
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     Sectors,
     Solution,
@@ -17,6 +14,10 @@ from orishell.families.longitudinal_linear_repeating.equation.solutions import (
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
+from orishell.families.longitudinal_linear_repeating.pattern import (
+    LongitudinalPattern,
+    design_longitudinal_linear_repeating,
+)
 from orishell.families.longitudinal_linear_repeating.solve import SEARCHED, describe_solutions
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
 
@@ -24,6 +25,7 @@ __all__ = [
     "SEARCHED",
     "Coupling",
     "LongitudinalLinearRepeating",
+    "LongitudinalPattern",
     "RowKind",
     "Sectors",
     "Solution",

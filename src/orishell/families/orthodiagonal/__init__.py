@@ -7,7 +7,7 @@ cylinder over f; ``deviation.approached`` in the report says how far the shell i
 where f's plane is oblique.
 """
 
-from orishell.families.orthodiagonal.design import design_orthodiagonal
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
+from orishell.families.orthodiagonal.pattern import OrthodiagonalPattern, design_orthodiagonal
 
-__all__ = ["Orthodiagonal", "design_orthodiagonal"]
+__all__ = ["Orthodiagonal", "OrthodiagonalPattern", "design_orthodiagonal"]

@@ -18,7 +18,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import FlapSide, Parameter
 from orishell.numerics.arrays import Array, Complex
-from orishell.numerics.equals import first_smallest
+from orishell.numerics.equals import first_largest, first_smallest
 from orishell.polylines import Zigzag
 
 SMALLEST_EPS = 1e-6
@@ -231,3 +231,23 @@ def _complement(excluded: Array) -> Array:
     begin, end = reached, np.concatenate([order[:, 0], [np.pi]])
     free = end > begin
     return np.stack([begin[free], end[free]], axis=-1)
+
+
+def headings_of(
+    zigzag: Zigzag,
+    vertices: Array,
+    flap: float | None = None,
+    sides: tuple[SideChoice, SideChoice] = (None, None),
+) -> HeadingConditions:
+    """The conditions on the heading that a zigzag and g's polyline (n, 2) set."""
+    points = vertices @ np.array([1, 1j])
+    return HeadingConditions(points, 1.0, (-np.inf, np.inf), flap, sides).of(zigzag)
+
+
+def choose_heading(demands: Sequence[HeadingConditions]) -> float:
+    """A right angle if it is admissible, else the middle of the widest admissible interval."""
+    right = float(np.pi / 2)
+    intervals = np.concatenate([headings.intervals() for headings in demands])
+    if not len(intervals) or any(headings.admit(right) for headings in demands):
+        return right
+    return float(intervals[first_largest(np.diff(intervals)[:, 0])].mean())

@@ -29,8 +29,15 @@ from orishell.polylines import (
     smallest_radius,
 )
 
+LEVEL = 1e-12
+"""A middle row that rises by less than this is level (radians)."""
 STRAIGHT = 1e-9
 """A g that leaves the columns' normal by less than this share of its length follows it."""
+
+
+def tilt_of(zigzag: Zigzag) -> float:
+    """How much the middle row rises along f's zigzag (radians)."""
+    return 0.0 if abs(zigzag.axis) < LEVEL else zigzag.axis
 
 
 def tilted(g: Array, tilt: float) -> str:
@@ -230,3 +237,12 @@ class EndPlanes:
 
         first, last = map(choose, self.planes, self.lengths)
         return Trimmed([first[0], last[0]], (first[2], last[2]), [first[1], last[1]])
+
+
+def raised(g: Trace, first: complex, heading: float, tilt: float) -> Array:
+    """g (N, 3) in the plane of the middle row, which is tilted about its first vertex (radians)."""
+    t = np.exp(-1j * heading)
+    points = g.points @ np.array([1, 1j])
+    along = ((points - first) * t.conj()).real
+    plan = points + (np.cos(tilt) - 1) * along * t
+    return np.stack([plan.real, plan.imag, np.sin(tilt) * along], axis=-1)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any, Literal
+from collections.abc import Mapping
+from typing import Literal
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import tidy_degrees
@@ -118,24 +117,3 @@ def _along_the_chord(trace: Trace, xi: float | None) -> float:
 
 def _traced(g: Curve) -> Trace:
     return run_along_axis(trace_curve(g, "g").in_own_frame())
-
-
-def require_one_kind(angle: str) -> Callable[[Any], None]:
-    """The rule that a row has only what its kind has: chords no angle, a zigzag no spacing.
-
-    angle: Name of the zigzag's angle: a key of the table [pattern], or an argument.
-    """
-
-    def rule(asked: Any) -> None:
-        other = "zigzag" if asked.row == "chords" else "chords"
-        usual = {"spacing": "curvature", "placement": "inscribed"}
-        for key, value in ({angle: "auto"} if other == "zigzag" else usual).items():
-            got = getattr(asked, key)
-            if got != value:
-                raise PydanticCustomError(
-                    "other_row",
-                    "'{value}', or row = \"{other}\"",
-                    {"value": value, "other": other, "key": key, "got": got},
-                )
-
-    return rule

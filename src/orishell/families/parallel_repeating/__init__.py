@@ -3,7 +3,10 @@
 Derived in docs/theory/parallel-repeating.md.
 """
 
-from orishell.families.parallel_repeating.design import design_parallel_repeating
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
+from orishell.families.parallel_repeating.pattern import (
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 
-__all__ = ["ParallelRepeating", "design_parallel_repeating"]
+__all__ = ["ParallelRepeating", "ParallelRepeatingPattern", "design_parallel_repeating"]

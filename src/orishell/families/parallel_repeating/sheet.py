@@ -26,6 +26,8 @@ PARTS = (1.0, 0.8, 0.5)
 """Shares tried of the part of g that just fits."""
 SMALLEST_SHARE = 1e-6
 """No smaller share of flaps, or of xi, is looked for."""
+WIDEST_XI = 0.95
+"""Above this share of its limit a wider xi_deg gains next to nothing."""
 SHORTEST_EDGE = 1e-6
 """A row edge must keep this share of the length it has in the middle row."""
 
@@ -137,3 +139,10 @@ def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
     flat = mechanism.positions(0.0)
     flat = flat if flaps else flat[:, mechanism.inner_columns]
     return is_simple_polygon(np.concatenate([flat[0, :, :2], flat[-1, ::-1, :2]]))
+
+
+def less_sheet(xi: float, limit: float) -> str:
+    """What would make the flat sheet smaller; both angles in degrees."""
+    if xi < WIDEST_XI * limit:
+        return f"shallower folds, by a wider xi_deg ({xi:.4g} now, possible below {limit:.4g}),"
+    return f"an f with less steep ends (they keep xi_deg below {limit:.4g})"

@@ -117,7 +117,8 @@ def forgiving(pattern: Pattern, make: Callable[..., Design], *target: Curve) -> 
     """
     slips = [*_radians(pattern), *(_units(*target) if target else ())]
     try:
-        design = make(*target, **pattern.arguments())
+        pattern.note_all(beside=pattern.idle())
+        design = make(*target, pattern)
     except DesignError as error:
         if slips:
             error.size = "; ".join(filter(None, [error.size, *(slip.words for slip in slips)]))
