@@ -13,13 +13,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.curves import nearby_origin, trace_curve
+from orishell.curves import trace_curve
 from orishell.design_file.file import check_design
 from orishell.deviation import measure_deviation
 from orishell.io import read_fold
 from orishell.io.format import Settings
 from orishell.io.formats import find_formats
 from orishell.io.view import dump_view
+from orishell.numerics.arrays import nearby_origin
 from orishell.shell.export import convert_fold, write_format
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES

@@ -18,11 +18,11 @@ from drawing import EXAMPLES, camera, draw_boards, same_scale
 
 from orishell.deployment import find_pack
 from orishell.design_file import read_design_file
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinges import Hinges, piece_numbers
 from orishell.shell.designed import designed
 from orishell.solids import build_panels
 from orishell.solids.hinged import board_offsets
-from orishell.solids.hinged.pieces import piece_numbers, pieces_of
+from orishell.solids.hinged.pieces import pieces_of
 
 design = designed(read_design_file(EXAMPLES / "shelter_hinged.toml"))
 hinges, sheet = design.hinges, design.mechanism

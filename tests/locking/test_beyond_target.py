@@ -22,8 +22,8 @@ from orishell import (
 from orishell.clash import find_contacts
 from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
-from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import Mechanism, diagonal
+from orishell.motion.sizes import CONTACT_TOLERANCE
 from samples import THOROUGH, led_by
 from strategies import graph, pair
 

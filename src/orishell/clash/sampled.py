@@ -10,10 +10,9 @@ from orishell.conventions.record import Angle, record
 from orishell.motion.following import Followed
 from orishell.motion.following.hinge_gaps import Parted
 from orishell.motion.parts import Parts, find_parts
+from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.numerics.arrays import Array, Integers
 
-CONTACT_TOLERANCE = 1e-9
-"""Panels closer than this share of the sheet's diagonal touch."""
 NARROW = 1e-4
 """A first contact is told to this angle (radians)."""
 

@@ -145,7 +145,7 @@ def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternV
 
 
 def _write_nearby(verdict: PatternVerdict | None, target: Path, *, force: bool) -> None:
-    from orishell.verification.pattern import write_nearby
+    from orishell.shell.nearby import write_nearby
 
     if verdict is None:
         raise InputError(
@@ -220,7 +220,6 @@ def convert(
     from orishell.io import OutputDirectory, Settings
     from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.shell.export import convert_fold
-    from orishell.workshop import DEFAULT
 
     if unit is not None and unit not in MILLIMETRES:
         raise InputError(
@@ -233,9 +232,8 @@ def convert(
         file /= FOLD.file
     read = (file,) if workshop is None else (file, workshop)
     OutputDirectory(out.parent, inputs=read, force=force).require_usable([out.name])
-    settings = Settings.showing(
-        state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
-    )
+    cutting = () if workshop is None else (read_workshop(workshop),)
+    settings = Settings.showing(state_named(state), *cutting)
     try:
         written = convert_fold(file, out, settings, cast("Unit | None", unit), force=force)
     except InputError as error:

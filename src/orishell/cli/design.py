@@ -54,12 +54,10 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
 
 def _on_stock(shell: Shell) -> str:
     """That panels were chosen to fit the stock, without its margins."""
-    from orishell.workshop.layout import usable_stock
-
     workshop = shell.file.workshop
     if workshop.stock is None:
         return ""
-    wide, high = usable_stock(workshop)
+    wide, high = workshop.usable_stock
     unit = shell.report.unit
     return f" whose panels fit {wide:g} x {high:g} {unit}, the stock without its margins"
 

@@ -59,7 +59,6 @@ def fold(
     missing they are found.
     """
     from orishell.io import OutputDirectory
-    from orishell.motion.following import CLOSURE_TOLERANCE
     from orishell.shell.folded import FORMATS, fold_pattern, write_folded
 
     output = OutputDirectory(out, inputs=(file,), force=force)
@@ -90,6 +89,7 @@ def fold(
             expected=f"above 0 and at most {LOOSEST} (degrees)",
         )
     turned = None if angle is None else math.radians(angle)
+    own = {} if tolerance is None else {"tolerance": math.radians(tolerance)}
     with bar() as progress, weld_as_option():
         folded = fold_pattern(
             file,
@@ -97,9 +97,9 @@ def fold(
             frames=frames,
             unit=cast("Unit | None", unit),
             weld=weld,
-            tolerance=CLOSURE_TOLERANCE if tolerance is None else math.radians(tolerance),
             choice=choice,
             progress=progress,
+            **own,
         )
     written, missing = write_folded(folded, out, force=force)
     for each in missing:

@@ -1,6 +1,6 @@
 """Planar curves: from formulas, from points, from drawings."""
 
-from orishell.curves.curve import Curve, curve_from_formulas, nearby_origin
+from orishell.curves.curve import Curve, curve_from_formulas
 from orishell.curves.dxf import read_dxf
 from orishell.curves.formula import (
     Formula,
@@ -27,7 +27,6 @@ __all__ = [
     "curve_data",
     "curve_from_formulas",
     "curve_from_points",
-    "nearby_origin",
     "parse_curve",
     "parse_formula",
     "parse_formula_of_two",

@@ -18,26 +18,6 @@ from orishell.curves.radians import require_radians
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array
 
-
-def nearby_origin(points: Array) -> Array:
-    """The origin (D,) of a frame in which points (P, D) have small coordinates.
-
-    Along every axis it is a multiple of a power of two of four to eight times the points' extent,
-    so that subtracting it loses nothing; points within two extents of the old origin keep that one.
-
-    Parameters
-    ----------
-    points
-        The points (P, D), finite.
-    """
-    low, high = points.min(axis=0), points.max(axis=0)
-    extent = float((high - low).max())
-    if not extent:
-        return np.asarray(low)
-    step = np.exp2(np.ceil(np.log2(4.0 * extent)))
-    return np.asarray(np.round(0.5 * (low + high) / step) * step)
-
-
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
 CurveEnclosure = Callable[[Array, Array], tuple[Enclosure, Enclosure]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -84,3 +85,11 @@ def _tree_of(trace: Trace) -> STRtree:
 def _dot(u: Array, v: Array) -> Array:
     """Scalar products (...) of vectors (..., 2)."""
     return np.asarray(u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1])
+
+
+@dataclass(frozen=True, slots=True)
+class Closeness:
+    """Distances between a curve and a polyline, in the unit of their coordinates."""
+
+    max: float  # the Hausdorff distance: the largest distance of a point of either to the other
+    rms: float  # root mean square over the curve's length of the distance to the polyline

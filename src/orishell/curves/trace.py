@@ -13,10 +13,10 @@ import numpy as np
 from orishell.conventions.errors import CurveError
 from orishell.conventions.record import record
 from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
-from orishell.curves.curve import Curve, nearby_origin
+from orishell.curves.curve import Curve
 from orishell.curves.memo import remembered
 from orishell.curves.sample_gaps import Samples, missing_samples
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers, nearby_origin
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""

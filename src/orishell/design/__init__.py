@@ -1,5 +1,6 @@
 """What a family hands over when a design succeeds, and the surface that it approaches."""
 
+from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface, PiecedSurface
 from orishell.design.design import (
     Approached,
@@ -21,6 +22,7 @@ from orishell.design.surface import Lattice, Surface
 __all__ = [
     "Approached",
     "AskedSurface",
+    "Closeness",
     "Construction",
     "Design",
     "FlapSide",

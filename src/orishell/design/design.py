@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
+from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface
 from orishell.design.panel import PanelSpec
 from orishell.design.part import Part
@@ -18,7 +19,6 @@ from orishell.motion import Mechanism
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import has_flaps
 from orishell.numerics.arrays import Array
-from orishell.polylines import Closeness
 
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""

@@ -23,8 +23,8 @@ from orishell.design_file.search import Search
 from orishell.design_file.targets import Targets
 from orishell.families.registry import FAMILIES
 from orishell.families.tolerance import Tolerance
-from orishell.locking import CONTACT_TOLERANCE
 from orishell.motion.drawing import Drawing
+from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.structure.load_settings import OWN_WEIGHT, LoadCase
 from orishell.structure.materials import materials
 from orishell.structure.settings import Structure, StructureTable

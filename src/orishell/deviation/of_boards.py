@@ -12,12 +12,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import AskedSurface, Design
+from orishell.design import AskedSurface, Closeness, Design
 from orishell.deviation.triangles import Patch, mesh_surface
 from orishell.motion.hinges import Hinges
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.polylines import Closeness
 
 
 @record

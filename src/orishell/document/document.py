@@ -18,14 +18,13 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.curves import nearby_origin
 from orishell.design.part import DocumentState, Part
 from orishell.document.ground import GroundPlan
 from orishell.document.joined import joined, joined_states
 from orishell.document.loaded import LoadedShell
 from orishell.document.measures import Measures
 from orishell.motion.grid import VertexPair
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, nearby_origin
 
 LARGEST_COORDINATE = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""

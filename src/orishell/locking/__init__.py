@@ -1,6 +1,6 @@
 """Where the motion ends, the proof, and the widest flaps that meet nothing."""
 
-from orishell.locking.lock import CONTACT_TOLERANCE, find_lock, lock_without_clash
+from orishell.locking.lock import find_lock, lock_without_clash
 from orishell.locking.motion_end import (
     end_motion,
     largest_quotable,
@@ -11,7 +11,6 @@ from orishell.locking.motion_end import (
 from orishell.locking.result import Cause, Contact, Kind, Lock
 
 __all__ = [
-    "CONTACT_TOLERANCE",
     "Cause",
     "Contact",
     "Kind",

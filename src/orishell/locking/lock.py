@@ -23,10 +23,11 @@ from orishell.locking.result import Cause, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
 from orishell.motion.grid import Panel
+from orishell.motion.hinges import piece_numbers
 from orishell.motion.layout import points_of
+from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.numerics.arrays import Booleans
 from orishell.solids import BuiltPanels, build_panels
-from orishell.solids.hinged.pieces import piece_numbers
 
 
 def join_pieces(design: Design, built: BuiltPanels, tolerance: float) -> BuiltPanels:
@@ -84,8 +85,6 @@ def _refused(built: BuiltPanels, names: tuple[str, str], depth: float) -> Design
     )
 
 
-CONTACT_TOLERANCE = 1e-9
-"""Distance at which panels touch, relative to the diagonal of the flat sheet."""
 LATE, NARROW = 1 - 1e-3, 1e-4
 """A contact in this last part of the path is looked at with this share of the tolerance: panels
 that still do not touch meet at the end, not before."""

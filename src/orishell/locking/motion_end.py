@@ -12,9 +12,10 @@ from orishell.conventions.formatting import in_degrees, inside, rounded, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.locking.clipped import refuse_clipped, require_uncrossed
-from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
+from orishell.locking.lock import find_lock
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth, largest_fold
+from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.numerics.bisection import largest_below
 from orishell.solids import build_panels
 

@@ -25,11 +25,12 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, Positions
 from orishell.motion.hinge_lines import HingeLines
 from orishell.motion.mechanism import Mechanism, panel_normals
 from orishell.motion.quads import grid_corners
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 FURTHER = 1e-12
 """Joints are folded further than at the target if the cosine of their fold angles is as much less.
@@ -282,3 +283,12 @@ def _at_corners(grid: Grid) -> Iterator[tuple[slice, slice]]:
     """Which vertices are corners of panels: left above, left below, right below, right above."""
     for row, column in ((0, 0), (1, 0), (1, 1), (0, 1)):
         yield slice(row, row + grid.rows - 1), slice(column, column + grid.columns - 1)
+
+
+def piece_numbers(boards: Boards) -> Integers:
+    """The piece (B,) that every board belongs to, from 0."""
+    hinges = boards.hinges
+    assert isinstance(hinges, Hinges)
+    ends = [rows.stop for rows in hinges.pieces]
+    rows = boards.panels // hinges.levels.shape[1]
+    return np.asarray(np.searchsorted(ends, rows, side="right"))

@@ -16,6 +16,8 @@ from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 from orishell.numerics.equals import first_smallest, smallest_of
 
+CONTACT_TOLERANCE = 1e-9
+"""Distance at which panels touch, relative to the diagonal of the flat sheet."""
 COINCIDENT = 1e-13
 """Points nearer to each other than this share of an edge are one point but for rounding."""
 

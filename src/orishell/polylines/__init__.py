@@ -1,8 +1,8 @@
 """Polylines that follow curves: staircases, zigzags, chords."""
 
+from orishell.curves.nearest import Closeness
 from orishell.polylines.chords import Chords, Placement, Spacing, measure_chords, place_chords
 from orishell.polylines.closeness import (
-    Closeness,
     distances_to_polyline,
     measure_closeness,
     warn_of_coarse_row,

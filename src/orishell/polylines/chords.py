@@ -17,10 +17,11 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
+from orishell.curves.nearest import Closeness
+from orishell.curves.plane import normals_at
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest, first_smallest
-from orishell.polylines.closeness import Closeness, measure_closeness, measure_edges, thinned
-from orishell.polylines.plane import normals_at
+from orishell.polylines.closeness import measure_closeness, measure_edges, thinned
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]

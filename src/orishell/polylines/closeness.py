@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
-from orishell.curves.nearest import Nearest
+from orishell.curves.nearest import Closeness, Nearest
+from orishell.curves.plane import extent_across
 from orishell.curves.radians import look_like_degrees
 from orishell.numerics.arrays import Array
-from orishell.polylines.plane import extent_across
 
 CURVE_SAMPLES = 12
 """Points of the curve taken along every edge, besides the samples of its trace."""
@@ -83,14 +83,6 @@ FEW_DISTANCES = 200_000
 """Distances of points from edges that are all computed; above, a search tree picks the edges."""
 COARSE_SHARE = 0.1
 """A polyline that leaves g by more than this share of g's rise draws a warning."""
-
-
-@dataclass(frozen=True, slots=True)
-class Closeness:
-    """Distances between a curve and a polyline, in the unit of their coordinates."""
-
-    max: float  # the Hausdorff distance: the largest distance of a point of either to the other
-    rms: float  # root mean square over the curve's length of the distance to the polyline
 
 
 def measure_closeness(trace: Trace, vertices: Array) -> Closeness:

@@ -15,9 +15,9 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.curves import Trace
+from orishell.curves.plane import normals_at
 from orishell.numerics.arrays import Array, Complex
 from orishell.numerics.equals import first_largest
-from orishell.polylines.plane import normals_at
 
 MEAN_ANGLE = np.pi / 2
 """"auto" makes the mean angle of the zigzag this: half way from a flat sheet to a closed one."""

@@ -13,13 +13,13 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.quantities import conversion, plain
+from orishell.curves.plane import extent_across
 from orishell.deployment.feet import Feet, find_feet
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, area_of, extents, find_assignment
 from orishell.motion.layout import has_flaps, points_of
 from orishell.numerics.arrays import Array, Booleans
-from orishell.polylines.plane import extent_across
 from orishell.shell.board_warnings import warn_of_boards
 from orishell.workshop import Workshop
 

@@ -27,7 +27,7 @@ from orishell.shell.size_search import choose
 from orishell.shell.size_trials import Choice, Sizes, Trial, measure
 from orishell.shell.surface_search import SurfaceSearch
 from orishell.workshop.fitting import SLACK, OversizeError
-from orishell.workshop.layout import require_stock, usable_stock
+from orishell.workshop.layout import require_stock
 
 SIZE_KEYS = frozenset({"pattern.rows", "pattern.columns"})
 """What may not be given beside a tolerance, so that no remedy names it."""
@@ -143,7 +143,7 @@ def _limits(file: DesignFile, tolerance: Tolerance) -> Tolerance:
         workshop = workshop.replace_unchecked(stock=workshop.roll)
     if workshop.stock is None:
         return tolerance
-    longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
+    longest = (1 + SLACK) * math.hypot(*workshop.usable_stock)
     return tolerance.replace_unchecked(panel_max=min(tolerance.panel_max, longest))
 
 

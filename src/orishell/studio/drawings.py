@@ -13,7 +13,6 @@ from orishell.io.patterns.read import ENDINGS
 from orishell.motion.drawing import Drawing
 from orishell.studio.api import DroppedTarget
 from orishell.studio.dropped import dropped_file
-from orishell.verification.pattern.rows import of_family
 
 LIKE = 1e-3
 """A family is named that sectors miss by less, and by how much (radians)."""
@@ -45,4 +44,4 @@ def describe_drawing(drawing: Drawing, unit: str) -> tuple[Row, ...]:
     creases = np.concatenate([drawing.signs.row.ravel(), drawing.signs.column.ravel()])
     missing = int(np.isnan(creases).sum())
     letters = Row("says", "letters", f"{missing} of {creases.size} creases have none")
-    return (sheet, none if known is None else of_family(known), *([letters] if missing else []))
+    return (sheet, none if known is None else known.row, *([letters] if missing else []))

@@ -27,7 +27,7 @@ from orishell.workshop.boards import (
 )
 from orishell.workshop.draw import draw_page, drawn_box, require_drawable
 from orishell.workshop.hinge_parts import FACES, draw_arms, fittings_of, hinged_marks, plan_names
-from orishell.workshop.layout import KEPT, Known, usable_stock
+from orishell.workshop.layout import KEPT, Known
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.palettes import Circle, Drawing, Line, Text
 from orishell.workshop.placing import Content, Placement, draw_stock_sheets, gathered, shifted
@@ -92,7 +92,7 @@ def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]
     ]
     if not outlines:
         return ()
-    return _nest(Known.by(outlines, outlines), *usable_stock(workshop), workshop.spacing)
+    return _nest(Known.by(outlines, outlines), *workshop.usable_stock, workshop.spacing)
 
 
 def count_board_sheets(document: Document, workshop: Workshop) -> int | None:

@@ -11,7 +11,6 @@ from typing import Any, Generic, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
@@ -76,7 +75,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
     )
     sheet = Known.by(_what_is_cut(document), bare)
     joint = workshop.joint, choose_joint_width(laid_flat(document), workshop)
-    return _lay_on_stock(sheet, usable_stock(workshop), workshop.spacing, joint)
+    return _lay_on_stock(sheet, workshop.usable_stock, workshop.spacing, joint)
 
 
 def on_its_roll(document: Document, workshop: Workshop) -> Workshop:
@@ -98,7 +97,7 @@ def require_stock(document: Document, workshop: Workshop) -> None:
         return
     everything = laid_flat(document)
     outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
-    sheet = CutSheet.apart(outlines, *usable_stock(workshop))
+    sheet = CutSheet.apart(outlines, *workshop.usable_stock)
     require_panels_fit(everything, sheet, workshop.margin)
 
 
@@ -108,7 +107,7 @@ def _require_sheet(document: Document, workshop: Workshop) -> None:
     if laid.stock is None or not has_sheet(document):
         return
     everything = laid_flat(document)
-    width, height = usable_stock(laid)
+    width, height = laid.usable_stock
     if len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         return
     tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
@@ -168,21 +167,3 @@ def _lay_on_stock(
     parts, strips, joints = make_parts(document, split, kind, joint_width)
     outlines = [part.outlines[0] for part in (*parts, *strips)]
     return Layout((*parts, *strips), nest_parts(outlines, width, height, spacing), joints)
-
-
-def usable_stock(workshop: Workshop) -> tuple[float, float]:
-    """Width and height of the stock without its margins.
-
-    Raises InputError if the margins leave nothing.
-    """
-    if workshop.stock is None:
-        raise AssertionError("only stock has a margin")
-    width, height = (side - 2 * workshop.margin for side in workshop.stock)
-    if min(width, height) <= 0:
-        raise InputError(
-            "the margins leave nothing of the stock",
-            keys=("workshop.margin",),
-            got=f"{workshop.margin:g}",
-            expected=f"less than {min(workshop.stock) / 2:g}",
-        )
-    return width, height

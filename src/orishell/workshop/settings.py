@@ -191,5 +191,26 @@ class Workshop(Table):
             raise error.at_key("workshop.palette") from None
         return self.replace_unchecked(palette=path)
 
+    @property
+    def usable_stock(self) -> tuple[float, float]:
+        """Width and height of the stock without its margins, where there is stock.
+
+        Raises
+        ------
+        InputError
+            If the margins leave nothing.
+        """
+        if self.stock is None:
+            raise AssertionError("only stock has a margin")
+        width, height = (side - 2 * self.margin for side in self.stock)
+        if min(width, height) <= 0:
+            raise InputError(
+                "the margins leave nothing of the stock",
+                keys=("workshop.margin",),
+                got=f"{self.margin:g}",
+                expected=f"less than {min(self.stock) / 2:g}",
+            )
+        return width, height
+
 
 DEFAULT = Workshop()

@@ -32,7 +32,7 @@ from orishell.workshop.draw import (
     part_lines,
     require_drawable,
 )
-from orishell.workshop.layout import Layout, lay_out, on_its_roll, usable_stock
+from orishell.workshop.layout import Layout, lay_out, on_its_roll
 from orishell.workshop.palettes import Drawing
 from orishell.workshop.placing import Placement, draw_stock_sheets
 from orishell.workshop.settings import Workshop
@@ -104,7 +104,7 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
         )
         return (draw_page(content, title, document.unit, facts, workshop),)
     layout = lay_out(document, workshop)
-    width, _ = usable_stock(workshop)
+    width, _ = workshop.usable_stock
     placed = [(back_of(everything, part), p.turned_over(width)) for part, p in _placed(layout)]
     return tuple(draw_stock_sheets(placed, title, document.unit, workshop))
 

@@ -21,7 +21,7 @@ from orishell.io.formats.tables import write_tables
 from orishell.locking import find_lock
 from orishell.locking.lock import join_pieces
 from orishell.motion import Mechanism, diagonal
-from orishell.motion.hinges import Hinges
+from orishell.motion.hinges import Hinges, piece_numbers
 from orishell.motion.mechanism import panel_normals
 from orishell.motion.piece import SheetPiece
 from orishell.motion.quads import grid_corners
@@ -32,7 +32,7 @@ from orishell.shell.steps import Step
 from orishell.solids import build_panels
 from orishell.solids.hinged import find_hinges
 from orishell.solids.hinged.joints import joint_openings, joint_rows, numbers_of_rows
-from orishell.solids.hinged.pieces import piece_numbers, pieces_of
+from orishell.solids.hinged.pieces import pieces_of
 from overlaps import NOTHING, overlap, solids
 from rigid import distance_after_motion
 from samples import THOROUGH, led_by, thorough

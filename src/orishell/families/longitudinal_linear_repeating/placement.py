@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.quantities import plain
+from orishell.curves.nearest import Closeness
 from orishell.design import Approached, Design, Parameter, Path, Sliding, Surface
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
@@ -17,7 +18,7 @@ from orishell.families.longitudinal_linear_repeating.target import Line, Profile
 from orishell.families.longitudinal_linear_repeating.target_state import TargetState
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import flat_foldable_rows
 from orishell.numerics.arrays import Array
-from orishell.polylines import Closeness, measure_closeness
+from orishell.polylines import measure_closeness
 
 PLANAR = 1e-9
 """Points that leave their plane by less than this share of their extent are planar."""

@@ -14,6 +14,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
+from orishell.curves.plane import is_simple_polygon
 from orishell.design import Parameter
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
@@ -48,7 +49,6 @@ from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
 from orishell.numerics.equals import first_smallest
-from orishell.polylines.plane import is_simple_polygon
 
 SMALLEST_SHARE = 1e-30
 """No smaller share of a given flap is looked for."""

@@ -9,10 +9,10 @@ from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
+from orishell.curves.plane import extent_across
 from orishell.families.shared.candidates import part
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
-from orishell.polylines.plane import extent_across
 
 STRAIGHT = 1e-6
 """A g that leaves a line by no more than this share of its length is straight."""

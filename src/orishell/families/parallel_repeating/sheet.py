@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
+from orishell.curves.plane import is_simple_polygon
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.shared.candidates import angles, part, sizes, values
 from orishell.motion import RESOLUTION
@@ -18,7 +19,6 @@ from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
 from orishell.numerics.equals import first_smallest
 from orishell.polylines import Staircase
-from orishell.polylines.plane import is_simple_polygon
 
 STRETCH = 0.1
 """Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""

@@ -12,6 +12,7 @@ from itertools import combinations
 import numpy as np
 
 from orishell.conventions.record import Angle, record
+from orishell.conventions.row import Row
 from orishell.families.recognised.conditions import (
     Sectors,
     flat_foldable,
@@ -48,6 +49,18 @@ class Recognised:
     # how many rows and columns of vertices at the top, bottom, left and right are not of the
     # family: flaps and strips at the border
     beside: tuple[int, int, int, int]
+
+    @property
+    def row(self) -> Row:
+        """The family that a sheet belongs to, in words."""
+        also = f" (also {', '.join(self.also)})" if self.also else ""
+        sides = [
+            f"{number} {name}"
+            for number, name in zip(self.beside, ("above", "below", "left", "right"), strict=True)
+            if number
+        ]
+        apart = f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
+        return Row("says", "family", f"{self.family}{also}: sectors to {self.miss:.1g} rad{apart}")
 
 
 def recognise(

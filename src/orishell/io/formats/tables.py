@@ -17,8 +17,7 @@ from orishell.io.format import Format, Settings
 from orishell.io.joint_tables import order_table, schedule_table, ties_table
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import CreaseValues
-from orishell.motion.hinges import Hinges
-from orishell.solids.hinged.pieces import piece_numbers
+from orishell.motion.hinges import Hinges, piece_numbers
 from orishell.workshop import Workshop
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_masses import densities_of_boards

@@ -38,12 +38,3 @@ def pieces_of(mechanism: Mechanism, boards: Boards) -> list[BuiltPiece]:
         sheet = mechanism if hinges.joints is None else SheetPiece(mechanism, rows)
         found.append(BuiltPiece(sheet, part, panels, np.flatnonzero(own)))
     return found
-
-
-def piece_numbers(boards: Boards) -> Integers:
-    """The piece (B,) that every board belongs to, from 0."""
-    hinges = boards.hinges
-    assert isinstance(hinges, Hinges)
-    ends = [rows.stop for rows in hinges.pieces]
-    rows = boards.panels // hinges.levels.shape[1]
-    return np.asarray(np.searchsorted(ends, rows, side="right"))

@@ -1,7 +1,6 @@
 """What can be said of a crease pattern at once: vertices, motion, freedom, contact."""
 
 from orishell.verification.pattern.motion import FoldingMotion, Still
-from orishell.verification.pattern.nearby import nearby_pattern, write_nearby
 from orishell.verification.pattern.verdict import Findings, PatternVerdict, judge_pattern
 from orishell.verification.pattern.vertices import VertexConditions
 
@@ -12,6 +11,4 @@ __all__ = [
     "Still",
     "VertexConditions",
     "judge_pattern",
-    "nearby_pattern",
-    "write_nearby",
 ]

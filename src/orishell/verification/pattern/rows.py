@@ -41,7 +41,7 @@ class Judged:
         """All rows."""
         yield from of_vertices(self.pattern, self.conditions)
         if self.known is not None:
-            yield of_family(self.known)
+            yield self.known.row
         if isinstance(self.motion, Still):
             if self.motion.proved:
                 yield Row("fails", "folds", f"no: {self.motion.reason}")
@@ -268,18 +268,6 @@ def said_of_motion(motion: FoldingMotion | Still) -> dict[str, Any]:
         "nearby_is_nearest": motion.nearby is not None and motion.nearby.nearest,
         "choices": list(motion.choices),
     }
-
-
-def of_family(known: Recognised) -> Row:
-    """The family that a sheet belongs to."""
-    also = f" (also {', '.join(known.also)})" if known.also else ""
-    sides = [
-        f"{number} {name}"
-        for number, name in zip(known.beside, ("above", "below", "left", "right"), strict=True)
-        if number
-    ]
-    apart = f"; but for lines of vertices at its border: {', '.join(sides)}" if sides else ""
-    return Row("says", "family", f"{known.family}{also}: sectors to {known.miss:.1g} rad{apart}")
 
 
 def said_of_gap(loose: LooseMotion) -> dict[str, Any]:

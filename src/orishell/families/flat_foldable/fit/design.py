@@ -14,6 +14,7 @@ from orishell.conventions.memory import MEMORY, key_of
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.curves.memo import remembered
+from orishell.curves.nearest import Closeness
 from orishell.design import Design, PiecedSurface
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
@@ -28,7 +29,6 @@ from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.placement import posed
 from orishell.families.shared.folding import turned
 from orishell.numerics.arrays import Array
-from orishell.polylines import Closeness
 
 
 def recall_fit(

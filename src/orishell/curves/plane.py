@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.curves import Trace
+from orishell.curves.trace import Trace
 from orishell.numerics.arrays import Array
 
 
