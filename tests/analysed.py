@@ -15,6 +15,7 @@ from orishell.structure.case import CaseResult
 from orishell.structure.changes import Changes
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import FreeMotion
+from orishell.structure.hinge_lines import LineStrength
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
@@ -54,7 +55,7 @@ STRUCTURE = Structure(
     thickness=THICKNESS,
     strength=5.5e6,
     crease_strength=20.0,
-    line_strength=2000.0,
+    line_strength=LineStrength.alike(2000.0),
     tie_stiffness=1.2e6,
     tie_strength=5000.0,
 )

@@ -11,6 +11,7 @@ import pytest
 
 from command_line import orishell
 from orishell.design_file import read_design_file, starter_file
+from orishell.structure.hinge_lines import LineStrength
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind, Zone
 from orishell.structure.settings import Structure, StructureTable, Support
 
@@ -133,7 +134,7 @@ def test_every_key(tmp_path: Path) -> None:
         membrane_modulus=1e9,
         membrane_strength=5e7,
         crease_strength=20,
-        line_strength=3000,
+        line_strength=LineStrength.alike(3000),
         tie_stiffness=1.2e6,
         tie_strength=5000,
         cells=2,

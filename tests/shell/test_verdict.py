@@ -17,6 +17,7 @@ from orishell.shell.make import Shell
 from orishell.shell.report import Report
 from orishell.shell.steps import MEASURES
 from orishell.shell.verdict import find_verdict
+from orishell.structure.hinge_lines import LineStrength
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 STORM = {
@@ -153,7 +154,7 @@ def test_a_shell_carries_what_it_bears_without_sinking(
         strength=largest / used,
         membrane_strength=1e12,
         crease_strength=1e9,
-        line_strength=1e12,
+        line_strength=LineStrength.alike(1e12),
         tie_strength=1e9,
     )
     stands = replace(

@@ -183,7 +183,5 @@ def _times(case: CaseResult) -> float:
     found = case.equilibrium
     if found is None:
         return SOFT
-    bears, strength = found.utilisation.panels or 0.0, found.model.structure.strength
-    if found.beside is not None and strength is not None:
-        bears = max(bears, found.beside.size / strength)
+    bears = found.utilisation.panels or 0.0
     return float(max(1.0, bears**0.5, _stiffer(case) ** (1 / 3)))

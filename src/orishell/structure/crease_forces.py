@@ -16,9 +16,6 @@ from orishell.numerics.equals import SOLVED, first_largest, largest_along_first
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
-    ACROSS,
-    IN_PLANE,
-    NORMAL,
     EdgeForces,
     crease_sides,
     find_edge_forces,
@@ -156,7 +153,7 @@ def by_kind(model: Model, found: EdgeForces) -> tuple[CreaseForces, ...]:
     rows = edges < model.grid.rows * (model.grid.columns - 1)
     kinds: tuple[tuple[CreaseKind, Booleans], ...] = (("row", rows), ("column", ~rows))
     return tuple(
-        CreaseForces(kind, *(_largest(model, np.where(own, each, -1.0)) for each in sizes.T))
+        CreaseForces(kind, *(largest_at(model, np.where(own, each, -1.0)) for each in sizes.T))
         for kind, own in kinds
         if own.any()
     )
@@ -176,7 +173,7 @@ def film(model: Model, found: EdgeForces) -> AtCrease | None:
     if build is None or not build.membrane:
         return None
     values = on_creases(found.per_length, model.grid)
-    return _largest(model, film_stress(values, build).max(axis=(1, 2)))
+    return largest_at(model, film_stress(values, build).max(axis=(1, 2)))
 
 
 def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
@@ -188,31 +185,19 @@ def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
     alone = one_board(boards, flat)
     stress = np.where(alone[..., None], board_stress(found.per_length, build), -1.0)
     largest = on_creases(stress[..., None], model.grid).max(axis=(1, 2, 3))
-    return _largest(model, largest) if largest.max() >= 0 else None
-
-
-def hinge_line(model: Model, found: EdgeForces) -> AtCrease:
-    """The largest force per length over a crease that nothing else is known to bear.
-
-    That is all of it, pull, push and shear, but of a membrane whose strength is known, which bears
-    pull and shear in its plane.
-    """
-    values = _spread(model, found)
-    normal, in_plane, across = (values[..., k] for k in (NORMAL, IN_PLANE, ACROSS))
-    build = model.design.panel
-    if build is not None and build.membrane and model.structure.membrane_strength is not None:
-        normal, in_plane = np.minimum(normal, 0.0), 0.0 * in_plane
-    size = np.sqrt(normal**2 + in_plane**2 + across**2)
-    return _largest(model, size.max(axis=(1, 2)))
+    return largest_at(model, largest) if largest.max() >= 0 else None
 
 
 def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
-    """The largest stress of solid panels right beside creases; None if panels are not solid.
+    """The largest structural stress of solid panels at creases; None if panels are not solid.
 
-    It follows from the forces along a quarter of a crease, and is not averaged over patches. Where
-    a board is chamfered only the half of it on the other side of the hinge plane is left.
+    It is that of the forces and moments per length with which nodes hold a panel at its edge, over
+    the thickness as a film and a beam have it, and so depends little on the mesh (Dong, A
+    structural stress definition and numerical implementation for fatigue analysis of welded joints,
+    International Journal of Fatigue 23, 2001). Where a board is chamfered only the half of it on
+    the other side of the hinge plane is left.
     """
-    build, boards, values = model.design.panel, model.boards, _spread(model, found)
+    build, boards, values = model.design.panel, model.boards, spread_forces(model, found)
     if build is None:
         stress = solid_stress(values, model.thickness)
     elif build.construction == "bevel" and boards is not None:
@@ -223,10 +208,10 @@ def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
         stress = np.where(alone, half, whole)
     else:
         return None
-    return _largest(model, stress.max(axis=(1, 2)))
+    return largest_at(model, stress.max(axis=(1, 2)))
 
 
-def _spread(model: Model, found: EdgeForces) -> Array:
+def spread_forces(model: Model, found: EdgeForces) -> Array:
     """Forces per length (C, 2, S, 4) on stretches of creases, over a thickness of panels at least.
 
     What acts on a shorter piece of a crease spreads over about as much of its panels: a crease of a
@@ -251,10 +236,10 @@ def arms(model: Model, found: EdgeForces) -> AtCrease | None:
     hinges, build = model.mesh.offsets, model.design.panel
     if hinges is None or found.hinged is None or build is None or not hinges.heights.any():
         return None
-    return _largest(model, arm_stress(hinges, found.hinged, build.fin).max(axis=1))
+    return largest_at(model, arm_stress(hinges, found.hinged, build.fin).max(axis=1))
 
 
-def _largest(model: Model, sizes: Array) -> AtCrease:
+def largest_at(model: Model, sizes: Array) -> AtCrease:
     """The largest of sizes (C,) of creases."""
     crease = first_largest(sizes, SOLVED)
     _, sides = crease_sides(model.grid)

@@ -14,7 +14,7 @@ from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
-from orishell.numerics.equals import SOLVED, descending, first_largest
+from orishell.numerics.equals import SOLVED, descending, first_largest, largest_of
 from orishell.structure.crease_forces import (
     AtCrease,
     CreaseForces,
@@ -22,9 +22,9 @@ from orishell.structure.crease_forces import (
     beside_creases,
     by_kind,
     film,
-    hinge_line,
     lone_board,
 )
+from orishell.structure.crease_lines import hinge_line, most_used_line, unknown_line
 from orishell.structure.feet import Foot
 from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
@@ -89,8 +89,8 @@ class Equilibrium:
 
     REPORTED = (
         "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
-        "crease", "creases", "lines", "stress", "beside", "lone_board", "membrane", "arms",
-        "panel_residual", "utilisation",
+        "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board", "membrane",
+        "arms", "panel_residual", "utilisation",
         "buckling", "buckling_factors", "frequencies", "path",
     )  # fmt: skip
 
@@ -216,25 +216,48 @@ class Equilibrium:
 
     @cached_property
     def lines(self) -> AtCrease:
-        """The largest force per length over a crease that nothing else is known to bear."""
+        """The largest force per length that a crease line has to bear."""
         return hinge_line(self.model, self.edges)
 
     @cached_property
+    def used_line(self) -> AtCrease | None:
+        """The crease line that uses most of what it bears; None if nothing is known of any."""
+        return most_used_line(self.model, self.edges)
+
+    @cached_property
+    def unknown_line(self) -> AtCrease:
+        """The largest force per length in directions in which no strength of lines is known."""
+        return unknown_line(self.model, self.edges)
+
+    @cached_property
     def beside(self) -> AtCrease | None:
-        """The largest stress of solid panels right beside creases; None if panels are not solid."""
+        """The largest structural stress of solid panels at creases; None if they are not solid."""
         return beside_creases(self.model, self.edges)
+
+    @property
+    def in_panels(self) -> tuple[float, AtCrease | None]:
+        """The largest stress that panels bear, and the crease where it is, if it is at one.
+
+        At creases of bevelled boards it depends on how hinges hold what chamfers leave.
+        """
+        bevelled = self.model.thinned is not None
+        both = (self.lone_board, None if bevelled else self.beside)
+        at_creases = [each for each in both if each is not None]
+        most = largest_of(at_creases, lambda each: each.size, SOLVED) if at_creases else None
+        if most is None or most.size <= self.stress.size:
+            return self.stress.size, None
+        return most.size, most
 
     @cached_property
     def utilisation(self) -> Utilisation:
         """Of panels, membrane, creases and ties."""
-        asked, film, alone = self.model.structure, self.membrane, self.lone_board
-        boards = 0.0 if alone is None else alone.size
+        asked, film, line = self.model.structure, self.membrane, self.used_line
         creases = 0.0 if self.crease is None else self.crease.moment
         return Utilisation(
-            panels=share_of(max(self.stress.size, boards), asked.strength),
+            panels=share_of(self.in_panels[0], asked.strength),
             membrane=None if film is None else share_of(film.size, asked.membrane_strength),
             creases=share_of(creases, asked.crease_strength),
-            lines=share_of(self.lines.size, asked.line_strength),
+            lines=None if line is None else line.size,
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             buckling=None if self.buckling is None else 1 / self.buckling,
@@ -248,12 +271,16 @@ class Equilibrium:
             "panels": True,
             "membrane": self.membrane is not None and self.membrane.size > 0,
             "creases": self.crease is not None,
-            "lines": self.lines.size > least,
+            "lines": self.unknown_line.size > least,
             "arms": self.arms is not None and self.arms.size > 0,
             "ties": bool(self.tie_forces.any()),
         }
         shares = self.utilisation.shares
-        return tuple(part for part, any_ in bears.items() if any_ and shares[part] is None)
+        return tuple(
+            part
+            for part, any_ in bears.items()
+            if any_ and (shares[part] is None or part == "lines")
+        )
 
     @property
     def used(self) -> float:

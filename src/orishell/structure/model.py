@@ -46,7 +46,7 @@ class Model:
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
-        "structure.line_strength", "structure.membrane_strength", "structure.arm_modulus",
+        "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
         "structure.arm_strength", "structure.supports",
     )  # fmt: skip
 
@@ -102,6 +102,17 @@ class Model:
         thickness = self.structure.thickness if panel is None else panel.thickness
         assert thickness is not None
         return thickness
+
+    @property
+    def lever(self) -> float:
+        """Lever arm of what locks creases: as asked, or the most that there is room for.
+
+        Hinges are at a face of solid panels, which meet at the other one; a membrane is in the
+        middle.
+        """
+        asked, build = self.structure.crease_lever, self.design.panel
+        between = build is not None and build.membrane
+        return asked or (0.5 if between else 1.0) * self.thickness
 
     @property
     def membrane_stiffness(self) -> tuple[float, float]:

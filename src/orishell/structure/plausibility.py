@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.design import PanelSpec
 from orishell.numerics.arrays import Array
+from orishell.structure.hinge_lines import DIRECTIONS
 from orishell.structure.load_settings import LoadCase
 from orishell.structure.settings import Structure
 from orishell.structure.utilisation import LEAST_LINE
@@ -147,12 +148,16 @@ def _parts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator
     thickness = structure.thickness if panel is None else panel.thickness
     if thickness and thickness * metres < THIN:
         yield f"panels are {plain(1e3 * thickness * metres)} mm thick: thickness is in {unit}"
-    line, crease = structure.line_strength, structure.crease_strength
-    if line and not LINES[0] <= line / metres <= LINES[1]:
+    crease, lines = structure.crease_strength, structure.line_strength
+    for name in DIRECTIONS if lines is not None and lines.kind is None else ():
+        line = getattr(lines, name)
+        if line is None or LINES[0] <= line / metres <= LINES[1]:
+            continue
         yield (
             f"line_strength = {line:g} is {plain(line / metres)} N/m: forces per length are in "
             f"newtons per {unit}; 1 kN/m is {plain(1e3 * metres)} here"
         )
+        break
     if crease and thickness and structure.strength:
         bears = structure.strength * thickness**2 / 4
         if crease > BENT * bears:

@@ -15,6 +15,7 @@ from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table
 from orishell.structure.combinations import Expression, Factors, arranged, combine
+from orishell.structure.hinge_lines import LineStrengths
 from orishell.structure.load_settings import (
     LOADS,
     NO_CODE,
@@ -137,9 +138,11 @@ class StructureTable(Table):
     crease_stiffness: StiffnessRange = (0.0, math.inf)
     # what creases bear: moment per length; None if that is not known (force)
     crease_strength: Positive | None = None
-    # what creases bear as crease lines, in any direction: pull, push or shear; None if that is not
-    # known (force per length)
-    line_strength: Positive | None = None
+    # lever arm of what locks creases, between hinge line and where panels meet; None if it is the
+    # thickness of panels, half of it where a membrane is their hinge (length)
+    crease_lever: Positive | None = None
+    # what creases bear as crease lines, by direction; None if that is not known (force per length)
+    line_strength: LineStrengths | None = None
     # Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force
     # per area)
     arm_modulus: Positive | None = None
@@ -175,6 +178,13 @@ class StructureTable(Table):
         return modulus
 
     def filled(self, unit: str) -> Self:
+        """With the values of its material and its hinge lines where they are not given."""
+        if self.line_strength is not None and self.line_strength.kind is not None:
+            lines = self.line_strength.filled(unit)
+            return self.replace_unchecked(line_strength=lines)._of_material(unit)
+        return self._of_material(unit)
+
+    def _of_material(self, unit: str) -> Self:
         """With the values of its material where they are not given, per square of a unit."""
         if self.material is None:
             return self

@@ -97,7 +97,8 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     for name, part in used.shares.items():
         if name != "buckling" and part is not None and part > 1:
             of = f"strength of its {NAMED.get(name, name)}"
-            at = f" between {_beside(found.lines)}" if name == "lines" else ""
+            place = {"lines": found.used_line, "panels": found.in_panels[1]}.get(name)
+            at = "" if place is None else f" at the crease between {_beside(place)}"
             text = f"uses {plain(100 * part, 3)} % of the {of}{at}"
             yield Finding("fails", "exceeds strength", text, part)
     factor = found.buckling
@@ -122,17 +123,18 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
         names = [NAMED.get(part, part) for part in unknown]
         text = f"is loaded in {' and '.join(names)}, whose strength is not given"
         if "lines" in unknown:
-            text += f" ({said.per_length(found.lines.size)} between {_beside(found.lines)})"
+            line = found.unknown_line
+            text += f" ({said.per_length(line.size)} between {_beside(line)})"
         yield Finding("warns", "unknown", text, None)
-    beside, strength = found.beside, model.structure.strength
-    if beside is not None and strength is not None and beside.size > strength:
+    beside, strength, thinned = found.beside, model.structure.strength, model.thinned
+    if thinned is not None and beside is not None and strength and beside.size > strength:
         text = (
             f"may bear {said.stress(beside.size)} in its panels at the crease between "
-            f"{_beside(beside)}, {plain(100 * beside.size / strength, 3)} % of their strength: on "
-            f"average over patches there are {said.stress(found.stress.size)} at most"
+            f"{_beside(beside)}, {plain(100 * beside.size / strength, 3)} % of their strength, if "
+            "hinges hold them at the face that chamfers leave: on average over patches there are "
+            f"{said.stress(found.stress.size)} at most"
         )
         yield Finding("warns", "unknown", text, beside.size / strength)
-    thinned = model.thinned
     if thinned is not None and thinned.share > MOST_THINNED:
         yield Finding("warns", "unknown", f"has {thinned_boards(thinned)}", None)
 

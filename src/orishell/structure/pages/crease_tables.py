@@ -10,6 +10,8 @@ import numpy as np
 from orishell.conventions.quantities import Quantities
 from orishell.io.sections import Paragraph, Table
 from orishell.structure.crease_forces import FORCES, AtCrease, worst_forces
+from orishell.numerics.equals import SOLVED, largest_along_first
+from orishell.structure.crease_lines import used_lines
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides
 from orishell.structure.negligible import NEGLIGIBLE_FORCE
@@ -73,6 +75,7 @@ def crease_csv(report: Analysis, unit: str) -> str:
                 for name, of in zip(COLUMNS, units, strict=True)
                 for part in (f"{name} ({of})", "case")
             ),
+            "used of its line", "case",
         )
     )  # fmt: skip
     model = report.model
@@ -81,6 +84,10 @@ def crease_csv(report: Analysis, unit: str) -> str:
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     names = [report.name_of(case) for _, case in report.balanced]
     sizes, worst = worst_forces(model, [found.edges for found, _ in report.balanced])
+    shares = np.zeros((len(names) or 1, len(edges)))
+    for number, (balanced, _) in enumerate(report.balanced):
+        shares[number] = used_lines(model, balanced.edges)
+    used, by = shares.max(axis=0), largest_along_first(shares, SOLVED)
     for k, edge in enumerate(edges.tolist()):
         (row, column), (other, beside) = (model.panel_at(int(each)) for each in sides[k, :, 0])
         kind = "row" if edge < model.grid.rows * (model.grid.columns - 1) else "column"
@@ -89,5 +96,8 @@ def crease_csv(report: Analysis, unit: str) -> str:
             for size, case in zip(sizes[k].tolist(), worst[k].tolist(), strict=True)
             for part in (f"{size:.{DIGITS}g}", names[case] if size else "")
         )
-        writer.writerow((row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found))
+        share = (f"{used[k]:.{DIGITS}g}", names[by[k]]) if used[k] else ("", "")
+        writer.writerow(
+            (row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found, *share)
+        )
     return text.getvalue()

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
 from orishell.structure.changes import STOPPED
+from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
 from orishell.structure.model import Model
 from orishell.structure.settings import Support
 from orishell.structure.stiffness import Stiffness
@@ -57,7 +58,9 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         stiffness += f", and {_stiffness(high)}: all is found for both"
     yield "Creases", stiffness
     yield "Strength of creases", _known(asked.crease_strength, said.moment)
-    yield "Strength of crease lines", _known(asked.line_strength, said.per_length)
+    yield "Strength of crease lines", _lines(asked.line_strength, said)
+    if high:
+        yield "Lever arm of what locks creases", said.displacement(model.lever)
     if model.design.panel is not None and model.design.panel.construction == "hinged":
         yield "Young\u2019s modulus of arms", _known(asked.arm_modulus, said.stress, "rigid")
         yield "Strength of arms", _known(asked.arm_strength, said.stress)
@@ -131,6 +134,18 @@ def _stiffness(stiffness: Stiffness) -> str:
 def _from_to(values: tuple[float, float], said: Callable[[float], str]) -> str:
     low, high = map(said, values)
     return low if low == high else f"from {low} to {high}"
+
+
+def _lines(strength: LineStrength | None, said: Quantities) -> str:
+    """What crease lines bear, by direction."""
+    if strength is None:
+        return "not given"
+    known = {name: getattr(strength, name) for name in DIRECTIONS}
+    if len(set(known.values())) == 1:
+        return _known(strength.pull, said.per_length)
+    words = (f"{name} {_known(each, said.per_length, 'not known')}" for name, each in known.items())
+    kind = "" if strength.kind is None else f"{strength.kind}: "
+    return f"{kind}{', '.join(words)}"
 
 
 def _known(value: float | None, said: Callable[[float], str], otherwise: str = "not given") -> str:
