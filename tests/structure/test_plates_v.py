@@ -68,8 +68,9 @@ def plates(crease: float, cells: int) -> Found:
     moved[held.free] = found.displacements
     inverse = Inverse.of(held, found.active, found.motions)
     forces = facet_stresses(facets, SECTION, moved[mesh.dofs()]).forces
-    geometric = geometric_stiffness(mesh, forces, np.zeros(0, np.int64))[held.free][:, held.free]
-    buckling, _ = find_buckling(inverse, geometric, 1)
+    others = csr_array((mesh.count, mesh.count))
+    turned = geometric_stiffness(mesh, forces, np.zeros(0, np.int64), held.free, others)
+    buckling, _ = find_buckling(inverse, turned.times, 1)
     heavy = csr_array(diags_array(mass[held.free]))
     frequencies, _ = find_frequencies(inverse, heavy, 3)
     return Found(float(-1e3 * moved[own[:, 2]].min()), frequencies, buckling[0])

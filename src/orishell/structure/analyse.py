@@ -99,9 +99,10 @@ def _run(model: Model, progress: Progress, *, last: bool) -> Run:
     stiffnesses = tuple(dict.fromkeys(asked.crease_stiffness))
     total = len(stiffnesses) * len(asked.analysed)
     for stiffness in stiffnesses:
+        kept = _Kept()
         for solved in _solve(model, stiffness):
             progress(len(compared) / total, f"loading {solved.case.name}")
-            linear = _equilibrium(model, solved, modes=last) if solved.stands else None
+            linear = _equilibrium(model, solved, kept, modes=last) if solved.stands else None
             compared.append(figures(linear))
             if last:
                 found.append(_result(model, solved, linear))
@@ -174,7 +175,24 @@ def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equi
     return follow(linear, solved.forces, on_panels, solved.response)
 
 
-def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
+class _Kept:
+    """What load cases with one stiffness of creases have from each other."""
+
+    def __init__(self) -> None:
+        self.buckled: Array | None = None  # modes of the last one that buckles
+        self._swinging: dict[bytes, tuple[Array, Array]] = {}
+
+    def swinging(self, model: Model, inverse: Inverse) -> tuple[Array, Array]:
+        """Frequencies (k,) and their modes (n, k), the same where the same rows act."""
+        key = inverse.active.tobytes()
+        if key not in self._swinging:
+            masses, free = point_masses(model.exposure), inverse.structure.free
+            mass = inertia(model.mesh, masses, model.site.metres)[free][:, free]
+            self._swinging[key] = find_frequencies(inverse, mass, FREQUENCIES)
+        return self._swinging[key]
+
+
+def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> Equilibrium:
     mesh, structure, response = model.mesh, solved.structure, solved.response
     moved = structure.moved(response.displacements)
     support_forces, reaction, residual = _reactions(model, solved)
@@ -190,12 +208,13 @@ def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
         hung = model.elements.forces(moved), solved.forces
-        geometric = turned_by_load(model, structure, response.forces, borne.forces, hung)
-        factors, shapes = find_buckling(inverse, geometric, BUCKLING if modes else 1)
+        turned = turned_by_load(model, structure, response.forces, borne.forces, hung)
+        if turned.loaded:
+            count = BUCKLING if modes else 1
+            factors, shapes = find_buckling(inverse, turned.times, count, kept.buckled)
+            kept.buckled = shapes
         if modes and model.site.areal_mass:
-            masses, free = point_masses(model.exposure), structure.free
-            mass = inertia(mesh, masses, model.site.metres)[free][:, free]
-            frequencies, swinging = find_frequencies(inverse, mass, FREQUENCIES)
+            frequencies, swinging = kept.swinging(model, inverse)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,

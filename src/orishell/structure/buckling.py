@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.numerics.arrays import Array
 from orishell.structure.mesh.elements import assemble
-from orishell.structure.mesh.geometric import geometric_stiffness
+from orishell.structure.mesh.geometric import Turned, geometric_stiffness
 from orishell.structure.mesh.sheet import CORNERS, SheetMesh
 from orishell.structure.model import Model
 from orishell.structure.solve.factorised import Factorised
@@ -24,27 +24,23 @@ def turned_by_load(
     forces: Array,
     membrane: Array,
     hung: tuple[Array, Array],
-) -> csr_array:
-    """The geometric stiffness (n, n) of free dofs.
+) -> Turned:
+    """The geometric stiffness of free dofs.
 
     forces: Of all rows (M,) of the structure: ties pull, flaps push.
     membrane: Membrane forces xx, yy, xy (T, 3) of triangles, in their own axes.
     hung: Forces (T, 18) that move triangles, and loads (N, 3) on points.
     """
-    from scipy.sparse import csr_array
-
     mesh, ties = model.mesh, len(model.site.ties)
     straight = ties + len(model.flaps)
     pairs = structure.conditions.nodes
     pressed = pairs[forces[: len(pairs)] > 0].ravel()
     points = np.concatenate([model.supports.points, pressed])
     pulls = forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh, membrane, points)
     turning = turning_stiffness(mesh.facets.points, pairs[:straight], pulls, mesh.count)
-    free, total = structure.free, geometric + turning
     if mesh.offsets is not None:
-        total = total + by_arms(mesh, *hung)
-    return csr_array(total[free][:, free])
+        turning = turning + by_arms(mesh, *hung)
+    return geometric_stiffness(mesh, membrane, points, structure.free, turning)
 
 
 def by_arms(mesh: SheetMesh, forces: Array, loads: Array) -> csr_array:

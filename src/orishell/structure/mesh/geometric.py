@@ -28,8 +28,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.elements import assemble
+from orishell.conventions.record import record
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
 from orishell.structure.mesh.triangle import DOFS
 
@@ -37,35 +37,86 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr_array:
-    """The matrix (D, D) of triangles that turn under membrane forces.
+@record
+class Turned:
+    """What forces add to the stiffness of a structure as it turns: symmetric, of free dofs (n, n).
+
+    It is G^T W G + K, and only ever multiplied with vectors: G is nearly the same for all cases.
+    """
+
+    # G: mean slopes (6 T, n) of u, v and w along x and y, for every triangle: linear ones, and what
+    # rotations add
+    slopes: csr_array
+    curved: csr_array
+    bent: Booleans  # of which triangles (T,) the second counts
+    weights: Array  # W: membrane forces times area of triangles (T, 2, 2)
+    others: csr_array  # K: of ties, struts and arms (n, n)
+
+    def times(self, moved: Array) -> Array:
+        """Forces (n, p) of displacements (n, p)."""
+        shape = len(self.weights), 3, 2, moved.shape[1]
+        curved = (self.curved @ moved).reshape(shape) * self.bent[:, None, None, None]
+        slopes = (self.slopes @ moved).reshape(shape) + curved
+        turned = np.einsum("tde,taep->tadp", self.weights, slopes)
+        straight = turned.reshape(-1, shape[-1])
+        round_ = (turned * self.bent[:, None, None, None]).reshape(straight.shape)
+        return np.asarray(self.slopes.T @ straight + self.curved.T @ round_ + self.others @ moved)
+
+    @property
+    def loaded(self) -> bool:
+        """Whether there are any forces."""
+        return bool(self.weights.any()) or bool(self.others.count_nonzero())
+
+
+def geometric_stiffness(
+    mesh: SheetMesh, forces: Array, points: Integers, free: Integers, others: csr_array
+) -> Turned:
+    """What triangles that turn under membrane forces add to the stiffness of free dofs.
 
     forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
     points: Nodes (k,) at which forces enter.
+    free: Free dofs (n,).
+    others: What other parts add (D, D).
     """
     from scipy.sparse import csr_array
 
-    facets = mesh.facets
-    x, y, xy = forces.T
-    tensor = np.stack([np.stack([x, xy], axis=-1), np.stack([xy, y], axis=-1)], axis=-2)
-    slopes = mean_slopes(facets.flat())
-    at_points = np.isin(facets.triangles, points).any(axis=1)
-    slopes.reshape(-1, 3, 2, 3, DOFS)[at_points, ..., 3:] = 0.0
-    energy = np.einsum("tadi,tde,taej->tij", slopes, tensor, slopes, optimize=True)
-    elements = facets.turned(energy * facets.areas()[:, None, None])
-    own = 3 * facets.triangles[..., None] + np.arange(3)
-    turns = 3 * (len(facets.points) + mesh.places[..., None]) + np.arange(3)
-    dofs = np.concatenate([own, turns], axis=-1).reshape(-1, 18)
-    smooth = _smoothing(mesh)
-    by_rotations = assemble(elements, dofs, smooth.shape[0])
-    return csr_array(smooth.T @ by_rotations @ smooth)
+    x, y, xy = (forces * mesh.facets.areas()[:, None]).T
+    weights = np.stack([np.stack([x, xy], axis=-1), np.stack([xy, y], axis=-1)], axis=-2)
+    bent = np.asarray(~np.isin(mesh.facets.triangles, points).any(axis=1))
+    slopes, curved = _slopes(mesh, free.tobytes())
+    return Turned(slopes, curved, bent, weights, csr_array(others[free][:, free]))
 
 
 @lru_cache(maxsize=2)
+def _slopes(mesh: SheetMesh, free: bytes) -> tuple[csr_array, csr_array]:
+    """Mean slopes (6 T, n) of triangles by free dofs, kept for the load cases of a mesh.
+
+    Those by displacements of their corners, and what rotations there add.
+    """
+    from scipy.sparse import coo_array, csr_array
+
+    facets, smooth, wanted = mesh.facets, _smoothing(mesh), np.frombuffer(free, np.int64)
+    local = mean_slopes(facets.flat())
+    apart = local.reshape(len(local), 6, 3, 2, 3)  # of corners, displacements and rotations
+    values = np.einsum("trcki,tij->trckj", apart, facets.axes())
+    own = 3 * facets.triangles[..., None] + np.arange(3)
+    turns = 3 * (len(facets.points) + mesh.places[..., None]) + np.arange(3)
+    rows = np.arange(6 * len(local)).reshape(-1, 6, 1, 1)
+
+    def by_free_dofs(values: Array, columns: Integers) -> csr_array:
+        places = [np.broadcast_to(each, values.shape) for each in (rows, columns[:, None])]
+        there = values != 0
+        kept = values[there], tuple(each[there] for each in places)
+        matrix = coo_array(kept, shape=(6 * len(local), smooth.shape[0]))
+        return csr_array((csr_array(matrix) @ smooth)[:, wanted])
+
+    return by_free_dofs(values[..., 0, :], own), by_free_dofs(values[..., 1, :], turns)
+
+
 def _smoothing(mesh: SheetMesh) -> csr_array:
     """Displacements of points and rotations of panels there by displacements, as dofs have them.
 
-    (3 N + 3 F (cells+1)^2, D), kept for the load cases of a mesh.
+    (3 N + 3 F (cells+1)^2, D).
     """
     from scipy.sparse import csr_array, vstack
 

@@ -135,16 +135,21 @@ class Inverse:
         return np.asarray(self.structure.soft_stiffness(moved, self.active))
 
 
-def largest(inverse: Inverse, apply: Apply, count: int) -> tuple[Array, Array]:
+def largest(
+    inverse: Inverse, apply: Apply, count: int, near: Array | None = None
+) -> tuple[Array, Array]:
     """Largest values (k,) of a matrix relative to the stiffness, and their vectors (n, k).
 
     Those that are found: maybe fewer, if most are about 0.
 
     apply: Products of the symmetric matrix with vectors (n, p).
     count: Number k of values.
+    near: Vectors (n, j) that may be near to some of them.
     """
     size = len(inverse.structure.free)
     start = np.random.default_rng(SEED).standard_normal((size, min(count + SPARE, size)))
+    if near is not None and near.shape[1]:
+        start = np.concatenate([inverse.stiffness(near), start], axis=1)[:, : start.shape[1]]
     values, vectors, errors = largest_values(
         inverse.solve, inverse.stiffness, apply, start, count, blocks=BLOCKS
     )
@@ -194,15 +199,16 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
     return assemble(elements, dofs.reshape(-1, 6), count)
 
 
-def find_buckling(inverse: Inverse, geometric: csr_array, count: int) -> tuple[Array, Array]:
+def find_buckling(
+    inverse: Inverse, apply: Apply, count: int, near: Array | None = None
+) -> tuple[Array, Array]:
     """The lowest factors (at most count) at which the shell buckles, and their modes (n, k).
 
     Fewer, or none, if it buckles in no more ways.
 
-    geometric: K_g (n, n) of free dofs.
+    apply: Products of K_g with vectors (n, p) of free dofs.
+    near: Modes (n, k) of another load case, which may be like those that are sought.
     """
-    if not geometric.count_nonzero():  # nothing is loaded
-        return np.zeros(0), np.zeros((len(inverse.structure.free), 0))
-    values, modes = largest(inverse, lambda moved: -(geometric @ moved), count)
+    values, modes = largest(inverse, lambda moved: -apply(moved), count, near)
     buckles = values > NEVER
     return 1 / values[buckles], modes[:, buckles]
