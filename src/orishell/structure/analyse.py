@@ -217,6 +217,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
             frequencies, swinging = kept.swinging(model, inverse)
     return Equilibrium(
         model=model,
+        duration=solved.case.lasts(solved.known),
         stiffness=solved.stiffness,
         displacements=structure.shape(response.displacements),
         support_forces=support_forces,

@@ -64,8 +64,8 @@ class CaseResult:
         if self.motion is not None:
             return ranked(against_motion(self.motion))
         assert self.equilibrium is not None
-        strength = self.limit_state in STRENGTH
-        return ranked(against_equilibrium(self.equilibrium, strength=strength))
+        strength, limited = self.limit_state in STRENGTH, self.limit_state in {None, "SLS"}
+        return ranked(against_equilibrium(self.equilibrium, strength=strength, limited=limited))
 
     @property
     def sign(self) -> Sign:

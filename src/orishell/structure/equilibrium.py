@@ -28,6 +28,7 @@ from orishell.structure.crease_lines import hinge_line, most_used_line, unknown_
 from orishell.structure.feet import Foot
 from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
+from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
@@ -88,10 +89,10 @@ class Equilibrium:
     """A shell in equilibrium with its loads."""
 
     REPORTED = (
-        "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
-        "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board", "membrane",
-        "arms", "panel_residual", "utilisation",
-        "buckling", "buckling_factors", "frequencies", "path",
+        "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
+        "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
+        "membrane", "arms", "panel_residual", "utilisation",
+        "buckling", "buckling_factors", "frequencies", "path", "duration", "strength",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -130,6 +131,12 @@ class Equilibrium:
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
+    duration: Duration = "permanent"  # how long its loads last
+
+    @property
+    def strength(self) -> float | None:
+        """What panels bear under loads that last as long; None if that is not known."""
+        return self.model.structure.bears(self.duration, self.model.site.unit)
 
     @property
     def buckling(self) -> float | None:
@@ -149,6 +156,17 @@ class Equilibrium:
             panel=self.model.panel_at(panel),
             share=float(sizes[node] / self.model.height),
         )
+
+    @property
+    def crept(self) -> float:
+        """The largest displacement once it has crept (length): EN 1995-1-1, 2.2.3.
+
+        It grows only under loads all of which last.
+        """
+        asked, size = self.model.structure, self.displacement.size
+        if asked.material is None or self.duration != "permanent":
+            return size
+        return size * (1 + materials()[asked.material].creeps(asked.service_class))
 
     @property
     def friction(self) -> float | None:
@@ -254,7 +272,7 @@ class Equilibrium:
         asked, film, line = self.model.structure, self.membrane, self.used_line
         creases = 0.0 if self.crease is None else self.crease.moment
         return Utilisation(
-            panels=share_of(self.in_panels[0], asked.strength),
+            panels=share_of(self.in_panels[0], self.strength),
             membrane=None if film is None else share_of(film.size, asked.membrane_strength),
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,

@@ -5,6 +5,7 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Final, Literal, Self
 
 import numpy as np
@@ -12,6 +13,7 @@ from pydantic import Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Pair, Several, Table, entries
+from orishell.structure.materials import DURATIONS, Duration
 
 Terrain = Literal["0", "I", "II", "III", "IV"]
 """Categories of EN 1991-1-4: sea, open, low vegetation, suburb, town."""
@@ -47,10 +49,12 @@ class Snow(Table):
     ``ground`` is its load on level ground (force per area). EN 1991-1-3 arranges it on a "cylinder"
     (5.3.5) or in the "valleys" of a corrugation (5.3.4), in several ways, one after the other
     unless ``arrangement`` names one. By "slope" it slides off each panel as off a smooth roof
-    (5.3.2).
+    (5.3.2). ``exposure_factor`` and ``thermal_factor`` are its C_e and C_t (5.2).
     """
 
     ground: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)]
+    exposure_factor: Annotated[Number, Field(gt=0, le=2)] = 1.0
+    thermal_factor: Annotated[Number, Field(gt=0, le=1)] = 1.0
     shape: Literal["slope", "cylinder", "valleys"] = "slope"
     arrangement: Literal["undrifted", "drifted left", "drifted right", "in valleys"] | None = None
 
@@ -158,17 +162,32 @@ class LoadCase(Table):
 
     ``pressure`` is on the outer face, square on it (force per area). ``combine`` has factors of
     the loads of other cases by their names; then there are no others here. A case that others
-    combine is not analysed on its own. ``action`` says what it is where a code combines cases.
+    combine is not analysed on its own. ``action`` says what it is where a code combines cases, and
+    ``duration`` how long it lasts, if its loads do not.
     """
 
     name: str
     action: Action | None = None
+    duration: Duration | None = None
     self_weight: bool = False
     pressure: Load = 0.0
     snow: Snow | None = None
     wind: Wind | None = None
     points: Several[PointLoad] = ()
     combine: dict[str, Annotated[Number, Field(ge=-1e3, le=1e3)]] = Field(default_factory=dict)
+
+    def lasts(self, known: Sequence[LoadCase]) -> Duration:
+        """How long it lasts: as it says, or as the shortest of its loads (EN 1995-1-1, 3.1.3).
+
+        known: Cases that it may combine.
+        """
+        if self.duration is not None:
+            return self.duration
+        if self.combine:
+            parts = [each.lasts(known) for each in known if self.combine.get(each.name)]
+        else:
+            parts = [LASTS[name] for name in LOADS if getattr(self, name)]
+        return max(parts, key=DURATIONS.index, default="permanent")
 
     @field_validator("name")
     @classmethod
@@ -197,7 +216,18 @@ class LoadCase(Table):
         return self
 
 
-LOADS = tuple(name for name in LoadCase.model_fields if name not in {"name", "action", "combine"})
+LOADS = tuple(
+    name for name in LoadCase.model_fields if name not in {"name", "action", "duration", "combine"}
+)
 """The keys of a case that are loads."""
+LASTS: Final[dict[str, Duration]] = {
+    "self_weight": "permanent",
+    "pressure": "medium",
+    "snow": "medium",
+    "wind": "short",
+    "points": "medium",
+}
+"""How long loads last where a case does not say it: EN 1995-1-1, table 2.2, snow as above 1000 m or
+where it stays."""
 OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 """The only case where a design file has none."""

@@ -32,7 +32,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         held=model.supports.as_if_pinned(),
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
-        strength=model.structure.strength,
+        strength=model.structure.bears("permanent", model.site.unit),
         whole_boards=model.design.has_whole_boards,
         cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
         creases=_creases(model, cases),

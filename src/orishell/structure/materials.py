@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from functools import cache
 from pathlib import Path
+from typing import Literal, get_args
 
 from orishell.conventions.record import record
 
 FILE = Path(__file__).with_suffix(".toml")
+
+
+Duration = Literal["permanent", "long", "medium", "short", "instantaneous"]
+"""How long a load lasts, the load-duration classes of EN 1995-1-1, 2.3.1.2."""
+DURATIONS: tuple[Duration, ...] = get_args(Duration)
+ServiceClass = Literal[1, 2, 3]
+"""Of EN 1995-1-1, 2.3.1.3: indoors, under a roof, outdoors."""
 
 
 @record
@@ -17,10 +27,26 @@ class Material:
 
     modulus: float  # Young's modulus (N/m2)
     poisson: float  # Poisson's ratio
-    strength: float  # what it bears (N/m2)
+    strength: float  # what it bears, the characteristic value (N/m2)
+    # gamma_M; 1 where the strength is on the safe side already, or no code gives one
+    partial_factor: float
     density: float  # mass by volume (kg/m3)
     source: str  # where the values come from
     conservative: str  # what is on the safe side in them, and what is not
+    # by service class: factors of strength by duration of loads, and of creep; empty for what is no
+    # wood-based board
+    k_mod: Mapping[str, Sequence[float]] = field(default_factory=dict)
+    k_def: Mapping[str, float] = field(default_factory=dict)
+
+    def bears(self, duration: Duration, service: ServiceClass) -> float:
+        """Design value of its strength under loads of a duration (N/m2): EN 1995-1-1, 2.14."""
+        factors = self.k_mod.get(str(service))
+        k_mod = 1.0 if factors is None else factors[DURATIONS.index(duration)]
+        return k_mod * self.strength / self.partial_factor
+
+    def creeps(self, service: ServiceClass) -> float:
+        """By how many times their first displacement lasting loads displace it further: k_def."""
+        return self.k_def.get(str(service), 0.0)
 
 
 @cache

@@ -47,7 +47,7 @@ class Model:
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
-        "structure.arm_strength", "structure.supports",
+        "structure.arm_strength", "displacement_limit", "structure.supports",
     )  # fmt: skip
 
     design: Design  # the design
@@ -94,6 +94,20 @@ class Model:
     def height(self) -> float:
         """Of the shell between its flaps."""
         return float(np.ptp(self.mesh.facets.points[:, 2]))
+
+    @property
+    def displacement_limit(self) -> float | None:
+        """How far it may be displaced (length); None if nobody says so.
+
+        A span is that between its feet; without feet, its longer side in plan.
+        """
+        asked = self.structure.displacement_limit
+        if not isinstance(asked, str):
+            return asked
+        of, _, parts = asked.partition("/")
+        plan = np.ptp(self.mesh.facets.points[:, :2], axis=0).max()
+        whole = self.height if of == "height" else self.exposure.span or float(plan)
+        return whole / int(parts)
 
     @property
     def thickness(self) -> float:

@@ -50,6 +50,8 @@ THIN = 2e-5
 """Foil for the kitchen (m)."""
 THICK = 0.2
 """Panels thicker than this share of their width are blocks, and no plates."""
+PONDING = np.arctan(0.25 / 12)
+"""Less steep panels may pond (radians): a quarter of an inch per foot, ASCE 7-16, 8.4."""
 HELD = 0.1
 """Supports that hold more than this share of the panels hold the shell itself."""
 
@@ -85,6 +87,14 @@ def doubts_of_shell(model: Model) -> Iterator[str]:
             f"supports hold {plain(100 * model.supports.share, 2)} % of the panels, which nothing "
             f"displaces then: patch is in {unit}"
         )
+    slopes = _slopes(model)
+    if (level := slopes < PONDING).any():
+        panel = int(slopes.argmin())
+        yield (
+            f"{int(level.sum())} panels are nearly level, panel {list(model.panel_at(panel))} at "
+            f"{plain(float(np.rad2deg(slopes[panel])), 2)} degrees: water stands on them, more "
+            "of it the further they sag, and that is not analysed"
+        )
     weight = model.mass * GRAVITY
     for case in asked.cases:
         largest = max((abs(each) for point in case.points for each in point.force), default=0.0)
@@ -93,6 +103,14 @@ def doubts_of_shell(model: Model) -> Iterator[str]:
                 f"load case {case.name}: forces of {plain(largest)} N at most beside an own weight "
                 f"of {plain(weight, 3)} N: forces are in newtons, a person is 1000"
             )
+
+
+def _slopes(model: Model) -> Array:
+    """Angles (F,) of panels with the horizontal (radians)."""
+    facets, count = model.mesh.facets, len(model.mesh.nodes)
+    normals = np.zeros((count, 3))
+    np.add.at(normals, model.mesh.panels, facets.areas()[:, None] * facets.axes()[:, 2])
+    return np.arctan2(np.hypot(normals[:, 0], normals[:, 1]), np.abs(normals[:, 2]))
 
 
 def _widths(model: Model) -> Array:

@@ -8,13 +8,20 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
-from orishell.conventions.table import Number, Pair, Several, Table
 from orishell.structure.combinations import Expression, Factors, arranged, combine
+from orishell.conventions.table import Number, Pair, Several, Table, misfit
 from orishell.structure.hinge_lines import LineStrengths
 from orishell.structure.load_settings import (
     LOADS,
@@ -28,7 +35,7 @@ from orishell.structure.load_settings import (
     Wind,
     Zone,
 )
-from orishell.structure.materials import materials
+from orishell.structure.materials import Duration, ServiceClass, materials
 
 __all__ = [
     "LOADS",
@@ -72,6 +79,22 @@ if TYPE_CHECKING:
 else:
     Stiffness = Annotated[Number, Field(ge=0, le=1e15)] | Literal["free", "rigid"]
     StiffnessRange = Annotated[Stiffness | Pair[Stiffness], AfterValidator(_as_range)]
+
+
+def _as_limit(given: Any) -> Any:
+    """A length, or a part of the span or the height of a shell."""
+    if not isinstance(given, str):
+        return given
+    of, _, parts = given.partition("/")
+    if of not in {"span", "height"} or not parts.isdigit() or not 1 <= int(parts) <= 100_000:
+        raise misfit('a length, or "span/100" or "height/100" with any whole number', given)
+    return given
+
+
+if TYPE_CHECKING:
+    DisplacementLimit = float | str
+else:
+    DisplacementLimit = Annotated[Positive | str, BeforeValidator(_as_limit)]
 
 
 class Support(Table):
@@ -122,12 +145,16 @@ class StructureTable(Table):
 
     # what panels are made of, by its name in materials.toml: what is not given is taken from there
     material: str | None = None
+    # how wet it becomes, the service class of EN 1995: 1 indoors, 2 under a roof, 3 outdoors; for
+    # what materials bear by name
+    service_class: ServiceClass = 3
     # Young's modulus of panels or boards, of their section as a whole; None if it is that of the
     # material (force per area)
     modulus: Annotated[Positive | None, Field(validate_default=True)] = None
     supports: Annotated[Several[Support], Field(min_length=1)]  # what holds it
     poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3  # Poisson's ratio of panels
-    strength: Positive | None = None  # what panels bear; None if that is not known (force per area)
+    # what panels bear, its design value; None if it is that of the material (force per area)
+    strength: Positive | None = None
     thickness: Positive | None = None  # of panels, where the design has none; else None (length)
     # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
     membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
@@ -155,6 +182,8 @@ class StructureTable(Table):
     combinations: Literal["none", "EN 1990"] = "none"
     expression: Expression = "6.10"  # of strength, in EN 1990
     factors: Factors = Factors()  # those of EN 1990
+    # how far the shell may be displaced: a length, or a part of its span or height (length)
+    displacement_limit: DisplacementLimit | None = None
     # cells along every side of a panel, of two triangles each
     cells: Annotated[int, Field(ge=1, le=32)] = 6
     # cells become finer until displacement, stress and buckling change by less than this share from
@@ -184,6 +213,13 @@ class StructureTable(Table):
             return self.replace_unchecked(line_strength=lines)._of_material(unit)
         return self._of_material(unit)
 
+    def bears(self, duration: Duration, unit: str) -> float | None:
+        """What panels bear under loads of a duration, per square of a unit; None if not known."""
+        if self.strength is not None or self.material is None:
+            return self.strength
+        made = materials()[self.material]
+        return made.bears(duration, self.service_class) * conversion(unit, "m") ** 2
+
     def _of_material(self, unit: str) -> Self:
         """With the values of its material where they are not given, per square of a unit."""
         if self.material is None:
@@ -192,7 +228,6 @@ class StructureTable(Table):
         known = {
             "modulus": made.modulus * area,
             "poisson": made.poisson,
-            "strength": made.strength * area,
         }
         given = {key for key in known if key in self.model_fields_set}
         return self.replace_unchecked(

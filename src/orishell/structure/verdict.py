@@ -66,13 +66,18 @@ def against_motion(motion: FreeMotion) -> Iterator[Finding]:
     yield Finding("fails", kind, motion.in_words(), None)
 
 
-def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterator[Finding]:
+def against_equilibrium(
+    found: Equilibrium, *, strength: bool = True, limited: bool = True
+) -> Iterator[Finding]:
     """What speaks against a shell in equilibrium.
 
     strength: Whether strength and buckling are judged.
+    limited: Whether it may not be displaced further than is asked.
     """
     if strength:
         yield from _against_strength(found)
+    if limited:
+        yield from _against_limit(found)
     path = found.path
     if path is not None and not path.carries:
         excess = 1 / path.reached if path.reached else None
@@ -90,6 +95,18 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
         if sign == "fails" or path is None:
             most_share = COLLAPSED if sign == "fails" else LARGE_DISPLACEMENT
             yield Finding(sign, "displaced", text, most.share / most_share)
+
+
+def _against_limit(found: Equilibrium) -> Iterator[Finding]:
+    """What speaks against a shell that is displaced further than it may be."""
+    limit, moved = found.model.displacement_limit, found.crept
+    if limit is None or moved <= limit:
+        return
+    said = Quantities(found.model.site.unit)
+    crept = " once it has crept" if moved > found.displacement.size else ""
+    most = said.displacement(limit)
+    text = f"is displaced by {said.displacement(moved)}{crept}, and may be by {most}"
+    yield Finding("fails", "displaced", text, moved / limit)
 
 
 def _against_strength(found: Equilibrium) -> Iterator[Finding]:
@@ -126,7 +143,7 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
             line = found.unknown_line
             text += f" ({said.per_length(line.size)} between {_beside(line)})"
         yield Finding("warns", "unknown", text, None)
-    beside, strength, thinned = found.beside, model.structure.strength, model.thinned
+    beside, strength, thinned = found.beside, found.strength, model.thinned
     if thinned is not None and beside is not None and strength and beside.size > strength:
         text = (
             f"may bear {said.stress(beside.size)} in its panels at the crease between "

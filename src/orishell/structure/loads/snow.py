@@ -1,4 +1,4 @@
-"""Snow, EN 1991-1-3: s = mu s_k on plan areas.
+"""Snow, EN 1991-1-3: s = mu C_e C_t s_k on plan areas.
 
 Folds hold the snow that would slide off a smooth vault: the next panel stands in its way, as a
 fence does, and 5.3.2 then has mu at least 0.8 on any slope. So "cylinder" and "valleys" do not ask
@@ -50,7 +50,10 @@ def snow(exposure: Exposure, asked: Snow) -> Effect:
         share, rule = _in_valleys(exposure)
     else:
         share, rule = _drifted(exposure, left=arranged.arrangement == "drifted left")
-    forces = exposure.on_corners(-(asked.ground * share * level)[:, None] * UP)
+    factor = asked.exposure_factor * asked.thermal_factor
+    forces = exposure.on_corners(-(factor * asked.ground * share * level)[:, None] * UP)
+    if factor != 1:
+        rule += f", C_e C_t = {plain(factor)} (5.2)"
     return Effect(forces, asked.ground, f"{rule}, on plan areas", caution)
 
 

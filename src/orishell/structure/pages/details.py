@@ -25,6 +25,8 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
         f"{said.displacement(moved.size)} in panel {vertex(moved.panel)} (along x, y, z: "
         f"{x}, {y}, {z}), {percent(moved.share)} of the shell's height",
     )
+    if found.crept > moved.size:
+        yield "Largest displacement once it has crept", said.displacement(found.crept)
     yield (
         "Largest stress",
         f"{said.stress(stress.size)} by von Mises, in panel {vertex(stress.panel)} on its "

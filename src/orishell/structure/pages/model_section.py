@@ -8,6 +8,7 @@ from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
 from orishell.structure.changes import STOPPED
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
+from orishell.structure.materials import DURATIONS
 from orishell.structure.model import Model
 from orishell.structure.settings import Support
 from orishell.structure.stiffness import Stiffness
@@ -45,7 +46,7 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
     if asked.membrane_modulus:
         yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
-    yield "Strength of panels", _known(asked.strength, said.stress)
+    yield "Strength of panels", _strength(model, said)
     if model.design.panel is not None and model.design.panel.membrane:
         yield "Strength of the membrane", _known(asked.membrane_strength, said.stress)
     yield (
@@ -134,6 +135,16 @@ def _stiffness(stiffness: Stiffness) -> str:
 def _from_to(values: tuple[float, float], said: Callable[[float], str]) -> str:
     low, high = map(said, values)
     return low if low == high else f"from {low} to {high}"
+
+
+def _strength(model: Model, said: Quantities) -> str:
+    """What panels bear, by the duration of loads where that matters."""
+    asked = model.structure
+    values = {each: asked.bears(each, model.site.unit) for each in DURATIONS}
+    if len(set(values.values())) == 1:
+        return _known(values["permanent"], said.stress)
+    words = (f"{_known(value, said.stress)} {name}" for name, value in values.items())
+    return f"by duration of loads, service class {asked.service_class}: {', '.join(words)}"
 
 
 def _lines(strength: LineStrength | None, said: Quantities) -> str:
