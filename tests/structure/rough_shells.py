@@ -132,7 +132,7 @@ def missing(held: Factorised, loads: Array, more: float = 1.0, sides: int = 96) 
     more: Coefficients of friction are so many times what they are.
     sides: Of a polygon instead of the circle of friction, with its corners on it.
     """
-    motions = held.motions(np.zeros(len(held.rows), dtype=bool))
+    motions = held.motions(np.zeros(len(held.springs), dtype=bool))
     if not motions.shape[1]:
         return 0.0
     by_row, count = held.rows @ motions, len(held.conditions)

@@ -52,7 +52,7 @@ class Plate:
         parts = [own[up, 2], own[:, :2].ravel(), mesh.rotations()[..., 2].ravel()]
         supported = np.unique(np.concatenate(parts))
         held = factorise([mesh.elements(self.section)], mesh, supported, NOTHING, grid)
-        nobody = np.zeros(len(held.rows), dtype=bool)
+        nobody = np.zeros(len(held.springs), dtype=bool)
         inverse = Inverse.of(held, nobody, np.zeros((len(held.free), 0)))
         axes = mesh.facets.axes()[:, :2, :2]
         turned = axes @ np.array(forces) @ axes.swapaxes(1, 2)

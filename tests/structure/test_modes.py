@@ -109,7 +109,7 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
     sprung = model.factorised(0.0)
     count = len(ties) + len(model.flaps)
     assert count > len(ties)
-    nobody = np.zeros(len(sprung.rows), dtype=bool)
+    nobody = np.zeros(len(sprung.springs), dtype=bool)
     assert sprung.motions(nobody).shape[1] == 7
     for those in (slice(0, len(ties)), slice(len(ties), count), slice(0, count)):
         active = nobody.copy()
@@ -136,7 +136,7 @@ def plate(cells: int) -> tuple[Inverse, Array, int]:
     held = factorise(elements, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
     area = np.zeros(len(facets.points))
     np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
-    nobody = np.zeros(len(held.rows), dtype=bool)
+    nobody = np.zeros(len(held.springs), dtype=bool)
     return Inverse.of(held, nobody, np.zeros((len(held.free), 0))), area, mesh.count
 
 

@@ -170,7 +170,7 @@ def motions(sheet: Mechanism, hinges: Hinges, drive: float, *, locked: bool) -> 
         springs = rigid_stiffness(mesh, section)
         elements.append(hinge_elements(mesh, sheet.grid, springs))
     held = factorise(elements, mesh, NOWHERE, NOTHING, sheet.grid)
-    return int(held.motions(np.zeros(len(held.rows), dtype=bool)).shape[1])
+    return int(held.motions(np.zeros(len(held.springs), dtype=bool)).shape[1])
 
 
 def test_pieces_of_the_shelter_lock_each_other() -> None:

@@ -20,8 +20,8 @@ from pydantic_core import PydanticCustomError
 
 from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
-from orishell.structure.combinations import Expression, Factors, arranged, combine
 from orishell.conventions.table import Number, Pair, Several, Table, misfit
+from orishell.structure.combinations import Expression, Factors, arranged, combine
 from orishell.structure.hinge_lines import LineStrengths
 from orishell.structure.load_settings import (
     LOADS,

@@ -9,8 +9,8 @@ import numpy as np
 
 from orishell.conventions.quantities import Quantities
 from orishell.io.sections import Paragraph, Table
-from orishell.structure.crease_forces import FORCES, AtCrease, worst_forces
 from orishell.numerics.equals import SOLVED, largest_along_first
+from orishell.structure.crease_forces import FORCES, AtCrease, worst_forces
 from orishell.structure.crease_lines import used_lines
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides

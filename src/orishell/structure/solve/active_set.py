@@ -62,7 +62,7 @@ def respond(structure: Factorised, loads: Array) -> Response:
         return _moving(structure, moves)
     found = find_contact(structure, loads)
     if found is None:
-        held = structure.respond(loads, np.ones(len(structure.rows), dtype=bool))[0]
+        held = structure.respond(loads, np.ones(len(structure.springs), dtype=bool))[0]
         return replace(_moving(structure, held / np.linalg.norm(held)), unknown=True)
     settled = _settled(structure, loads, found.contact, found.y)
     if found.away:

@@ -12,10 +12,15 @@ shell opens, for the distance of their outer corners is smallest where they are 
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 
 @record
@@ -40,17 +45,23 @@ class Conditions:
         return np.flatnonzero(self.friction)
 
 
-def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
-    """Fill rows of conditions, and return them (m, D).
+def make_rows(nodes: Integers, directions: Array, count: int) -> csr_array:
+    """Rows (m, D) of conditions.
 
-    rows: Rows (m, D) of the dofs, as yet 0.
     nodes, directions: Nodes (m, 2) and unit vectors (m, 3), as of :class:`Conditions`.
+    count: Number of all dofs D.
     """
-    number = np.arange(len(nodes))[:, None]
-    apart = (nodes[:, 0] != nodes[:, 1])[:, None]
-    rows[number, 3 * nodes[:, :1] + np.arange(3)] = np.where(apart, -directions, directions)
-    second = apart[:, 0]
-    rows[number[second], 3 * nodes[second, 1:] + np.arange(3)] = directions[second]
+    from scipy.sparse import coo_array, csr_array
+
+    number = np.repeat(np.arange(len(nodes)), 3)
+    apart = nodes[:, 0] != nodes[:, 1]
+    first = np.where(apart[:, None], -directions, directions)
+    second = np.where(apart[:, None], directions, 0.0)
+    dofs = [(3 * nodes[:, k, None] + np.arange(3)).ravel() for k in (0, 1)]
+    entries = np.concatenate([first.ravel(), second.ravel()])
+    places = np.concatenate([number, number]), np.concatenate(dofs)
+    rows = csr_array(coo_array((entries, places), shape=(len(nodes), count)))
+    rows.eliminate_zeros()
     return rows
 
 

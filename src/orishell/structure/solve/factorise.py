@@ -11,7 +11,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sheet import SheetMesh, points_by_dofs
-from orishell.structure.solve.conditions import Conditions, put_rows
+from orishell.structure.solve.conditions import Conditions, make_rows
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.fronts import condense
 
@@ -22,6 +22,8 @@ SWINGING = 400
 """At most so many vertices have springs."""
 RESTRAINED = 1e-9
 """A motion of the whole that moves supported vertices by less than this share is free."""
+TOGETHER = 64
+"""Rows whose displacements are found at a time: more of them take memory, and no less time."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
@@ -77,21 +79,24 @@ def _sprung(
         (np.repeat(corners, 3)[:, None].repeat(2, axis=1), np.tile(axes, (len(corners), 1))),
     ]
     nodes, directions = (np.concatenate(each) for each in zip(*parts, strict=True))
-    every_row = put_rows(np.zeros((len(nodes), mesh.count)), nodes, directions)
-    rows = every_row[:, free]
-    springs = np.full(len(rows), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
+    every_row = make_rows(nodes, directions, mesh.count)
+    rows = csr_array(every_row[:, free])
+    springs = np.full(len(nodes), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
     own = np.flatnonzero(conditions.compliance)
     springs[own] = 1 / conditions.compliance[own]
-    sparse = csr_array(rows)
-    sprung = (stiffness[free][:, free] + sparse.T @ (sparse * springs[:, None])).tocsc()
+    sprung = (stiffness[free][:, free] + rows.T @ (rows * springs[:, None])).tocsc()
     del stiffness, first, others
-    factors = condense(mesh, grid, elements, (csr_array(every_row), springs), free)
+    factors = condense(mesh, grid, elements, (every_row, springs), free)
     if factors is None:
         return None
     if _loosest(factors.solve, len(free)) < LOOSE * sprung.diagonal().max():
         return None
-    spread = factors.solve(np.ascontiguousarray(rows.T))
-    spread += factors.solve(rows.T - sprung @ spread)
+    spread = np.empty((len(free), len(nodes)))
+    for begin in range(0, len(nodes), TOGETHER):
+        some = np.s_[begin : begin + TOGETHER]
+        loads = rows[some].toarray().T
+        moved = factors.solve(loads)
+        spread[:, some] = moved + factors.solve(loads - sprung @ moved)
     flexibility = rows @ spread
     return Factorised(
         tuple(elements),
@@ -99,7 +104,7 @@ def _sprung(
         conditions,
         mesh.node_count,
         points_by_dofs(mesh),
-        csr_array(every_row),
+        every_row,
         rows,
         springs,
         spread,

@@ -56,7 +56,7 @@ class Factorised:
     nodes: int  # number of nodes, whose displacements are the first dofs
     by_dofs: csr_array  # displacements (3 N, D) of all points, nodes first
     every_row: csr_array  # all rows (M, D)
-    rows: Array  # their part (M, n) of free dofs
+    rows: csr_array  # their part (M, n) of free dofs
     springs: Array  # their springs (M,)
     spread: Array  # A^-1 B^T (n, M)
     flexibility: Array  # C (M, M)
@@ -75,7 +75,7 @@ class Factorised:
 
     def ground_forces(self, forces: Array) -> Array:
         """Forces (N, 3) of the ground on points, from the forces (M,) of all rows."""
-        which = np.zeros(len(self.rows), dtype=bool)
+        which = np.zeros(len(self.springs), dtype=bool)
         which[: len(self.conditions)] = self.conditions.grounded
         which[len(self.conditions) :][: len(self.sliding)] = True
         taken = self.every_row.T @ np.where(which, forces, 0.0)
@@ -132,9 +132,10 @@ class Factorised:
         release = np.linalg.lstsq(self.flexibility[np.ix_(hard, hard)], across, rcond=FREE)[0]
         flexible = self.flexibility[np.ix_(loose, loose)] - across.T @ release
         values, modes = np.linalg.eigh(np.eye(len(root)) - root[:, None] * flexible * root)
-        forces = root[:, None] * modes[:, values < FREE]
-        moved = self.spread[:, loose] @ forces - self.spread[:, hard] @ (release @ forces)
-        return np.linalg.qr(moved)[0]
+        forces = np.zeros((len(active), int((values < FREE).sum())))
+        forces[loose] = root[:, None] * modes[:, values < FREE]
+        forces[hard] = -release @ forces[loose]
+        return np.linalg.qr(self.spread @ forces)[0]
 
     def free_motions(self) -> Array:
         """What nothing resists (n, k) but rows; orthonormal, motions of the whole first.
@@ -142,7 +143,7 @@ class Factorised:
         Those are known exactly; by their eigenvalues they are mixed with folding, which costs thin
         panels next to nothing, by up to 1e-5.
         """
-        found = self.motions(np.zeros(len(self.rows), dtype=bool))
+        found = self.motions(np.zeros(len(self.springs), dtype=bool))
         rest = found - self.rigid @ (self.rigid.T @ found)
         own = np.linalg.svd(rest, full_matrices=False)[0]
         return np.hstack([self.rigid, own[:, : found.shape[1] - self.rigid.shape[1]]])
@@ -150,7 +151,7 @@ class Factorised:
     @property
     def _hard(self) -> Booleans:
         """Rows (M,) that do not give while they act; the others' springs are their own."""
-        hard = np.ones(len(self.rows), dtype=bool)
+        hard = np.ones(len(self.springs), dtype=bool)
         hard[: len(self.conditions)] = self.conditions.compliance == 0
         return hard
 
@@ -190,7 +191,7 @@ class Factorised:
         active: Which rows act (M,).
         """
         # g - C p = g_f; open rows: p - S g = 0; active ones: p = 0, or next to no g if hard.
-        count = len(self.rows)
+        count = len(self.springs)
         hard, spring = active & self._hard, np.diag(self.springs)
         by_gap, by_p = -spring, np.eye(count)
         by_gap[active], by_p[hard] = 0.0, GIVE * by_p[hard]
