@@ -211,3 +211,28 @@ def test_feet_that_slip_leave_no_point_that_is_not_in_balance(friction: float) -
     assert found.path is not None
     assert found.panel_residual < 1e-6
     assert found.residual < 1e-6
+
+
+@pytest.mark.parametrize("off", [0.001, 0.004])
+def test_an_imperfect_shell_goes_further_the_way_it_buckles(off: float) -> None:
+    """Off by a w_1 it moves by a w_1/(factor - 1) more, as columns do: Southwell's relation.
+
+    By the component along the first buckling mode, of a shell far from buckling, within 5 %.
+    """
+    perfect, built = (asked("pinned", 30.0, imperfection=each) for each in (0.0, off))
+    first = linear(perfect)
+    assert first.buckling is not None
+    assert first.buckling > 3
+    mode = first.buckling_modes[0]
+    way = np.sign((mode * first.displacements).sum())
+    more = held(built).displacements - held(perfect).displacements
+    along = way * (more * mode).sum() / (mode**2).sum()
+    assert along == pytest.approx(off / (first.buckling - 1), rel=0.05)
+    assert "imperfections of fit" in " ".join(built.not_covered)
+    assert held(built).model is not held(perfect).model
+    assert np.array_equal(built.model.mesh.facets.points, perfect.model.mesh.facets.points)
+
+
+def test_an_imperfection_is_followed_or_refused() -> None:
+    with pytest.raises(ValueError, match="imperfection"):
+        asked("pinned", 30.0, nonlinear=False, imperfection=0.001)

@@ -47,7 +47,8 @@ class Model:
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
-        "structure.arm_strength", "displacement_limit", "structure.supports",
+        "structure.arm_strength", "displacement_limit", "structure.imperfection",
+        "structure.supports",
     )  # fmt: skip
 
     design: Design  # the design

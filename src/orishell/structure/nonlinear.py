@@ -4,7 +4,8 @@ Loads keep their directions and their sizes, those of wind and pressure, too: th
 shell as designed. Where the shell would move on by itself from a point of the path though the load
 goes on growing, the path has branched: it is followed again from before with a nudge along the
 softest motion, so small that it moves the shell by :data:`IMPERFECT` of the thickness of panels
-there; it is left out again under the full load.
+there; it is left out again under the full load. Where ``imperfection`` says how far a shell is off
+its shape as built, it begins so.
 """
 
 from __future__ import annotations
@@ -53,6 +54,8 @@ def follow(linear: Equilibrium, loads: Array, on_panels: Array, response: Respon
     on_panels: Forces (F (cells+1)^2, 3) on panels by nodes of their own.
     response: What loads do by linear theory.
     """
+    perfect = linear.model
+    linear = replace(linear, model=_imperfect(linear))
     model = linear.model
     moving = movable(model, linear.stiffness, response)
     every = np.zeros(moving.count)
@@ -64,7 +67,24 @@ def follow(linear: Equilibrium, loads: Array, on_panels: Array, response: Respon
     motions = response.motions[:, : 0 if model.supports.friction.any() else None]
     told = _told(model, linear, path, motions, ending)
     still = _still(last, motions)[model.mesh.translations()]
-    return replace(_deformed(linear, last, (loads, on_panels), told), displacements=still)
+    found = _deformed(linear, last, (loads, on_panels), told)
+    return replace(found, model=perfect, displacements=still)
+
+
+def _imperfect(linear: Equilibrium) -> Model:
+    """The model as it is built: off its shape as it first buckles, the way that the loads move it.
+
+    Without stress: it was cut and joined so.
+    """
+    model, most = linear.model, linear.model.structure.imperfection
+    if not most or not len(linear.buckling_modes):
+        return model
+    mode = linear.buckling_modes[0]
+    way = -1.0 if (mode * linear.displacements).sum() < 0 else 1.0
+    facets, built = model.mesh.facets, replace(model)
+    points = facets.points + way * most * mode
+    vars(built)["mesh"] = replace(model.mesh, facets=replace(facets, points=points))
+    return built
 
 
 def _still(point: Point, motions: Array) -> Array:

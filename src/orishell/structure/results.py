@@ -70,8 +70,9 @@ FOLDED = (
     "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
     "without one, as [panel] gives them none"
 )
+IMPERFECT = "imperfections of shape and fit, and play of hinges"
+IMPERFECT_FIT = "imperfections of fit, and of shape in other ways than it first buckles"
 NOT_COVERED = (
-    "imperfections of shape and fit, and play of hinges",
     "buckling of single webs and faces of boards between their webs",
     "boards that are stiffer or stronger in one direction than in the other",
     "glue, seams and holes, and what tears at the corners of panels",
@@ -101,7 +102,8 @@ class Analysis:
         first = FOLLOWED if self.model.structure.nonlinear else LINEAR
         thinned = thinned_in_words(self.model.thinned)
         bare = FOLDED if self.model.design.panel is None else ""
-        return (first, *(each for each in (thinned, bare) if each), *NOT_COVERED)
+        built = IMPERFECT_FIT if self.model.structure.imperfection else IMPERFECT
+        return (first, *(each for each in (thinned, bare) if each), built, *NOT_COVERED)
 
     @property
     def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:

@@ -190,6 +190,19 @@ class StructureTable(Table):
     # the next coarser mesh; 0 to leave them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     nonlinear: bool = False  # whether large displacements are followed
+    # how far the shape is off as built: so much at most, as the first way in which it buckles; only
+    # where large displacements are followed (length)
+    imperfection: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+
+    @model_validator(mode="after")
+    def _follow_imperfect(self) -> Self:
+        if self.imperfection and not self.nonlinear:
+            raise misfit(
+                "no imperfection, or nonlinear = true: linear theory knows the shell as designed",
+                self.imperfection,
+                "imperfection",
+            )
+        return self
 
     @field_validator("material")
     @classmethod
