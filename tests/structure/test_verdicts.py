@@ -26,8 +26,8 @@ from orishell.design_file.file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.structure.hinge_lines import LineStrength
-from orishell.structure.mesh.strips import bending_left
 from orishell.structure.pages.files import VERDICTS, structure_page
+from orishell.structure.mesh.sections import Section, thickness_left
 from orishell.structure.results import Analysis
 from samples import led_by
 
@@ -214,24 +214,56 @@ def test_stress_at_a_crease_is_not_hidden_by_averages() -> None:
     assert any("crease_strength = 10000 N is 100 times" in text for text in found.warnings)
 
 
-def test_chamfers_are_left_out_and_that_is_said() -> None:
-    """Of boards that lean far; the share is that of the cube of their thickness."""
+def test_chamfers_make_boards_softer() -> None:
+    """By their thickness at every place; cut square they are as thick as they are everywhere."""
     bevel = {"construction": "bevel", "thickness": 0.03, "gap": 0.002, "density": 500}
     found = arch({"line_strength": 1e6}, panel=bevel)
-    assert one_verdict(found) is None
-    assert "boards whose chamfers are left out" in found.in_words()
-    thinned, boards = found.model.thinned, found.model.boards
-    assert thinned is not None
+    model, boards = found.model, found.model.boards
     assert boards is not None
-    assert any("chamfers of boards: they take up to" in text for text in found.not_covered)
-    flat = found.model.sheet.positions(0.0).reshape(-1, 3)[found.model.grid.faces_vertices(), :2]
-    # Cut square they are as thick as they are everywhere.
+    assert any("chamfers leave of a board" in text for text in found.not_covered)
+    flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices(), :2]
     middle = boards.outlines[:, 1:2, :, :2]
-    square = np.concatenate(
-        [np.broadcast_to(middle, boards.outlines[..., :2].shape), boards.outlines[..., 2:]], axis=-1
+    square = replace(
+        boards,
+        outlines=np.concatenate(
+            [
+                np.broadcast_to(middle, boards.outlines[..., :2].shape),
+                boards.outlines[..., 2:],
+            ],
+            axis=-1,
+        ),
     )
-    assert bending_left(replace(boards, outlines=square), flat) == pytest.approx(1.0)
-    assert thinned.share == pytest.approx(1 - bending_left(boards, flat).min())
+    left, whole = (thickness_left(each, flat, 32) for each in (boards, square))
+    assert set(np.unique(whole)) <= {0.0, 1.0}
+    assert (left <= whole).all()
+    # In the middle of a panel nothing is taken off; right at a chamfered edge half is left.
+    assert left.max() == 1.0
+    assert 0.0 < left[left > 0].min() < 0.6
+    solid = Section.solid(model.structure.modulus, 0.03, model.structure.poisson)
+    assert model.membrane_stiffness[1] <= np.asarray(solid.membrane) * (1 + 1e-9)
+    assert model.bending_stiffness[0] < 0.8 * np.asarray(solid.bending)
+    softer = found.cases[0].equilibrium
+    stiff = arch({"line_strength": 1e6, "thickness": 0.03}).cases[0].equilibrium
+    assert softer is not None
+    assert stiff is not None
+    assert softer.displacement.size > 1.02 * stiff.displacement.size
+
+
+@pytest.mark.parametrize("name", led_by(["BEST_shelter.toml"], 0))
+def test_chamfers_of_a_shelter_against_calculix(name: str) -> None:
+    """Displaced by 44 % more, its factor 5 % less, with tapered boards in CalculiX.
+
+    Without chamfers 73.8 mm there and a factor of 3.0 at 3 cells and 2.92 at 4 (an independent
+    check's figures); here with 4 cells.
+    """
+    file = read_design_file(FILES / name).changed({"structure.cells": 4})
+    found = make_shell(file, clash="unexamined", skip=SKIP).analysis
+    assert found is not None
+    worst = next(case for case in found.cases if case.name == "snow l").equilibrium
+    assert worst is not None
+    assert worst.displacement.size == pytest.approx(1.44 * 0.0738, rel=0.05)
+    assert worst.buckling is not None
+    assert 0.95 * 2.92 < worst.buckling < 1.1 * 0.95 * 3.44
 
 
 def test_a_buckling_factor_below_three_is_not_known_to_be_safe() -> None:

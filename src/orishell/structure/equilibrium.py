@@ -258,8 +258,7 @@ class Equilibrium:
 
         At creases of bevelled boards it depends on how hinges hold what chamfers leave.
         """
-        bevelled = self.model.thinned is not None
-        both = (self.lone_board, None if bevelled else self.beside)
+        both = (self.lone_board, None if self.model.bevelled else self.beside)
         at_creases = [each for each in both if each is not None]
         most = largest_of(at_creases, lambda each: each.size, SOLVED) if at_creases else None
         if most is None or most.size <= self.stress.size:

@@ -33,7 +33,7 @@ from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.supports import Supports, find_supports
-from orishell.structure.whole_boards import Thinned, corners_at_vertices, most_thinned, plates_of
+from orishell.structure.whole_boards import corners_at_vertices, plates_of
 
 
 @record
@@ -211,15 +211,11 @@ class Model:
             return None
         return between_flaps(built.boards, self.design.mechanism.grid, self.grid, self.before)
 
-    @cached_property
-    def thinned(self) -> Thinned | None:
-        """The board of which chamfers take most; None if none is chamfered."""
-        build, boards = self.design.panel, self.boards
-        if build is None or boards is None or build.construction != "bevel":
-            return None
-        flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
-        share, panel = most_thinned(boards, flat)
-        return Thinned(share, self.panel_at(panel))
+    @property
+    def bevelled(self) -> bool:
+        """Whether chamfers leave less of its panels beside creases."""
+        build = self.design.panel
+        return build is not None and self.boards is not None and build.construction == "bevel"
 
     @cached_property
     def exposure(self) -> Exposure:

@@ -24,7 +24,7 @@ from orishell.structure.plausibility import doubts, doubts_of_shell
 from orishell.structure.stiffness import creases_in_words
 from orishell.structure.utilisation import GOVERNING
 from orishell.structure.verdict import CARRIES, misleads
-from orishell.structure.whole_boards import arm_warnings, thinned_in_words
+from orishell.structure.whole_boards import arm_warnings
 
 LOCAL = 0.65
 """A mode is local to points that hold the shell if so much of its strain energy is in panels there:
@@ -70,6 +70,10 @@ FOLDED = (
     "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
     "without one, as [panel] gives them none"
 )
+ECCENTRIC = (
+    "how far the middle of what chamfers leave of a board is off its hinge plane: boards bend "
+    "about their own middle everywhere, the least that they do"
+)
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_FIT = "imperfections of fit, and of shape in other ways than it first buckles"
 NOT_COVERED = (
@@ -100,7 +104,7 @@ class Analysis:
     def not_covered(self) -> tuple[str, ...]:
         """What the analysis says nothing of."""
         first = FOLLOWED if self.model.structure.nonlinear else LINEAR
-        thinned = thinned_in_words(self.model.thinned)
+        thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
         built = IMPERFECT_FIT if self.model.structure.imperfection else IMPERFECT
         return (first, *(each for each in (thinned, bare) if each), built, *NOT_COVERED)

@@ -20,7 +20,6 @@ from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.utilisation import NAMED
-from orishell.structure.whole_boards import MOST_THINNED, thinned_boards
 
 Kind = Literal[
     "moves",
@@ -143,8 +142,8 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
             line = found.unknown_line
             text += f" ({said.per_length(line.size)} between {_beside(line)})"
         yield Finding("warns", "unknown", text, None)
-    beside, strength, thinned = found.beside, found.strength, model.thinned
-    if thinned is not None and beside is not None and strength and beside.size > strength:
+    beside, strength = found.beside, found.strength
+    if model.bevelled and beside is not None and strength and beside.size > strength:
         text = (
             f"may bear {said.stress(beside.size)} in its panels at the crease between "
             f"{_beside(beside)}, {plain(100 * beside.size / strength, 3)} % of their strength, if "
@@ -152,8 +151,6 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
             f"{said.stress(found.stress.size)} at most"
         )
         yield Finding("warns", "unknown", text, beside.size / strength)
-    if thinned is not None and thinned.share > MOST_THINNED:
-        yield Finding("warns", "unknown", f"has {thinned_boards(thinned)}", None)
 
 
 def _beside(found: AtCrease) -> str:

@@ -1,5 +1,7 @@
 """Sections of panels: how stiff they are, and how far their outermost fibres are away.
 
+Chamfers leave a solid board the thinner the nearer to a crease, down to half of it or less.
+
 A solid panel of thickness t has E t and E t^3/12, each over 1 - nu^2. Of two boards of thickness b
 at a distance 2 d between their middles each adds E b and E (b^3/12 + b d^2); where only one of them
 is left beside a crease, E b and E b^3/12. A membrane between them adds what it has by itself.
@@ -46,6 +48,8 @@ class Section:
 LEAST_BENDING = 1e-3
 """Where no board is, bending is at least that of a membrane with this share of a board's E t."""
 
+NO_CHAMFER = 1e-300
+"""Divides where there is no chamfer, so that a board is as thick as it is."""
 SAMPLES, WINDOW = 64, 16
 """Places along a side of a panel at which boards are looked for, and over how many of them what is
 found is averaged, along both sides."""
@@ -60,12 +64,11 @@ def panel_sections(
 ) -> Section:
     """Sections of the triangles of meshed panels.
 
-    Gaps and chamfers of solid panels are not taken off. Boards are averaged over a quarter of the
-    width of a panel, so that sections are the same whatever the mesh, and where corners have no
-    board a vertex still hangs on what is beside it.
+    Boards are averaged over a quarter of the width of a panel, so that sections are the same
+    whatever the mesh, and where corners have no board a vertex still hangs on what is beside it.
 
     build: What panels are made of; None if they are of ``structure.thickness``.
-    boards: The boards of a sandwich, numbered by the same panels.
+    boards: Their boards, numbered by the same panels.
     flat: Corners (F, 4, 2) of the panels in the flat sheet.
     centres: Middles (F, t, 2) of the panels' triangles, as shares of the way down and across.
     """
@@ -73,7 +76,9 @@ def panel_sections(
     if build is None or boards is None or build.is_solid:
         thickness = structure.thickness if build is None else build.thickness
         assert thickness is not None
-        return Section.solid(modulus, thickness, nu)
+        if build is None or boards is None or build.construction != "bevel":
+            return Section.solid(modulus, thickness, nu)
+        return _tapered(Section.solid(modulus, thickness, nu), boards, flat, centres)
     board = 0.5 * (build.thickness - build.membrane)
     away = 0.5 * (board + build.membrane)
     places = places_in(flat, SAMPLES)
@@ -92,6 +97,57 @@ def panel_sections(
         modulus=modulus,
         reach=np.where(boards_there > 1, 0.5 * build.thickness, 0.5 * board),
     )
+
+
+def _tapered(solid: Section, boards: Boards, flat: Array, centres: Array) -> Section:
+    """Sections of boards that are chamfered, by those of a whole board.
+
+    Each place bends about the middle of what is left of it there, apart from its neighbours: that
+    is the least that it may be, and about the hinge plane it is up to four times as stiff.
+    """
+    left = thickness_left(boards, flat, SAMPLES)
+    share, cubed = (np.maximum(_averaged(each, centres), LEAST_BENDING) for each in (left, left**3))
+    return Section(
+        membrane=np.asarray(solid.membrane) * share,
+        bending=np.asarray(solid.bending) * cubed,
+        poisson=solid.poisson,
+        modulus=solid.modulus,
+        reach=np.asarray(solid.reach) * share,
+    )
+
+
+def thickness_left(boards: Boards, flat: Array, samples: int) -> Array:
+    """The share (F, S, S) that chamfers leave of the thickness of solid boards; 0 beside them.
+
+    flat: Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
+    """
+    there, (low, middle, top) = boards.panels, (set_back(boards, flat, k) for k in range(3))
+    own, (across, _) = flat[there], inwards(flat[there])
+    from_edges = places_in(own, samples)[:, :, :, None] - own[:, None, None]
+    deep = np.einsum("fabsx,fsx->fabs", from_edges, across) - middle[there, None, None]
+    thick = np.zeros(deep.shape[:3])
+    for back in (low, top):
+        wide = np.maximum(back[there] - middle[there], NO_CHAMFER)
+        thick += 0.5 * np.clip(deep / wide[:, None, None], 0.0, 1.0).min(axis=-1)
+    left = np.zeros((len(flat), samples, samples))
+    left[there] = thick * (deep >= 0).all(axis=-1)
+    return left
+
+
+def inwards(flat: Array) -> tuple[Array, Array]:
+    """Directions (F, 4, 2) into panels from their edges, and lengths (F, 4) of these."""
+    along = np.roll(flat, -1, axis=1) - flat
+    length = np.linalg.norm(along, axis=-1)
+    return np.stack([-along[..., 1], along[..., 0]], axis=-1) / length[..., None], length
+
+
+def set_back(boards: Boards, flat: Array, level: int) -> Array:
+    """How far boards stand back from edges (F, 4) at a level of theirs; infinite without one."""
+    across, _ = inwards(flat)
+    back = np.full(flat.shape[:2], np.inf)
+    away = boards.outlines[:, level, None, :, :2] - flat[boards.panels][:, :, None]
+    back[boards.panels] = np.einsum("bskx,bsx->bsk", away, across[boards.panels]).min(axis=-1)
+    return back
 
 
 def places_in(flat: Array, samples: int) -> Array:

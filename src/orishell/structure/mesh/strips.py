@@ -24,12 +24,8 @@ from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.mesh.edge_forces import ABOUT, IN_PLANE, NORMAL
-from orishell.structure.mesh.sections import places_in
+from orishell.structure.mesh.sections import inwards, set_back
 
-SAMPLES = 32
-"""Places along a side of a panel at which the thickness of its board is taken."""
-NO_CHAMFER = 1e-300
-"""Divides where there is no chamfer, so that a board is as thick as it is."""
 EQUAL = 1e-6
 """Set-backs that differ by less than this share of the longest edge are equal."""
 
@@ -71,8 +67,8 @@ def one_board(boards: Boards, flat: Array) -> Booleans:
 
     flat: Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
     """
-    _, length = _inwards(flat)
-    both = [_set_back(boards.chosen(boards.sides == side), flat, 0) for side in (1, -1)]
+    _, length = inwards(flat)
+    both = [set_back(boards.chosen(boards.sides == side), flat, 0) for side in (1, -1)]
     back = np.stack(both, axis=-1)
     there = np.isfinite(back)
     back[~there] = 0.0
@@ -85,45 +81,9 @@ def chamfered(boards: Boards, flat: Array) -> Booleans:
 
     flat: Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
     """
-    _, length = _inwards(flat)
-    low, middle, top = (_set_back(boards, flat, level) for level in range(3))
+    _, length = inwards(flat)
+    low, middle, top = (set_back(boards, flat, level) for level in range(3))
     found = np.zeros(flat.shape[:2], dtype=bool)
     there = boards.panels
     found[there] = np.maximum(low, top)[there] - middle[there] > EQUAL * length.max()
     return found
-
-
-def bending_left(boards: Boards, flat: Array) -> Array:
-    """The share (F,) of their bending stiffness that chamfers leave solid boards; 0 without one.
-
-    It is the mean of the cube of their thickness over their hinge plane.
-    flat: Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
-    """
-    there, (low, middle, top) = boards.panels, (_set_back(boards, flat, k) for k in range(3))
-    own, (inwards, _) = flat[there], _inwards(flat[there])
-    from_edges = places_in(own, SAMPLES)[:, :, :, None] - own[:, None, None]
-    deep = np.einsum("fabsx,fsx->fabs", from_edges, inwards) - middle[there, None, None]
-    thick = np.zeros(deep.shape[:3])
-    for back in (low, top):
-        wide = np.maximum(back[there] - middle[there], NO_CHAMFER)
-        thick += 0.5 * np.clip(deep / wide[:, None, None], 0.0, 1.0).min(axis=-1)
-    inside = (deep >= 0).all(axis=-1)
-    left = np.zeros(len(flat))
-    left[there] = (thick**3 * inside).sum(axis=(1, 2)) / np.maximum(inside.sum(axis=(1, 2)), 1)
-    return left
-
-
-def _inwards(flat: Array) -> tuple[Array, Array]:
-    """Directions (F, 4, 2) into panels from their edges, and lengths (F, 4) of these."""
-    along = np.roll(flat, -1, axis=1) - flat
-    length = np.linalg.norm(along, axis=-1)
-    return np.stack([-along[..., 1], along[..., 0]], axis=-1) / length[..., None], length
-
-
-def _set_back(boards: Boards, flat: Array, level: int) -> Array:
-    """How far boards stand back from edges (F, 4) at a level of theirs; infinite without one."""
-    inwards, _ = _inwards(flat)
-    back = np.full(flat.shape[:2], np.inf)
-    away = boards.outlines[:, level, None, :, :2] - flat[boards.panels][:, :, None]
-    back[boards.panels] = np.einsum("bskx,bsx->bsk", away, inwards[boards.panels]).min(axis=-1)
-    return back
