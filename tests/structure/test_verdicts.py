@@ -26,8 +26,8 @@ from orishell.design_file.file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.structure.hinge_lines import LineStrength
-from orishell.structure.pages.files import VERDICTS, structure_page
 from orishell.structure.mesh.sections import Section, thickness_left
+from orishell.structure.pages.files import VERDICTS, structure_page
 from orishell.structure.results import Analysis
 from samples import led_by
 
