@@ -59,7 +59,8 @@ def kept(makes: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
         code = makes.__code__
         asked = (code.co_qualname, code.co_firstlineno, args, sorted(kwargs.items()))
         name = _digest(repr(asked).encode(), _bytes(code.co_filename))
-        return _found(name, lambda: makes(*args, **kwargs))
+        result: Result = _found(name, lambda: makes(*args, **kwargs))
+        return result
 
     return found
 
@@ -74,7 +75,8 @@ def kept_shell(
     """As :func:`orishell.make_shell`, for a file with which it was called before without delay."""
     asked = (file, file.tables, clash, sorted(skip))
     name = _digest(b"shell", repr(asked).encode(), *map(_bytes, file.inputs))
-    return _found(name, lambda: make_shell(file, progress, clash=clash, skip=skip))
+    shell: Shell = _found(name, lambda: make_shell(file, progress, clash=clash, skip=skip))
+    return shell
 
 
 def _found(name: str, makes: Callable[[], Any]) -> Any:
@@ -91,7 +93,7 @@ def _found(name: str, makes: Callable[[], Any]) -> Any:
     return _read[name]
 
 
-class _Pickler(cloudpickle.Pickler):
+class _Pickler(cloudpickle.Pickler):  # type: ignore[misc] # which has no types
     """Leaves out libigl's trees of boxes, which cannot be written: they are made anew."""
 
     def reducer_override(self, thing: Any) -> Any:
@@ -99,8 +101,10 @@ class _Pickler(cloudpickle.Pickler):
         if isinstance(thing, Triangles):
             return _with_tree, (thing.vertices, thing.corners, thing.columns, thing.turning)
         if isinstance(thing, Piece) and "_tree" in vars(thing):
-            makes, parts, state = thing.__reduce_ex__(2)[:3]
-            return makes, parts, {name: value for name, value in state.items() if name != "_tree"}
+            reduced = thing.__reduce_ex__(2)
+            assert not isinstance(reduced, str)
+            makes, parts, values = reduced[:3]
+            return makes, parts, {name: value for name, value in values.items() if name != "_tree"}
         return super().reducer_override(thing)
 
 
