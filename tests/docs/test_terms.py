@@ -43,6 +43,7 @@ from orishell.structure.equilibrium import (
     Reaction,
     Stress,
 )
+from orishell.structure.hinge_lines import LineStrength
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
@@ -269,7 +270,7 @@ PARTS_OF_STRUCTURE: tuple[type, ...] = (
 
 def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     assert fields_in_table("[structure]", "structure") == {
-        *StructureTable.model_fields, *Support.model_fields,
+        *StructureTable.model_fields, *Support.model_fields, *LineStrength.model_fields,
     }  # fmt: skip
     keys = set(LoadCase.model_fields)
     for table in (Snow, Wind):

@@ -464,6 +464,8 @@ export interface Equilibrium {
   residual: number;
   /** The largest. */
   displacement: Displacement;
+  /** The largest displacement once it has crept (length): EN 1995-1-1, 2.2.3. */
+  crept: number;
   /** Of all supported vertices. */
   reactions: Reaction[];
   /** The largest share of its friction that a foot uses; None where none is rough. */
@@ -478,11 +480,13 @@ export interface Equilibrium {
   crease: CreaseMoment | null;
   /** The largest forces per length along row creases and along column creases. */
   creases: CreaseForces[];
-  /** The largest force per length over a crease that nothing else is known to bear. */
+  /** The largest force per length that a crease line has to bear. */
   lines: AtCrease;
+  /** The crease line that uses most of what it bears; None if nothing is known of any. */
+  used_line: AtCrease | null;
   /** The largest. */
   stress: Stress;
-  /** The largest stress of solid panels right beside creases; None if panels are not solid. */
+  /** The largest structural stress of solid panels at creases; None if they are not solid. */
   beside: AtCrease | null;
   /** The largest stress where one of two boards is left beside a crease; None if nowhere. */
   lone_board: AtCrease | null;
@@ -502,6 +506,10 @@ export interface Equilibrium {
   frequencies: number[];
   /** The way there, where large displacements are followed: then all but frequencies is of the shell as it is moved, at the end of the path. */
   path: LoadPath | null;
+  /** How long its loads last. */
+  duration: "permanent" | "long" | "medium" | "short" | "instantaneous";
+  /** What panels bear under loads that last as long; None if that is not known. */
+  strength: number | null;
 }
 
 /** A design to begin with: its tables, and the text of its file. */
@@ -907,6 +915,20 @@ export interface LayerPen {
   colour: string;
 }
 
+/** What crease lines bear, by direction; None where that is not known. */
+export interface LineStrength {
+  /** What lines are, by its name in hinge_lines.toml: what is not given is taken from there. */
+  kind: string | null;
+  /** What they bear (force per length). */
+  pull: number | null;
+  /** The same into the panel. */
+  push: number | null;
+  /** Shear along the line. */
+  along: number | null;
+  /** Shear square to a panel. */
+  across: number | null;
+}
+
 /** What one kind of load adds to a case. */
 export interface Load {
   /** The case that has it: another one where that is combined. */
@@ -1024,20 +1046,26 @@ export interface Model {
   crease_stiffness: [number | "free" | "rigid", number | "free" | "rigid"];
   /** Force by strain; None if ties do not stretch. */
   tie_stiffness: number | null;
-  /** What panels bear; None if that is not known (force per area). */
+  /** What panels bear, its design value; None if it is that of the material (force per area). */
   strength: number | null;
   /** What creases bear: moment per length; None if that is not known (force). */
   crease_strength: number | null;
   /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
-  /** What creases bear as crease lines, in any direction: pull, push or shear; None if that is not known (force per length). */
-  line_strength: number | null;
+  /** What creases bear as crease lines, by direction; None if that is not known (force per length). */
+  line_strength: LineStrength | null;
+  /** Lever arm of what locks creases: as asked, or the most that there is room for. */
+  lever: number;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
   membrane_strength: number | null;
   /** Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force per area). */
   arm_modulus: number | null;
   /** Stress that these arms bear; None if that is not known (force per area). */
   arm_strength: number | null;
+  /** How far it may be displaced (length); None if nobody says so. */
+  displacement_limit: number | null;
+  /** How far the shape is off as built: so much at most, as the first way in which it buckles; only where large displacements are followed (length). */
+  imperfection: number;
   /** What holds it. */
   supports: Support[];
 }

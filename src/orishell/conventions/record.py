@@ -106,7 +106,7 @@ def _written(kind: type, name: str) -> Written:
     if rest:
         return _written(get_type_hints(kind)[part], rest)._replace(name=name)
     if hasattr(kind, "model_fields"):  # a table of the design file
-        return Written(name, kind.model_fields[name].annotation, angle=False)
+        return Written(name, get_type_hints(kind)[name], angle=False)
     found = getattr(kind, name, None)
     got = found.fget if isinstance(found, property) else getattr(found, "func", None)
     hints = [

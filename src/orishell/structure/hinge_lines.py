@@ -37,7 +37,7 @@ Strength = Annotated[Number, Field(ge=1e-12, le=1e15)]
 
 @record
 class HingeLine:
-    """A kind of hinge line."""
+    """A kind of crease line."""
 
     source: str  # where the values come from
     conservative: str  # what is on the safe side in them, and what is not
@@ -50,7 +50,7 @@ class HingeLine:
 
 @cache
 def hinge_lines() -> dict[str, HingeLine]:
-    """All kinds of hinge lines by their names."""
+    """All kinds of crease lines by their names."""
     found = tomllib.loads(FILE.read_text(encoding="utf-8"))
     return {name: HingeLine(**values) for name, values in found.items()}
 

@@ -165,7 +165,7 @@ class StructureTable(Table):
     crease_stiffness: StiffnessRange = (0.0, math.inf)
     # what creases bear: moment per length; None if that is not known (force)
     crease_strength: Positive | None = None
-    # lever arm of what locks creases, between hinge line and where panels meet; None if it is the
+    # lever arm of what locks creases, between crease line and where panels meet; None if it is the
     # thickness of panels, half of it where a membrane is their hinge (length)
     crease_lever: Positive | None = None
     # what creases bear as crease lines, by direction; None if that is not known (force per length)
@@ -220,7 +220,7 @@ class StructureTable(Table):
         return modulus
 
     def filled(self, unit: str) -> Self:
-        """With the values of its material and its hinge lines where they are not given."""
+        """With the values of its material and its crease lines where they are not given."""
         if self.line_strength is not None and self.line_strength.kind is not None:
             lines = self.line_strength.filled(unit)
             return self.replace_unchecked(line_strength=lines)._of_material(unit)
