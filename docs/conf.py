@@ -81,7 +81,7 @@ autodoc_type_aliases = {
         *("Spacing", "Placement", "FlapSide", "End", "Layer", "Anchor"),
         *("CreaseStyle", "Labels", "Joint", "Paper", "Auto", "Content"),
         *("RowCount", "OddRowCount", "ColumnCount", "Length", "Width"),
-        *("Coupling", "RowKind", "Version", "SideChoice", "Cause", "Kind"),
+        *("Coupling", "RowKind", "Version", "SideChoice", "Cause", "Kind", "Duration"),
         *("Pairs", "Panel", "Block", "Box", "Names", "Progress", "Passing", "Task", "Payload"),
     )
 }

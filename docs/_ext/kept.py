@@ -72,7 +72,7 @@ def kept_shell(
     clash: ClashPolicy = "refused",
     skip: Collection[Step] = (),
 ) -> Shell:
-    """As :func:`orishell.make_shell`, for a file with which it was called before without delay."""
+    """As ``make_shell``, for a file with which it was called before without delay."""
     asked = (file, file.tables, clash, sorted(skip))
     name = _digest(b"shell", repr(asked).encode(), *map(_bytes, file.inputs))
     shell: Shell = _found(name, lambda: make_shell(file, progress, clash=clash, skip=skip))

@@ -119,7 +119,9 @@ def placed(table: Table, asked: set[str], inside: str = "") -> Iterator[str]:
         if name not in table.model_fields_set:
             continue
         key = inside + (field.alias or name)
-        tables = list(_tables_in(getattr(table, name), key))
+        # A table that a plain value stands for has no keys of its own.
+        found = _tables_in(getattr(table, name), key)
+        tables = [each for each in found if each[1].model_fields_set]
         if not tables:
             keys[name] = key
             yield key

@@ -53,7 +53,8 @@ class LoadedShell:
     ties: Integers  # ends (K, 2) of ties
     tie_stiffness: float  # their force by strain; infinite if they do not stretch (N)
     cases: tuple[LoadedCase, ...]  # the load cases
-    strength: float | None = None  # stress that panels bear; None if that is not known
+    # stress that panels bear under loads that last, the least; None if that is not known
+    strength: float | None = None
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

@@ -77,9 +77,10 @@ class LineStrength(Table):
         return kind
 
     @classmethod
-    def alike(cls, strength: float) -> Self:
+    def alike(cls, strength: float) -> LineStrength:
         """Lines that bear as much in every direction (force per length)."""
-        return cls(pull=strength, push=strength, along=strength, across=strength)
+        given = cls(pull=strength, push=strength, along=strength, across=strength)
+        return cls.model_construct(_fields_set=set(), **dict(given))
 
     def filled(self, unit: str) -> Self:
         """With the values of its kind where they are not given, per length of a unit."""
