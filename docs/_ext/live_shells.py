@@ -136,8 +136,9 @@ def draw_from_kept(_config: dict[str, Any], _script: str) -> None:
     vars(search)["search_designs"] = _searched_as
 
 
-def _searched_as(problem: Problem, _pool: WorkerPool, _journal: Journal) -> SearchResult:
-    return _searched(problem.path)
+def _searched_as(problem: Problem, pool: WorkerPool, journal: Journal) -> SearchResult:
+    """What is kept of a search, but of one whose journal knows its variants."""
+    return search_designs(problem, pool, journal) if len(journal) else _searched(problem.path)
 
 
 @kept
