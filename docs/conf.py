@@ -119,6 +119,8 @@ nitpick_ignore_regex = [
         r"py:class",
         r"orishell\.(conventions\.table|structure\.settings)\..*(_no_trace|unchangeable|_as_range)",
     ),
+    # What classes of a family have in common.
+    (r"py:class", r"orishell\.families\.[\w.]+\.(Lists|SheetRequest|Row|Profile)"),
     # Type variables.
     (r"py:class", r"(orishell\.[\w.]+\.)?[CFJPRT]"),
     (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),

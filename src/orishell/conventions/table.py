@@ -151,7 +151,7 @@ class Knob:
     A "switch" is on or off, a "size" is a width and a height. The unit "length" is the design's.
     Without a slider it depends on the curves how far it reaches. What is ``advanced`` is folded
     away until it is asked for. Its kind, whether it may be "auto", and its choices, where the type
-    of its key lists them, are those of that type: :func:`knobs_of` fills them in.
+    of its key lists them, are those of that type: ``knobs_of`` fills them in.
     """
 
     label: str

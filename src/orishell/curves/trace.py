@@ -92,7 +92,7 @@ class Trace:
         )
 
     def in_own_frame(self) -> Trace:
-        """The trace in a frame near it, see :func:`nearby_origin`; itself if it is near already."""
+        """The trace in a frame near it, see ``nearby_origin``; itself if it is near already."""
         return _in_own_frame(self)
 
     def bounding_box(self) -> tuple[Array, Array]:

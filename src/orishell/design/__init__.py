@@ -1,6 +1,5 @@
 """What a family hands over when a design succeeds, and the surface that it approaches."""
 
-from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface, PiecedSurface
 from orishell.design.design import (
     Approached,
@@ -12,7 +11,6 @@ from orishell.design.design import (
 from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback
-from orishell.design.part import Part
 from orishell.design.path import Path
 from orishell.design.piece import Piece
 from orishell.design.plan_rectangle import PlanRectangle
@@ -22,7 +20,6 @@ from orishell.design.surface import Lattice, Surface
 __all__ = [
     "Approached",
     "AskedSurface",
-    "Closeness",
     "Construction",
     "Design",
     "FlapSide",
@@ -32,7 +29,6 @@ __all__ = [
     "MeshSurface",
     "PanelSpec",
     "Parameter",
-    "Part",
     "Path",
     "Piece",
     "PiecedSurface",

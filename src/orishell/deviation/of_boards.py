@@ -12,7 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import AskedSurface, Closeness, Design
+from orishell.curves.nearest import Closeness
+from orishell.design import AskedSurface, Design
 from orishell.deviation.triangles import Patch, mesh_surface
 from orishell.motion.hinges import Hinges
 from orishell.motion.quads import lengths

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from orishell.conventions.quantities import size
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
-from orishell.design import Closeness, Design
+from orishell.curves.nearest import Closeness
+from orishell.design import Design
 from orishell.deviation.measure import Deviation, measure_approach, measure_deviation
 from orishell.deviation.of_boards import boards_closeness
 

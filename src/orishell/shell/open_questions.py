@@ -3,7 +3,7 @@
 A step turns the file into one that leaves less open, and says what was found; what follows it is
 made of closed files only, and asks nothing. A family and sizes are known by a proof only, and the
 shell that has it is kept. So is the width of flaps, whatever else is open:
-:func:`~orishell.shell.candidate.ended` finds it in the proof of every shell.
+``candidate.ended`` finds it in the proof of every shell.
 """
 
 from __future__ import annotations
