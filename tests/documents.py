@@ -90,7 +90,7 @@ def loaded_document(family: str = "parallel-repeating", cells: int = 1) -> Docum
         bending=np.full(len(triangles), 1e3),
         poisson=0.25,
         areal_mass=np.full(len(triangles), 6.0),
-        held=np.stack(np.broadcast_arrays(corners[:, None], np.arange(3)), -1).reshape(-1, 2),
+        restrained=np.stack(np.broadcast_arrays(corners[:, None], np.arange(3)), -1).reshape(-1, 2),
         ties=corners[[[0, 1], [2, 3]]],
         tie_stiffness=np.inf,
         cases=(

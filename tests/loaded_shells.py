@@ -32,7 +32,7 @@ def loaded_document(family: str = "orthodiagonal", cells: int = 2) -> Document:
     share = (points[:, 2] - points[:, 2].min()) / height
     feet = (1, columns // 2), (rows - 2, columns // 2)
     ends = np.array([[row * columns + column for row, column in feet]])
-    held = np.array([[node, axis] for node in ends[0] for axis in range(3)][:-1])
+    restrained = np.array([[node, axis] for node in ends[0] for axis in range(3)][:-1])
     cases = (
         _case("snow", True, -LARGEST * np.outer(share**2, [0, 0, 1]), triangles),
         _case("wind, creases free", True, 0.4 * LARGEST * np.outer(share, [1, 0, 0]), triangles),
@@ -47,7 +47,7 @@ def loaded_document(family: str = "orthodiagonal", cells: int = 2) -> Document:
         bending=np.full(count, 1e2),
         poisson=0.3,
         areal_mass=np.full(count, 2.0),
-        held=held,
+        restrained=restrained,
         ties=ends,
         tie_stiffness=1e6,
         cases=cases,

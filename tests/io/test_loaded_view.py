@@ -64,7 +64,7 @@ def test_the_view_says_how_nodes_are_held() -> None:
     document = loaded_document()
     assert document.loaded is not None
     ways = [[1, 2], *([4, axis] for axis in range(3)), *([7, axis] for axis in range(6))]
-    held = replace(document.loaded, held=np.array(ways))
+    held = replace(document.loaded, restrained=np.array(ways))
     header, blocks = parts_of(dump_view(replace(document, loaded=held)))
     place = header["arrays"]["held"]
     found = np.frombuffer(blocks, "u4", 6, place["offset"]).reshape(place["shape"])

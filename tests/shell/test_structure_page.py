@@ -178,7 +178,7 @@ def loaded() -> Document:
         bending=some,
         poisson=0.3,
         areal_mass=some,
-        held=np.array([[0, 0], [0, 1], [0, 2], [4, 2]]),
+        restrained=np.array([[0, 0], [0, 1], [0, 2], [4, 2]]),
         ties=np.array([[0, 4], [1, 5], [2, 4]]),
         tie_stiffness=1e6,
         cases=cases,

@@ -72,9 +72,9 @@ def test_reactions_of_edges_and_patches_are_summed_at_feet(strip: Design) -> Non
         up = case.support_forces[:, 2].reshape(2, 5)
         assert up.sum() == pytest.approx(-found.cases[0].load[2], rel=1e-12)
         np.testing.assert_allclose(up, up[:, ::-1], rtol=1e-6, atol=1e-6 * up.sum())
-        held = found.model.supports.held
-        assert len(np.unique(held[:, 0])) > 10
-        assert np.abs(case.displacements[held[:, 0]]).max() == 0.0
+        restrained = found.model.supports.restrained
+        assert len(np.unique(restrained[:, 0])) > 10
+        assert np.abs(case.displacements[restrained[:, 0]]).max() == 0.0
         assert not found.model.supports.points.size
 
 

@@ -49,7 +49,7 @@ class LoadedShell:
     areal_mass: Array  # mass (T,) per area (kg per square of the unit)
     # supported dofs (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
     # x, y, z; feet on the ground as if they were pinned
-    held: Integers
+    restrained: Integers
     ties: Integers  # ends (K, 2) of ties
     tie_stiffness: float  # their force by strain; infinite if they do not stretch (N)
     cases: tuple[LoadedCase, ...]  # the load cases

@@ -240,8 +240,8 @@ def _on_panels(loaded: LoadedShell, case: LoadedCase) -> Array:
 
 def _held(loaded: LoadedShell) -> Array:
     """Supported nodes, and how each is held (S, 2): 0 held up only, 1 pinned, 2 clamped."""
-    nodes = np.unique(loaded.held[:, 0])
-    at = np.searchsorted(nodes, loaded.held[:, 0])
-    along = np.bincount(at, weights=loaded.held[:, 1] < 3)
-    turned = np.bincount(at, weights=loaded.held[:, 1] >= 3)
+    nodes = np.unique(loaded.restrained[:, 0])
+    at = np.searchsorted(nodes, loaded.restrained[:, 0])
+    along = np.bincount(at, weights=loaded.restrained[:, 1] < 3)
+    turned = np.bincount(at, weights=loaded.restrained[:, 1] >= 3)
     return np.stack([nodes, np.where(turned > 0, 2, np.where(along > 1, 1, 0))], axis=1)

@@ -181,7 +181,7 @@ def _draw_supports(axes: Axes, shell: LoadedShell, camera: Camera) -> None:
 
 def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
     """Supported nodes (S,), and which of them (S,) cannot be displaced at all."""
-    nodes, times = np.unique(shell.held[shell.held[:, 1] < 3, 0], return_counts=True)
+    nodes, times = np.unique(shell.restrained[shell.restrained[:, 1] < 3, 0], return_counts=True)
     return nodes, times == 3
 
 

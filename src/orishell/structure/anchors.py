@@ -155,8 +155,8 @@ def ground_warnings(
             f"{_number(len(lifted), 'foot lifts', 'feet lift')} off the ground "
             f"({_several(map(_vertex, lifted))}), under {_several(cases)}: others bear their share"
         )
-    held = set(model.supported) - set(model.grounded)
-    pulled = [each for each in anchors if each.pull.force and each.at in held]
+    restrained = set(model.supported) - set(model.grounded)
+    pulled = [each for each in anchors if each.pull.force and each.at in restrained]
     if pulled:
         most = largest_of(pulled, lambda each: each.pull.force, SOLVED)
         yield (

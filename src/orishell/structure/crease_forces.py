@@ -95,7 +95,7 @@ def hold_panels(
     springs = min(stiffness, rigid_stiffness(mesh, model.section))
     turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
     forces = model.elements.forces(moved)
-    found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_held(model))
+    found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_restrained(model))
     return _balanced(found, scale)
 
 
@@ -108,13 +108,13 @@ def hold_moved_panels(
     """
     forces, turning, places = borne
     mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
-    found = find_edge_forces(mesh, model.grid, forces, turning, loads, supported=_held(model))
+    found = find_edge_forces(mesh, model.grid, forces, turning, loads, supported=_restrained(model))
     return _balanced(found, scale)
 
 
-def _held(model: Model) -> Integers:
+def _restrained(model: Model) -> Integers:
     """Nodes that supports hold, the ground included."""
-    return np.concatenate([model.supports.held[:, 0], model.supports.ground])
+    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground])
 
 
 def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:

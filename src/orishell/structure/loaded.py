@@ -29,7 +29,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
         poisson=section.poisson,
         areal_mass=model.exposure.areal_mass,
-        held=model.supports.as_if_pinned(),
+        restrained=model.supports.as_if_pinned(),
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
         strength=model.structure.bears("permanent", model.site.unit),

@@ -52,7 +52,7 @@ THICK = 0.2
 """Panels thicker than this share of their width are blocks, and no plates."""
 PONDING = np.arctan(0.25 / 12)
 """Less steep panels may pond (radians): a quarter of an inch per foot, ASCE 7-16, 8.4."""
-HELD = 0.1
+RESTRAINED_SHARE = 0.1
 """Supports that hold more than this share of the panels hold the shell itself."""
 
 
@@ -82,7 +82,7 @@ def doubts_of_shell(model: Model) -> Iterator[str]:
             f"{every} ({plain(float(widths[panel]), 3)} {unit}): blocks, no plates. Thickness is "
             f"in {unit}"
         )
-    if model.supports.share > HELD:
+    if model.supports.share > RESTRAINED_SHARE:
         yield (
             f"supports hold {plain(100 * model.supports.share, 2)} % of the panels, which nothing "
             f"displaces then: patch is in {unit}"

@@ -27,7 +27,7 @@ RESTRAINED: dict[SupportKind, range] = {
 class Supports:
     """What holds a shell."""
 
-    held: Integers  # nodes (H, 2) that are held, and in which of 6 directions
+    restrained: Integers  # nodes (H, 2) that are restrained, and in which of 6 directions
     ground: Integers  # vertices (G,) that stand on the ground
     friction: Array  # its coefficient of friction (G,)
     at: Integers  # all supported vertices (S,), ascending
@@ -40,13 +40,13 @@ class Supports:
         return self.at
 
     def as_if_pinned(self) -> Integers:
-        """Nodes (H, 2) and directions that are held, those on the ground in all three."""
+        """Nodes (H, 2) and directions that are restrained, those on the ground in all three."""
         ground = np.stack([np.repeat(self.ground, 3), np.tile(range(3), len(self.ground))], axis=1)
-        return np.unique(np.concatenate([self.held, ground]), axis=0)
+        return np.unique(np.concatenate([self.restrained, ground]), axis=0)
 
     def dofs(self, mesh: SheetMesh) -> Integers:
-        """Dofs (H,) of a mesh that are held: a rotation is held of all panels at a node."""
-        node, axis = self.held.T
+        """Dofs (H,) of a mesh that are restrained: a rotation is, of all panels at a node."""
+        node, axis = self.restrained.T
         straight = axis < 3
         dofs = [mesh.translations()[node[straight], axis[straight]]]
         for turn in range(3):
@@ -75,7 +75,7 @@ def find_supports(
     Raises InputError: If vertices or edges that are to be held are not there, are held in two ways,
     or nothing is left to move.
     """
-    held: list[Integers] = [np.zeros((0, 2), np.int64)]
+    restrained: list[Integers] = [np.zeros((0, 2), np.int64)]
     ground: list[Integers] = [np.zeros(0, np.int64)]
     friction: list[Array] = [np.zeros(0)]
     points: list[Integers] = [np.zeros(0, np.int64)]
@@ -105,7 +105,7 @@ def find_supports(
         if alone and support.patch:
             lost.append(support.patch)
         axes = np.array(RESTRAINED[support.kind], np.int64)
-        held.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
+        restrained.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
     areas = mesh.facets.areas()
     still = whole[mesh.facets.triangles].all(axis=1)
     if still.all():
@@ -119,7 +119,7 @@ def find_supports(
         )
     standing, first = np.unique(np.concatenate(ground), return_index=True)
     return Supports(
-        held=np.unique(np.concatenate(held), axis=0),
+        restrained=np.unique(np.concatenate(restrained), axis=0),
         ground=standing,
         friction=np.concatenate(friction)[first],
         at=np.unique(np.concatenate([*points, *broad])),

@@ -94,7 +94,7 @@ def test_loads_are_written_once_for_all_stiffnesses_of_creases(tmp_path: Path) -
 
 def test_supports_and_ties(tmp_path: Path) -> None:
     deck = written(tmp_path / "a.inp", replace(loaded(), tie_stiffness=5e4))
-    held = [[node + 1, axis + 1, axis + 1] for node, axis in loaded().held.tolist()]
+    held = [[node + 1, axis + 1, axis + 1] for node, axis in loaded().restrained.tolist()]
     assert block(deck, "*BOUNDARY") == held
     shell = loaded()
     for number, ends in enumerate(shell.ties.tolist()):
@@ -113,9 +113,9 @@ def test_a_shell_that_slides_is_kept_still(
     axes: tuple[int, ...], more: int, tmp_path: Path
 ) -> None:
     """On its corners, held along some axes: a body has six motions."""
-    held = loaded().held
+    held = loaded().restrained
     held = held[np.isin(held[:, 1], axes)]
-    rows = block(written(tmp_path / "a.inp", replace(loaded(), held=held)), "*BOUNDARY")
+    rows = block(written(tmp_path / "a.inp", replace(loaded(), restrained=held)), "*BOUNDARY")
     assert len(rows) == len(held) + more
     assert len({(node, axis) for node, axis, _ in rows}) == len(rows)
 

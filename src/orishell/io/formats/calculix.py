@@ -73,7 +73,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
         "*BOUNDARY",
         *(
             f"{node},{dof},{dof}"
-            for node, dof in 1 + np.concatenate([shell.held, _kept_still(shell)])
+            for node, dof in 1 + np.concatenate([shell.restrained, _kept_still(shell)])
         ),
     ]
     for name, forces in cases:
@@ -214,7 +214,7 @@ def _kept_still(shell: LoadedShell) -> Integers:
     moved = np.concatenate([axes, np.cross(points[:, None], axes)], axis=2)
     turned = np.concatenate([np.zeros_like(axes), axes], axis=2)
     by_motion = np.concatenate([moved, turned], axis=1)  # (N, 6, 6)
-    rows = by_motion[*shell.held.T]
+    rows = by_motion[*shell.restrained.T]
     more: list[tuple[int, int]] = []
     while len(more) < 6:
         _, sizes, motions = np.linalg.svd(np.concatenate([rows, np.zeros((6, 6))]))

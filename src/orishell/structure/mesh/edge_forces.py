@@ -74,7 +74,7 @@ def find_edge_forces(
     turning: With which springs of creases hold both panels (C (cells+1), 6), in the order of
     :func:`~orishell.structure.mesh.hinges.hinge_elements`; None if creases turn freely.
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
-    supported: Nodes that are held: supports hold panels at those within them, too.
+    supported: Nodes that are restrained: supports hold panels at those within them, too.
     """
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))

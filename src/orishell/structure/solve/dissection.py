@@ -27,7 +27,7 @@ class Part:
     """Elements of one kind as they are assembled."""
 
     matrices: Array  # stiffness (T, k, k)
-    dofs: Integers  # their dofs (T, k); -1 where one is held, or not touched
+    dofs: Integers  # their dofs (T, k); -1 where one is restrained, or not touched
     # the block (T,) of each, numbered as in a heap; None if they belong to no block
     blocks: Integers | None
     axes: Array | None = None  # axes (T, k/3, 3, 3), as rows, of their dofs; None if not turned

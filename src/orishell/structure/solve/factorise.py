@@ -126,8 +126,8 @@ def _rigid_motions(mesh: SheetMesh, free: Integers, supported: Integers) -> Arra
         motions[mesh.translations(), 3 + axis] = np.cross(unit, away) / size
         motions[mesh.rotations()[..., axis], 3 + axis] = 1 / size
     _, sizes, ways = np.linalg.svd(motions[supported], full_matrices=True)
-    held = int((sizes > RESTRAINED * sizes.max(initial=0.0)).sum())
-    return np.linalg.qr(motions[free] @ ways[held:].T)[0]
+    restrained = int((sizes > RESTRAINED * sizes.max(initial=0.0)).sum())
+    return np.linalg.qr(motions[free] @ ways[restrained:].T)[0]
 
 
 def _loosest(solve: Callable[[Array], Array], size: int) -> float:

@@ -117,7 +117,7 @@ class Moving:
     """A supported structure that may be moved far."""
 
     parts: tuple[Part, ...]  # what it is made of
-    free: Integers  # dofs (n,) that are not held
+    free: Integers  # dofs (n,) that are not restrained
     spins: Integers  # dofs (r, 3) of every rotation
     straight: Array  # which free dofs (n,) are displacements
     lever: float  # moments over this length count like forces (length)
@@ -132,7 +132,7 @@ class Moving:
     def of(
         cls,
         parts: Sequence[Part],
-        held: Integers,
+        restrained: Integers,
         spins: Integers,
         lever: float,
         *,
@@ -140,13 +140,13 @@ class Moving:
     ) -> Moving:
         """A structure of parts.
 
-        held: Dofs (H,) that are held.
+        restrained: Dofs (H,) that supports restrain.
         spins: Dofs (r, 3) of every rotation; all others are displacements.
         lever: Moments over this length count like forces.
         steady: Stiffness that the tangent has beyond its own on displacements.
         """
         count = 1 + max(int(each.dofs.max(initial=0)) for each in parts)
-        free = np.setdiff1d(np.arange(count), held)
+        free = np.setdiff1d(np.arange(count), restrained)
         straight = np.ones(count, dtype=bool)
         straight[spins] = False
         sparsity = Sparsity.of([each.dofs for each in parts], free, count)

@@ -22,14 +22,14 @@ class Sparsity:
     rows: Integers  # the row of every entry (E,), column by column
     starts: Integers  # the first entry of every column (n + 1,)
     # the entry that each number of each element goes to (T k^2,), kind by kind; E if it is on a dof
-    # that is held
+    # that is restrained
     places: tuple[Integers, ...]
 
     @classmethod
     def of(cls, dofs: Sequence[Integers], free: Integers, count: int) -> Sparsity:
         """That of elements with dofs (T, k), kind by kind.
 
-        free: Dofs (n,) that are not held.
+        free: Dofs (n,) that are not restrained.
         count: Number of all dofs.
         """
         size = len(free)
