@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "src" / "orishell"
 PICTURE = ROOT / "docs" / "images" / "architecture.svg"
-WIDTH, WIDEST, HEIGHT, STEP, GAP, LETTER = 1080, 246, 62, 92, 8, 5.3
+WIDTH, WIDEST, HEIGHT, STEP, GAP, LETTER = 1080, 246, 62, 92, 8, 5.7
 """Of the picture, the widest box, its height, from layer to layer, between boxes, a letter (px)."""
 STYLE = """
 .package { fill: #f5f1e8; stroke: #1f4e79; }
