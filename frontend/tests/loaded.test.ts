@@ -1,19 +1,22 @@
 import { expect, test } from "vitest";
 
+import type * as Api from "../src/shared/api-types.ts";
 import { amountsOf, deflectionOf, DRAWN, exaggeration, rimsOf, scalesOf, worstUsed } from "../src/shared/loaded.ts";
 import type { Loaded } from "../src/shared/view.ts";
 
 /** Two unit squares side by side, of two triangles each. */
 const points = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0]);
 const loaded: Loaded = {
-  cases: [{ name: "snow", sign: "holds", balanced: true }, { name: "own weight", sign: "fails", balanced: false }],
+  cases: [
+    { name: "snow", sign: "holds", balanced: true, strength: 8 },
+    { name: "own weight", sign: "fails", balanced: false, strength: null },
+  ],
   points,
   triangles: Uint32Array.from([0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4]),
   panels: Uint32Array.from([0, 0, 1, 1]),
   ties: Uint32Array.from([0, 5]),
   displacements: Float32Array.from([...points.map((_, i) => (i === 5 ? -0.03 : i === 3 ? 0.04 : 0)), ...points.map((_, i) => (i === 17 ? -1 : 0))]),
   stresses: Float32Array.from([1, 2, 4, 3, NaN, NaN, NaN, NaN]),
-  strength: 8,
   loads: new Float32Array(12),
   held: new Uint32Array(0),
 };
@@ -56,6 +59,7 @@ test("colours are shares of the most, at corners or for whole triangles", () => 
   // Colours of utilisation end at the strength, whatever the most is.
   const used = amountsOf(loaded, snow, "utilisation");
   expect(used.most).toBe(4 / 8);
+  expect(amountsOf(loaded, { ...snow, strength: 16 }, "utilisation").most).toBe(4 / 16);
   expect([...used.shares]).toEqual([1, 1, 1, 2, 2, 2, 4, 4, 4, 3, 3, 3].map((each) => each / 8));
   const moves = deflectionOf(loaded, 1);
   expect(moves.balanced).toBe(false);
@@ -63,8 +67,12 @@ test("colours are shares of the most, at corners or for whole triangles", () => 
 });
 
 test("a panel uses the largest share of its strength, in any case", () => {
-  const both = { ...loaded, stresses: Float32Array.from([1, 2, 4, 3, 6, 1, 1, 1]) };
-  expect(worstUsed(both)).toEqual({ shares: Float32Array.from([6 / 8, 4 / 8]), cases: Uint32Array.from([1, 0]) });
+  const [snow, weight] = loaded.cases as [Api.NamedCase, Api.NamedCase];
+  const stresses = Float32Array.from([1, 2, 4, 3, 6, 1, 1, 1]);
+  const both = (strength: number) => worstUsed({ ...loaded, cases: [snow, { ...weight, balanced: true, strength }], stresses })!;
+  expect(both(8)).toEqual({ shares: Float32Array.from([6 / 8, 4 / 8]), cases: Uint32Array.from([1, 0]) });
+  // What lasts is borne less: smaller stresses may use more.
+  expect(both(1.5)).toEqual({ shares: Float32Array.from([6 / 1.5, 1 / 1.5]), cases: Uint32Array.from([1, 1]) });
   expect([...worstUsed(loaded)!.shares]).toEqual([2 / 8, 4 / 8]);
-  expect(worstUsed({ ...loaded, strength: null })).toBeNull();
+  expect(worstUsed({ ...loaded, cases: [{ ...snow, strength: null }, weight] })).toBeNull();
 });

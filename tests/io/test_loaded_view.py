@@ -38,7 +38,8 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         for name, place in header["arrays"].items()
     }
     assert header["cases"] == [
-        {"name": each.name, "sign": each.sign, "balanced": each.balanced} for each in loaded.cases
+        {"name": each.name, "sign": each.sign, "balanced": each.balanced, "strength": None}
+        for each in loaded.cases
     ]
     np.testing.assert_array_equal(arrays["loaded_triangles"], loaded.triangles)
     np.testing.assert_array_equal(arrays["loaded_panels"], loaded.panels)
@@ -54,9 +55,10 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         # No load is lost where panels share nodes.
         total = arrays["panel_loads"][number].sum(axis=0)
         np.testing.assert_allclose(total, case.forces.sum(axis=0), rtol=1e-5, atol=1e-4)
-    assert header["strength"] is None
-    known, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, strength=16e6))))
-    assert known["strength"] == 16
+    strengths = (16e6, 24e6, None)
+    known = tuple(map(lambda case, each: replace(case, strength=each), loaded.cases, strengths))
+    header, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=known))))
+    assert [case["strength"] for case in header["cases"]] == [16, 24, None]
 
 
 def test_the_view_says_how_nodes_are_held() -> None:

@@ -75,12 +75,15 @@ def test_utilisation_of_plywood_by_hand() -> None:
         {"name": "own", "self_weight": True},
     ]
     found = arch(without_values({**PLYWOOD, "line_strength": 1e6}), cases)
-    for case, k_mod in zip(found.cases, (0.65, 0.7, 0.5), strict=True):
+    shown = found.loaded().cases
+    for case, drawn, k_mod in zip(found.cases, shown, (0.65, 0.7, 0.5), strict=True):
         balanced = case.equilibrium
         assert balanced is not None
         assert balanced.beside is not None
         stress = max(balanced.stress.size, balanced.beside.size)
         assert balanced.strength == pytest.approx(k_mod * 33.2e6 / 1.2, rel=1e-9)
+        # Colours of pages are shares of the same strength.
+        assert drawn.strength == balanced.strength
         assert balanced.utilisation.panels == pytest.approx(stress * 1.2 / (k_mod * 33.2e6))
     own = found.cases[2].equilibrium
     assert own is not None

@@ -117,7 +117,7 @@ def test_a_structure_is_made_by_hand(page: Page) -> None:
     rows = page.evaluate("window.__orishell.report.verdict")
     stands = next(each for each in rows if each["subject"] == "stands")
     assert f"Stands {stands['finding']}" in by_id("structure-verdict").inner_text()
-    # Colours end at the strength of the material under loads that last, 0.5 x 33.2/1.2 MPa.
+    # Colours end at the strength of the material under snow, 0.65 x 33.2/1.2 MPa.
     by_id("structure-creases").select_option("rigid")
     settle(page)
     report = page.evaluate("window.__orishell.report.structure")
@@ -126,10 +126,10 @@ def test_a_structure_is_made_by_hand(page: Page) -> None:
     await_frames(page)
     assert by_id("load-measure").input_value() == "utilisation"
     legend = page.locator(".orishell-legend").inner_text()
-    assert "100 %: 13.8 MPa" in legend
+    assert "100 %: 18 MPa" in legend
     assert "N a panel" in legend
     assert "displacements \u00d7" in legend
-    used = page.evaluate(f"{SHOWN}.most * 13.833")
+    used = page.evaluate(f"{SHOWN}.most * 17.983")
     loaded = "window.__orishell.store.view.value.loaded"
     assert 0 < used <= page.evaluate(f"Math.max(...{loaded}.stresses)") * (1 + 1e-6)
     # Arrows add up to what loads the shell.

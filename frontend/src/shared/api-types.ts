@@ -816,8 +816,6 @@ export interface Header {
   curves?: Curves;
   /** Load cases, where the shell was analysed as a structure. */
   cases?: NamedCase[];
-  /** Stress (MPa) that its panels bear; null if not known. */
-  strength?: number | null;
 }
 
 /** Hinges of whole boards and their arms; lengths in the document's unit. */
@@ -1075,6 +1073,8 @@ export interface NamedCase {
   name: string;
   sign: "fails" | "warns" | "holds" | "says";
   balanced: boolean;
+  /** Stress (MPa) that panels bear under loads that last as long; null if that is not known, or without balance. */
+  strength: number | null;
 }
 
 /** The design file that the studio was started with. */

@@ -79,8 +79,8 @@ function key(container: HTMLElement, name: string, colour: string, kind = "orish
   item.append(name);
 }
 
-function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, strength, force }: Drawn, unit: string): void {
-  const { name, balanced } = deflection;
+function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, force }: Drawn, unit: string): void {
+  const { name, balanced, strength } = deflection;
   const what = balanced ? measure : "unstable: nothing resists this";
   const mpa = (size: number): string => `${threeDigits(size)} MPa`;
   const end = !balanced ? "most" : measure === "stress" ? mpa(most) : length(most, unit);

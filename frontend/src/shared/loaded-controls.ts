@@ -2,7 +2,7 @@
 
 import { SIGNS } from "./verdict.ts";
 import { threeDigits } from "./quantities.ts";
-import { deflectionOf, scalesOf, type Deflection, type Measure } from "./loaded.ts";
+import { deflectionOf, scalesOf, usesStrength, type Deflection, type Measure } from "./loaded.ts";
 import type { Shell3D } from "./shell3d.ts";
 import type { Loaded, View } from "./view.ts";
 
@@ -65,7 +65,7 @@ export class LoadedControls {
     this.cases.replaceChildren(new Option("Without loads", NONE), ...options);
     this.cases.value = names.includes(wanted) ? wanted : NONE;
     this.element.hidden = !this.loaded;
-    const kinds: Measure[] = this.loaded?.strength ? ["utilisation", "displacement", "stress"] : ["displacement", "stress"];
+    const kinds: Measure[] = this.loaded && usesStrength(this.loaded) ? ["utilisation", "displacement", "stress"] : ["displacement", "stress"];
     this.measures.replaceChildren(...kinds.map((kind) => new Option(kind, kind)));
     this.choose();
   }

@@ -16,6 +16,8 @@ export interface Deflection {
   name: string;
   sign: Api.NamedCase["sign"];
   balanced: boolean;
+  /** Stress (MPa) that panels bear under loads that last as long; null if that is not known. */
+  strength: number | null;
   /** (N, 3) */
   displacements: Float32Array;
   /** Largest displacement. */
@@ -25,11 +27,11 @@ export interface Deflection {
 }
 
 export function deflectionOf(loaded: Loaded, number: number): Deflection {
-  const { name, sign, balanced } = loaded.cases[number]!;
+  const { name, sign, balanced, strength } = loaded.cases[number]!;
   const size = loaded.points.length;
   const displacements = loaded.displacements.subarray(number * size, (number + 1) * size);
   const most = largest(sizes(displacements));
-  return { number, name, sign, balanced, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
+  return { number, name, sign, balanced, strength, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
 }
 
 /** 1, 2 or 5 times a power of ten, as in orishell.plot.structure. */
@@ -57,28 +59,34 @@ export function scalesOf(proposed: number): number[] {
 export function amountsOf(loaded: Loaded, deflection: Deflection, measure: Measure): { shares: Float32Array; most: number } {
   const { triangles } = loaded;
   const count = triangles.length / 3;
-  const moved = measure === "displacement", { strength } = loaded;
+  const moved = measure === "displacement";
   const values = moved
     ? sizes(deflection.displacements)
     : loaded.stresses.subarray(deflection.number * count, (deflection.number + 1) * count);
   const most = largest(values);
-  const end = measure === "utilisation" ? strength! : most || 1;
+  const end = measure === "utilisation" ? deflection.strength! : most || 1;
   const shares = Float32Array.from(triangles, (node, corner) => values[moved ? node : Math.floor(corner / 3)]! / end);
   return { shares, most: measure === "utilisation" ? most / end : most };
 }
 
-/** The largest share of their strength (P,) that panels use, and the case (P,) in which; null where the strength
- * is not known. */
+/** Whether it is known how much of their strength panels use, in any case. */
+export function usesStrength({ cases }: Loaded): boolean {
+  return cases.some(({ strength }) => strength);
+}
+
+/** The largest share of their strength (P,) that panels use, and the case (P,) in which: what they bear depends on
+ * how long the loads of a case last. Null where the strength is not known. */
 export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32Array } | null {
-  const { strength, panels, stresses } = loaded;
-  if (!strength) return null;
+  const { cases: named, panels, stresses } = loaded;
+  if (!usesStrength(loaded)) return null;
   const count = panels.reduce((most, panel) => Math.max(most, panel), 0) + 1;
   const shares = new Float32Array(count), cases = new Uint32Array(count);
   for (let k = 0; k < stresses.length; k++) {
-    const share = stresses[k]! / strength, panel = panels[k % panels.length]!;
+    const number = Math.floor(k / panels.length), panel = panels[k % panels.length]!;
+    const share = stresses[k]! / (named[number]!.strength ?? NaN);
     if (!(share > shares[panel]!)) continue;
     shares[panel] = share;
-    cases[panel] = Math.floor(k / panels.length);
+    cases[panel] = number;
   }
   return { shares, cases };
 }

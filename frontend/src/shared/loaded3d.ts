@@ -16,8 +16,8 @@ export interface Shown {
   scale: number;
 }
 
-/** With the most that its colours show, what panels bear (MPa), and the largest load on a panel (N). */
-export type Drawn = Shown & { most: number; strength: number | null; force: number };
+/** With the most that its colours show, and the largest load on a panel (N). */
+export type Drawn = Shown & { most: number; force: number };
 
 /** Stands for a stress that is not known. */
 const UNKNOWN = 3e30;
@@ -68,7 +68,7 @@ export class Loaded3D {
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));
     this.times.value = scale;
-    this.shown = { ...shown, most, strength: loaded.strength, force: this.marks.force };
+    this.shown = { ...shown, most, force: this.marks.force };
   }
 
   paint(theme: Theme): void {

@@ -40,8 +40,6 @@ export interface Loaded {
   displacements: Float32Array;
   /** (C, T) in MPa, NaN where it is not known */
   stresses: Float32Array;
-  /** Stress (MPa) that panels bear; null if that is not known. */
-  strength: number | null;
   /** (C, P, 3) loads on panels (N) */
   loads: Float32Array;
   /** (S, 2) supported nodes, and how each is held: see Held. */
@@ -143,7 +141,6 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
       ties: array("loaded_ties"),
       displacements: array("displacements"),
       stresses: array("stresses"),
-      strength: header.strength ?? null,
       loads: array("panel_loads"),
       held: array("held"),
     };

@@ -22,6 +22,9 @@ class LoadedCase:
     # the lowest factors of all loads under which it buckles, and displacements (N, 3) of the mode,
     # the largest is 1
     buckling: tuple[tuple[float, Array], ...] = ()
+    # stress that panels bear under loads that last as long; None if that is not known, or the shell
+    # is not in balance (force per area)
+    strength: float | None = None
 
 
 @record
@@ -53,8 +56,6 @@ class LoadedShell:
     ties: Integers  # ends (K, 2) of ties
     tie_stiffness: float  # their force by strain; infinite if they do not stretch (N)
     cases: tuple[LoadedCase, ...]  # the load cases
-    # stress that panels bear under loads that last, the least; None if that is not known
-    strength: float | None = None
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

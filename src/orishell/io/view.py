@@ -54,6 +54,9 @@ class NamedCase(TypedDict):
     name: str
     sign: Sign
     balanced: bool
+    # stress (MPa) that panels bear under loads that last as long; null if that is not known, or
+    # without balance
+    strength: float | None
 
 
 class ArrayPlace(TypedDict):
@@ -83,7 +86,6 @@ class Header(TypedDict):
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]  # in the studio
     cases: NotRequired[list[NamedCase]]  # load cases, where the shell was analysed as a structure
-    strength: NotRequired[float | None]  # stress (MPa) that its panels bear; null if not known
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
@@ -94,15 +96,20 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
         document = replace(document, report={"verdict": as_table(rows_of_panels(document))})
     more: dict[str, Any] = {} if curves is None else {"curves": curves}
     if document.loaded is not None:
-        more["cases"] = [
-            {"name": case.name, "sign": case.sign, "balanced": case.balanced}
-            for case in document.loaded.cases
-        ]
-        strength = document.loaded.strength
-        more["strength"] = None if strength is None else strength / _megapascals(document)
+        more["cases"] = [_named(case, _megapascals(document)) for case in document.loaded.cases]
     told = {"report": dict(document.report), "contact": document.contact}
     arrays, world = _arrays_beside(document, origin), document.in_world(origin)
     return _dump_about(origin, document, world, beside=arrays, told=told, more=more)
+
+
+def _named(case: LoadedCase, megapascal: float) -> NamedCase:
+    """A load case of the header; ``megapascal`` is in newtons per square of the unit."""
+    return {
+        "name": case.name,
+        "sign": case.sign,
+        "balanced": case.balanced,
+        "strength": None if case.strength is None else case.strength / megapascal,
+    }
 
 
 ALONE: Mapping[str, Any] = {"report": {}, "contact": None}

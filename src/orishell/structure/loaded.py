@@ -32,7 +32,6 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         restrained=model.supports.as_if_pinned(),
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
-        strength=model.structure.bears("permanent", model.site.unit),
         whole_boards=model.design.has_whole_boards,
         cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
         creases=_creases(model, cases),
@@ -63,8 +62,8 @@ def _creases(model: Model, cases: Named) -> LoadedCreases | None:
 
 def _loaded(name: str, case: CaseResult, count: int) -> LoadedCase:
     """A case of a mesh of so many triangles."""
-    held = case.equilibrium
-    shown = case.motion or held
+    found = case.equilibrium
+    shown = case.motion or found
     assert shown is not None
     return LoadedCase(
         name=name,
@@ -74,9 +73,8 @@ def _loaded(name: str, case: CaseResult, count: int) -> LoadedCase:
         displacements=shown.displacements,
         # Where large displacements are followed there is a factor, but no mode.
         buckling=()
-        if held is None
-        else tuple(zip(held.buckling_factors, held.buckling_modes, strict=False)),
-        stresses=np.zeros(count)
-        if case.equilibrium is None
-        else case.equilibrium.stresses.max(axis=1),
+        if found is None
+        else tuple(zip(found.buckling_factors, found.buckling_modes, strict=False)),
+        stresses=np.zeros(count) if found is None else found.stresses.max(axis=1),
+        strength=None if found is None else found.strength,
     )
