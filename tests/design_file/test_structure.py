@@ -374,6 +374,46 @@ BAD = {
         "[[load_case]][0] points[0] at[1]: ",
         "at least 0",
     ),
+    "a number for a person": (
+        with_case("person = 1000"),
+        "[[load_case]][0] person: ",
+        "a table",
+    ),
+    "a person of no weight": (
+        with_case("person = { force = 0 }"),
+        "[[load_case]][0] person force: ",
+        "greater than 0",
+    ),
+    "a person who pulls": (
+        with_case("person = { force = -1000 }"),
+        "[[load_case]][0] person force: ",
+        "greater than 0",
+    ),
+    "a side of no panel": (
+        with_case('person = { side = "left" }'),
+        "[[load_case]][0] person side: ",
+        "the panel that has it",
+    ),
+    "no such side": (
+        with_case('person = { at = [0, 0], side = "up" }'),
+        "[[load_case]][0] person side: ",
+        "'middle'",
+    ),
+    "a panel before the first": (
+        with_case("person = { at = [0, -1] }"),
+        "[[load_case]][0] person at[1]: ",
+        "at least 0",
+    ),
+    "a person beyond the last panel": (
+        with_case("person = { at = [99, 0] }"),
+        '[[load_case]] "a": person at: ',
+        "a row from 0 to",
+    ),
+    "a person and factors": (
+        STRUCTURE + CASE + '[[load_case]]\nname = "b"\nperson = {}\ncombine = { dead = 1 }',
+        "[[load_case]][1] combine: ",
+        "no combine beside person",
+    ),
 }
 
 

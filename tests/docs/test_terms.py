@@ -44,7 +44,7 @@ from orishell.structure.equilibrium import (
     Stress,
 )
 from orishell.structure.hinge_lines import LineStrength
-from orishell.structure.load_settings import LoadCase, Snow, Wind
+from orishell.structure.load_settings import LoadCase, Person, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis
@@ -273,7 +273,7 @@ def test_the_guide_explains_every_key_and_field_of_structure() -> None:
         *StructureTable.model_fields, *Support.model_fields, *LineStrength.model_fields,
     }  # fmt: skip
     keys = set(LoadCase.model_fields)
-    for table in (Snow, Wind):
+    for table in (Snow, Wind, Person):
         keys |= set(table.model_fields)
     assert fields_in_table("[[load_case]]", "structure") == keys
     page = (ROOT / "docs" / "guide" / "structure.md").read_text(encoding="utf-8")

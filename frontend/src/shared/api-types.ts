@@ -934,7 +934,7 @@ export interface Load {
   /** By which it is combined. */
   factor: number;
   /** What it is. */
-  kind: "self_weight" | "pressure" | "snow" | "wind" | "points";
+  kind: "self_weight" | "pressure" | "snow" | "wind" | "points" | "person";
   /** What it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None for own weight and forces at points. */
   pressure: number | null;
   /** How it comes from that, in words. */

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from orishell.structure.case import CaseResult
     from orishell.structure.equilibrium import Equilibrium
     from orishell.structure.free_motion import FreeMotion
-    from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind, Zone
+    from orishell.structure.load_settings import LoadCase, Person, PointLoad, Snow, Wind, Zone
     from orishell.structure.results import Analysis
     from orishell.structure.settings import Structure, Support
 
@@ -21,6 +21,7 @@ __all__ = [
     "Equilibrium",
     "FreeMotion",
     "LoadCase",
+    "Person",
     "PointLoad",
     "Snow",
     "Structure",
@@ -36,7 +37,14 @@ __getattr__, __dir__ = import_on_demand(
         "orishell.structure.case": ("CaseResult",),
         "orishell.structure.free_motion": ("FreeMotion",),
         "orishell.structure.results": ("Analysis",),
-        "orishell.structure.load_settings": ("LoadCase", "PointLoad", "Snow", "Wind", "Zone"),
+        "orishell.structure.load_settings": (
+            "LoadCase",
+            "Person",
+            "PointLoad",
+            "Snow",
+            "Wind",
+            "Zone",
+        ),
         "orishell.structure.settings": ("Structure", "Support"),
     },
 )

@@ -36,7 +36,7 @@ from orishell.structure.negligible import borne_by
 from orishell.structure.nonlinear import follow
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
-from orishell.structure.settings import LoadCase, Structure
+from orishell.structure.settings import LoadCase, Structure, not_combined
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
@@ -45,6 +45,7 @@ from orishell.structure.solve.stability import (
     find_frequencies,
 )
 from orishell.structure.whole_boards import check_whole_boards
+from orishell.structure.worst_place import placed
 
 FREQUENCIES = 3
 """How many frequencies are found."""
@@ -127,9 +128,9 @@ class _Solved:
 def _solve(model: Model, stiffness: float) -> Iterator[_Solved]:
     """All load cases with one stiffness of creases."""
     asked = model.structure
-    cases, known = asked.analysed, asked.arranged
     structure = model.factorised(stiffness)
-    for case in cases:
+    known = placed(model, structure, asked.arranged)
+    for case in not_combined(known):
         loads = case_loads(model.exposure, case, known)
         forces = sum_forces(model.exposure, loads)
         response = respond(structure, structure.free_loads(forces))

@@ -2,7 +2,7 @@
 
 Permanent cases are in all of them, each with its larger or with its smaller factor. A variable
 action is absent or has one of its alternatives: snow that of one case and one arrangement, wind
-that of one direction. Each that is present leads once.
+that of one direction. Each that is present leads once. Maintenance is never beside snow or wind.
 
 Loads that a code arranges in several ways make several cases, each by itself.
 """
@@ -90,6 +90,7 @@ class Factors(Table):
     snow: Psi = (0.5, 0.2, 0.0)  # table A1.1, up to 1000 m above the sea
     wind: Psi = (0.6, 0.2, 0.0)
     imposed: Psi = (0.7, 0.5, 0.3)  # of categories A and B
+    maintenance: Psi = (0.0, 0.0, 0.0)  # of category H
 
 
 class Combination(LoadCase):
@@ -110,6 +111,7 @@ class Variable(NamedTuple):
 
     psi: tuple[float, float, float]
     parts: tuple[Part, ...]
+    action: Action
 
 
 def action_of(case: LoadCase) -> Action:
@@ -118,7 +120,12 @@ def action_of(case: LoadCase) -> Action:
     Raises InputError: If that is not clear.
     """
     loads = [name for name in LOADS if getattr(case, name)]
-    known: dict[str, Action] = {"self_weight": "permanent", "snow": "snow", "wind": "wind"}
+    known: dict[str, Action] = {
+        "self_weight": "permanent",
+        "snow": "snow",
+        "wind": "wind",
+        "person": "maintenance",
+    }
     kinds = {known.get(name) for name in loads}
     (kind,) = kinds if len(kinds) == 1 else (None,)
     if len(kinds) > 1 or (case.action is not None and kind not in {None, case.action}):
@@ -135,7 +142,7 @@ def action_of(case: LoadCase) -> Action:
             where=f'[[load_case]] "{case.name}" action',
             keys=("load_case",),
             got=", ".join(loads),
-            expected='action = "permanent" or "imposed"',
+            expected='action = "permanent", "imposed" or "maintenance"',
         )
     return kind or case.action or "imposed"
 
@@ -183,7 +190,7 @@ def _actions(
 ) -> tuple[tuple[Part, ...], tuple[Variable, ...]]:
     """Permanent cases, and variable actions with their alternatives."""
     permanent: list[Part] = []
-    variable: dict[str, tuple[tuple[float, float, float], list[Part]]] = {}
+    variable: dict[str, tuple[tuple[float, float, float], list[Part], Action]] = {}
     for case in cases:
         if case.combine:
             continue
@@ -196,8 +203,11 @@ def _actions(
             continue
         # imposed loads are independent of each other, snow cases and directions of wind are not
         key = case.name if action == "imposed" else action
-        variable.setdefault(f"{action} {key}", (getattr(factors, action), []))[1].extend(parts)
-    return tuple(permanent), tuple(Variable(psi, tuple(parts)) for psi, parts in variable.values())
+        new: tuple[tuple[float, float, float], list[Part], Action]
+        new = getattr(factors, action), [], action
+        variable.setdefault(f"{action} {key}", new)[1].extend(parts)
+    found = (Variable(psi, tuple(parts), action) for psi, parts, action in variable.values())
+    return tuple(permanent), tuple(found)
 
 
 def _expressions(
@@ -244,10 +254,16 @@ Present = tuple[tuple[tuple[float, float, float], Part], ...]
 
 
 def _presences(variables: tuple[Variable, ...]) -> Iterator[Present]:
-    """All choices of what acts: of every action nothing, or one of its alternatives."""
-    choices = ((None, *((each.psi, part) for part in each.parts)) for each in variables)
+    """All choices of what acts: of every action nothing, or one of its alternatives.
+
+    Nobody works on a roof under snow or in a storm: EN 1991-1-1, 3.3.2 (1).
+    """
+    choices = ((None, *((each, part) for part in each.parts)) for each in variables)
     for chosen in product(*choices):
-        yield tuple(each for each in chosen if each is not None)
+        acting = [each for each in chosen if each is not None]
+        actions = {each.action for each, _ in acting}
+        if "maintenance" not in actions or not actions & {"snow", "wind"}:
+            yield tuple((each.psi, part) for each, part in acting)
 
 
 def _leading(present: Present, *, first: int | None, rest: int) -> Iterator[dict[Part, float]]:

@@ -22,8 +22,10 @@ NO_CODE: Final = ((0.0, 0.8), (90.0, -1.0), (180.0, -0.4))
 at the crown and in the lee, as about a long arch."""
 LARGEST_LOAD = 1e12
 """Loads are smaller than this: what is computed from larger ones would overflow in the end."""
-Action = Literal["permanent", "snow", "wind", "imposed"]
+Action = Literal["permanent", "snow", "wind", "imposed", "maintenance"]
 """What a load case is to EN 1990."""
+Side = Literal["middle", "left", "bottom", "right", "top"]
+"""The middle of a panel, or of one of its sides, as the flat sheet is seen from +z."""
 LONGEST = 60
 """Characters of a load case's name."""
 
@@ -157,6 +159,31 @@ class PointLoad(Table):
     force: Annotated[tuple[Load, Load, Load], entries(3)]
 
 
+class Person(Table):
+    """A person on the shell, who works there: down, in the middle of a panel or of a side (N).
+
+    Without ``at``, row and column of a panel of the folding sheet, the worst place is found.
+    """
+
+    force: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)] = 1000.0
+    at: GridVertex | None = None
+    side: Side = "middle"
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.at is None and self.side != "middle":
+            raise PydanticCustomError(
+                "side", "no side, or at, the panel that has it", {"key": "side", "got": self.side}
+            )
+        return self
+
+
+class WorstPlace(Person):
+    """A person where it is worst."""
+
+    found: str  # how that was found, in words
+
+
 class LoadCase(Table):
     """Loads that act together, or factors by which those of other cases do.
 
@@ -174,6 +201,7 @@ class LoadCase(Table):
     snow: Snow | None = None
     wind: Wind | None = None
     points: Several[PointLoad] = ()
+    person: Person | None = None
     combine: dict[str, Annotated[Number, Field(ge=-1e3, le=1e3)]] = Field(default_factory=dict)
 
     def lasts(self, known: Sequence[LoadCase]) -> Duration:
@@ -226,8 +254,9 @@ LASTS: Final[dict[str, Duration]] = {
     "snow": "medium",
     "wind": "short",
     "points": "medium",
+    "person": "short",
 }
 """How long loads last where a case does not say it: EN 1995-1-1, table 2.2, snow as above 1000 m or
-where it stays."""
+where it stays. Roofs of category H are in national annexes: short in Germany's, table NA.1."""
 OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 """The only case where a design file has none."""

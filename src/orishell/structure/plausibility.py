@@ -38,6 +38,8 @@ PRESSURE: Range = (5.0, 100e3)
 """Half a millimetre of water; twenty times a crowd (N/m2)."""
 WIND: Range = (5.0, 75.0)
 """A gentle breeze; more than any code's basic wind speed (m/s)."""
+PERSON: Range = (200.0, 1e4)
+"""A child; ten of Q_k of EN 1991-1-1, 6.3.4 (N)."""
 FORCE = 1e-2
 """Point loads below this share of the own weight of panels do nothing beside it."""
 STRETCHY, TIES = 0.5, (10.0, 1e7)
@@ -207,6 +209,12 @@ def _loads(case: LoadCase, area: float) -> Iterator[str]:
         yield (
             f"load case {case.name}: a pressure of {case.pressure:g} is "
             f"{plain(case.pressure / area)} {here}"
+        )
+    person = case.person
+    if person is not None and not PERSON[0] <= person.force <= PERSON[1]:
+        yield (
+            f"load case {case.name}: a person of {person.force:g} N: forces are in newtons, and a "
+            "code's person is 1000"
         )
     if case.wind is not None and not WIND[0] <= case.wind.speed <= WIND[1]:
         speed = case.wind.speed

@@ -6,6 +6,7 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
@@ -29,6 +30,7 @@ from orishell.structure.load_settings import (
     OWN_WEIGHT,
     GridVertex,
     LoadCase,
+    Person,
     PointLoad,
     Snow,
     Terrain,
@@ -42,6 +44,7 @@ __all__ = [
     "NO_CODE",
     "OWN_WEIGHT",
     "LoadCase",
+    "Person",
     "Place",
     "PointLoad",
     "Snow",
@@ -52,6 +55,7 @@ __all__ = [
     "Terrain",
     "Wind",
     "Zone",
+    "not_combined",
 ]
 
 SupportKind = Literal["pinned", "fixed", "sliding", "friction"]
@@ -274,6 +278,10 @@ class Structure(StructureTable):
     @property
     def analysed(self) -> tuple[LoadCase, ...]:
         """The cases that are analysed: those that no other combines."""
-        cases = self.arranged
-        parts = {name for case in cases for name in case.combine}
-        return tuple(case for case in cases if case.name not in parts)
+        return not_combined(self.arranged)
+
+
+def not_combined(cases: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
+    """The cases that no other combines."""
+    parts = {name for case in cases for name in case.combine}
+    return tuple(case for case in cases if case.name not in parts)

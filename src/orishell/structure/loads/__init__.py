@@ -5,7 +5,7 @@ load is a field of :class:`~orishell.structure.load_settings.LoadCase`, and a fu
 name in a module here.
 """
 
-from orishell.structure.loads import points, snow, weight, wind
+from orishell.structure.loads import person, points, snow, weight, wind
 from orishell.structure.loads.cases import KINDS, Load, case_loads, sum_forces
 from orishell.structure.loads.exposure import Exposure, Vector, vector
 from orishell.structure.loads.wind import gusts, peak_pressure
@@ -18,6 +18,7 @@ __all__ = [
     "case_loads",
     "gusts",
     "peak_pressure",
+    "person",
     "points",
     "snow",
     "sum_forces",

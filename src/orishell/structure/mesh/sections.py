@@ -9,13 +9,15 @@ is left beside a crease, E b and E b^3/12. A membrane between them adds what it 
 
 from __future__ import annotations
 
+from dataclasses import fields, replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.settings import Structure
 
 
@@ -37,6 +39,11 @@ class Section:
         plane = modulus / (1 - poisson**2)
         bending = plane * thickness**3 / 12
         return cls(plane * thickness, bending, poisson, modulus, 0.5 * thickness)
+
+    def of(self, triangles: Integers) -> Section:
+        """Those of some triangles (t,)."""
+        values = ((each.name, getattr(self, each.name)) for each in fields(self))
+        return replace(self, **{name: each[triangles] for name, each in values if np.ndim(each)})
 
     def matrix(self, stiffness: ArrayLike) -> Array:
         """The matrices (..., 3, 3) of plane stress with one of its two, a stiffness (...)."""
