@@ -8,7 +8,7 @@ direction with cot phi = cos theta tan gamma; a column's rise by arcsin(sin thet
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -91,8 +91,6 @@ class Miura:
 
 class MiuraPattern(Pattern):
     """Rows, columns, and two keys of its own."""
-
-    needs_target: ClassVar[bool] = False
 
     gamma_deg: Annotated[
         Number, Field(gt=0, lt=90), Knob.angle("Sector angle", "Of all panels", (1, 89))

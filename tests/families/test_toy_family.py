@@ -9,7 +9,7 @@ import pytest
 
 from command_line import orishell
 from orishell import InputError, design_shell, write_shell
-from orishell.families.pattern import Family
+from orishell.families.pattern import Family, Pattern
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
 from orishell.motion import FoldingMotion
@@ -45,6 +45,20 @@ def test_it_is_designed_from_a_file_and_folds(design_file: Path) -> None:
 def test_its_files_are_checked(design_file: Path, tmp_path: Path) -> None:
     write_shell(design_shell(str(design_file)), str(tmp_path / "out"))
     assert inspect_fold(read_fold(tmp_path / "out" / "shell.fold")).passed
+
+
+def test_a_family_follows_what_it_has_a_method_for(tmp_path: Path) -> None:
+    """The sheet of its own numbers has no target, so that none is tried on it; others as listed."""
+    assert MiuraPattern.aims() == ["none"]
+    assert {name: each.pattern.aims() for name, each in FAMILIES.items() if name != "miura"} == {
+        "parallel-repeating": ["curves", "surface"],
+        "orthodiagonal": ["curves", "surface"],
+        "longitudinal-linear-repeating": ["curves", "surface"],
+        "flat-foldable": ["surface", "none"],
+        "pattern": ["drawing"],
+    }
+    with pytest.raises(TypeError, match="Pattern designs nothing"):
+        Family("nothing", Pattern, "Nothing", "No sheet", tmp_path / "starter.toml")
 
 
 def test_it_is_listed_in_the_studio() -> None:

@@ -104,7 +104,7 @@ def test_other_families_need_their_target(tmp_path: Path, family: str) -> None:
     text = starter_file(family)
     begin, end = text.find("[target."), text.index("[pattern]")
     path = write(tmp_path, text if begin < 0 else text[:begin] + text[end:])
-    if FAMILIES[family].pattern.needs_target:
+    if FAMILIES[family].pattern.needs_target():
         with pytest.raises(InputError) as caught:
             read_design_file(path)
         assert str(caught.value) == f"{path}: [target]: this key is missing."

@@ -218,7 +218,7 @@ class FileTable(Table):
     def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
         shell = info.data.get("shell")
         family = FAMILIES.get(shell.family) if shell is not None else None
-        if target is None and (family is None or family.pattern.needs_target):
+        if target is None and (family is None or family.pattern.needs_target()):
             raise PydanticCustomError("missing", "Field required")
         drawn = family is not None and "drawing" in family.pattern.aims()
         if target is not None and drawn != (target.pattern is not None):

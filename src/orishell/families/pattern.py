@@ -7,8 +7,8 @@ is what the functions that design take. Angles are in degrees there (``_deg``).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import dataclass, replace
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, overload
 
 import numpy as np
@@ -17,8 +17,9 @@ from pydantic import AfterValidator, Field
 from orishell.conventions.errors import InputError, Remedy
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
-from orishell.curves import Curve
-from orishell.design import Design, PiecedSurface
+from orishell.curves import Curve, run_along_axis, trace_curve
+from orishell.design import Design, PiecedSurface, Surface, Turning
+from orishell.design.path import Path
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.drawing import Drawing
 
@@ -85,7 +86,10 @@ all."""
 
 
 class Pattern(Table, metaclass=Called):
-    """What every family asks for: rows and columns of inner vertices, and flaps."""
+    """What every family asks for: rows and columns of inner vertices, and flaps.
+
+    What its shells can follow is said by which of the methods ``design...`` it has.
+    """
 
     rows: Annotated[RowCount, ROWS]
     columns: Annotated[ColumnCount, COLUMNS]
@@ -103,18 +107,21 @@ class Pattern(Table, metaclass=Called):
     f."""
     closing: ClassVar[Remedy | None] = None
     """A change with which all creases of a shell without flaps may close together."""
-    sweeps: ClassVar[bool] = True
-    """Whether it is designed by curves f and g, or may be."""
-    needs_target: ClassVar[bool] = True
-    """Whether there is no design without f and g."""
     only: ClassVar[Mapping[str, Aim]] = {}
     """Keys that have a meaning only for shells with such a target."""
     unasked: ClassVar[Mapping[str, Any]] = {}
     """Values of keys that a file must give, where it leaves the family open."""
 
     def design(self, f: Curve, g: Curve) -> Design:
-        """Design the shell that these parameters and the curves f and g ask for."""
-        raise NotImplementedError
+        """Design the shell that these parameters and the curves f and g ask for.
+
+        A family that sweeps none is fitted to f swept along g, f's middle on g, as to any surface.
+        """
+        profile = run_along_axis(trace_curve(f, "f").in_own_frame())
+        path = trace_curve(g, "g").in_own_frame()
+        middle = profile.curve.position(0.5 * (profile.t[0] + profile.t[-1]))
+        design = self.design_on(Surface(profile, middle, Turning(Path.of(path), np.pi / 2)))
+        return replace(design, origin=design.origin + np.append(path.origin, 0.0))
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell that these parameters and a surface with a ``piece`` ask for."""
@@ -128,11 +135,22 @@ class Pattern(Table, metaclass=Called):
     def aims(cls) -> list[Aim]:
         """What its shells can follow: nothing only where they follow no curves."""
         can: dict[Aim, bool] = {
-            "curves": cls.sweeps,
+            "curves": cls.sweeps(),
             "surface": cls.follows_surfaces(),
-            "none": not (cls.needs_target or cls.sweeps),
+            "drawing": cls.design_drawn is not Pattern.design_drawn,
+            "none": not (cls.needs_target() or cls.sweeps()),
         }
         return [aim for aim, possible in can.items() if possible]
+
+    @classmethod
+    def sweeps(cls) -> bool:
+        """Whether it is designed by curves f and g, or may be, by ``design``."""
+        return cls.design is not Pattern.design
+
+    @classmethod
+    def needs_target(cls) -> bool:
+        """Whether there is no design without a target, by ``design_without_target``."""
+        return cls.design_without_target is Pattern.design_without_target
 
     @classmethod
     def follows_surfaces(cls) -> bool:
@@ -231,5 +249,13 @@ class Family:
     pattern: type[Pattern]  # its table
     label: str  # what headings call it
     what: str  # what it makes, in a few words
-    starter: Path  # A design file to begin with
+    starter: FilePath  # A design file to begin with
     borders: str = "flaps"  # what the panels beside its inner columns are
+
+    def __post_init__(self) -> None:
+        """Refuse a family that designs nothing."""
+        if not self.pattern.aims():
+            raise TypeError(
+                f"{self.pattern.__name__} designs nothing: it has none of design, design_on, "
+                "design_drawn and design_without_target"
+            )

@@ -61,7 +61,7 @@ def describe_examples() -> list[Example]:
     return [
         {
             "name": name,
-            "title": f"{family.label} shell{' of the paper' * family.pattern.sweeps}",
+            "title": f"{family.label} shell{' of the paper' * family.pattern.sweeps()}",
             "text": starter_file(name),
             "design": parse_toml(starter_file(name)),
         }

@@ -297,7 +297,7 @@ class Task:
             raise InputError("there is no design", where="design", expected="its tables")
         asked = {key: each for key, each in design.items() if searched or key != "search"}
         file = check_design(asked, Path(f"{self._name()}.toml"), files=False)
-        if file.surface is None and file.pattern.sweeps:
+        if file.surface is None and file.pattern.sweeps():
             file.require_target()
         if file.tolerance is None or tolerated:
             require_small(file)

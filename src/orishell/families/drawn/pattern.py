@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
@@ -11,15 +11,12 @@ from pydantic import Field
 from orishell.conventions.table import Knob, Number
 from orishell.design import Design
 from orishell.families.drawn.design import design_drawn
-from orishell.families.pattern import Aim, Auto, Family, Pattern, RowCount, Width
+from orishell.families.pattern import Auto, Family, Pattern, RowCount, Width
 from orishell.motion.drawing import Drawing
 
 
 class DrawnPattern(Pattern):
     """What is asked of a drawn sheet; rows and columns are those of the drawing."""
-
-    sweeps: ClassVar[bool] = False
-    needs_target: ClassVar[bool] = True
 
     rows: RowCount
     columns: RowCount
@@ -36,11 +33,6 @@ class DrawnPattern(Pattern):
         ),
     ] = "auto"
     flap: Literal[0] = 0  # a drawing has the panels that it has
-
-    @classmethod
-    def aims(cls) -> list[Aim]:
-        """A drawing, and nothing else."""
-        return ["drawing"]
 
     def design_drawn(self, drawing: Drawing) -> Design:
         """Design the shell of a drawing.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
@@ -14,9 +13,7 @@ from orishell.conventions.arguments import checked
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number, misfit
-from orishell.curves import Curve, run_along_axis, trace_curve
-from orishell.design import Design, PiecedSurface, Surface, Turning
-from orishell.design.path import Path as Pieces
+from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.design import of_lists, of_name
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
 from orishell.families.flat_foldable.ground import Ground
@@ -50,8 +47,6 @@ class FlatFoldablePattern(Pattern):
     """Parameters of the flat-foldable family."""
 
     row_step: ClassVar[int] = 1
-    sweeps: ClassVar[bool] = False
-    needs_target: ClassVar[bool] = False
     only: ClassVar[Mapping[str, Aim]] = {
         **dict.fromkeys(("sheet", "sector_deg", "turn_deg", "growth"), "none"),
         **dict.fromkeys(("row_length", "column_length"), "none"),
@@ -180,14 +175,6 @@ class FlatFoldablePattern(Pattern):
             right=_given(self.right_lengths),
             corners=_given(self.corners),
         )
-
-    def design(self, f: Curve, g: Curve) -> Design:
-        """Fit a sheet to f swept along g, f's middle on g, as to any surface."""
-        profile = run_along_axis(trace_curve(f, "f").in_own_frame())
-        path = trace_curve(g, "g").in_own_frame()
-        middle = profile.curve.position(0.5 * (profile.t[0] + profile.t[-1]))
-        design = self.design_on(Surface(profile, middle, Turning(Pieces.of(path), np.pi / 2)))
-        return replace(design, origin=design.origin + np.append(path.origin, 0.0))
 
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Fit a sheet of so many rows and columns to a surface with a ``piece``.

@@ -61,7 +61,6 @@ class LongitudinalPattern(Pattern):
 
     most: ClassVar[int] = 25
     row_step: ClassVar[int] = 1
-    needs_target: ClassVar[bool] = False
     unasked: ClassVar[Mapping[str, Any]] = {"sector_deg": "auto"}
 
     sector_deg: Annotated[
