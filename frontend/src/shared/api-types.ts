@@ -24,6 +24,8 @@ export interface Analysis {
   anchors: Anchor[];
   /** Sentences an engineer should read, beside what speaks against single cases. */
   warnings: string[];
+  /** What codes ask of it, and is not done here. */
+  code_asks: string[];
   /** What the analysis says nothing of. */
   not_covered: string[];
 }

@@ -56,6 +56,7 @@ def structure_sections(report: Analysis, unit: str, paths: bytes | None = None) 
         anchor_section(report),
         Section("Results", tuple(_results(report, said, paths))),
         *(_case(case, report, said) for case in report.reported_cases),
+        Section("What codes ask, and is not done here", (Bullets(report.code_asks),)),
         Section("What is not covered", (Bullets(report.not_covered),)),
     ]
 

@@ -1,0 +1,89 @@
+"""What the codes ask of a structure like this, and is not done here: said once, by what was asked.
+
+Whoever puts his name to a shell has this left to do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from orishell.structure.load_settings import LOADS
+from orishell.structure.materials import materials
+from orishell.structure.settings import Structure
+
+Left = Callable[[Structure], bool]
+"""Whether something is left to do of a structure, by what was asked."""
+
+
+def _without(load: str) -> Left:
+    """Without a load of a kind in any case."""
+    assert load in LOADS
+    return lambda asked: not any(getattr(case, load) for case in asked.cases)
+
+
+def _always(_: Structure) -> bool:
+    return True
+
+
+def _creeps_unknown(asked: Structure) -> bool:
+    return asked.material is None or not materials()[asked.material].k_def
+
+
+ASKS: tuple[tuple[Left, str], ...] = (
+    (_without("self_weight"), "own weight: no load case has it (self_weight)"),
+    (_without("snow"), "snow: no load case has any (EN 1991-1-3)"),
+    (_without("wind"), "wind: no load case has any (EN 1991-1-4)"),
+    (
+        _without("person"),
+        "somebody who works on the shell: no load case has a person (EN 1991-1-1, 6.3.4)",
+    ),
+    (
+        lambda asked: asked.combinations == "none",
+        "partial factors of loads, equilibrium with factors of its own (EQU), and all combinations "
+        '(EN 1990, 6.4, 6.5): combinations = "EN 1990" makes them',
+    ),
+    (
+        lambda asked: asked.strength is not None,
+        "partial factors of panels, and how long loads last: the strength that is given is taken "
+        "as the design value",
+    ),
+    (
+        _creeps_unknown,
+        "creep: nothing is known of that of this material (EN 1995-1-1, 2.2.3)",
+    ),
+    (
+        lambda asked: asked.displacement_limit is None,
+        "limits of displacements (EN 1990, A1.4): no displacement_limit is given",
+    ),
+    (
+        lambda asked: not asked.imperfection,
+        "imperfections of shape (EN 1993-1-1, 5.3; EN 1995-1-1, 5.4.4): imperfection, with "
+        "nonlinear = true, has one",
+    ),
+    (_always, "fire (EN 1991-1-2), and earthquakes (EN 1998)"),
+    (
+        _always,
+        "accidents, exceptional snow, and robustness: what fails with a panel, a tie or a foot "
+        "(EN 1991-1-7)",
+    ),
+    (_always, "fatigue, of what folds often and of what gusts shake"),
+    (
+        _always,
+        "joints in detail: screws, rivets, glue, seams, and what ties are fixed to "
+        "(EN 1993-1-8; EN 1995-1-1, 8)",
+    ),
+    (_always, "heat and moisture (EN 1991-1-5), and how long what it is made of lasts"),
+    (_always, "loads while it is raised, on the way from the pack to the target (EN 1991-1-6)"),
+    (
+        _always,
+        "gusts that shake the shell, suction at its edges, and drifts at obstacles and taller "
+        "buildings (EN 1991-1-4, 6 and 7.2; EN 1991-1-3, 6)",
+    ),
+    (_always, "how anchors hold in the ground, and how the ground under feet settles (EN 1997)"),
+)
+"""When something is left to do, and what: as codes ask it, with where they do."""
+
+
+def code_asks(asked: Structure) -> tuple[str, ...]:
+    """What codes ask and is not done, of a structure under its load cases."""
+    return tuple(words for left, words in ASKS if left(asked))
