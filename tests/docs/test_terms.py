@@ -35,15 +35,9 @@ from orishell.solids.hinged.play import Play
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.envelopes import Governing
-from orishell.structure.equilibrium import (
-    CreaseMoment,
-    Displacement,
-    Equilibrium,
-    PairForce,
-    Reaction,
-    Stress,
-)
+from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.hinge_lines import LineStrength
+from orishell.structure.largest import CreaseMoment, Displacement, PairForce, Reaction, Stress
 from orishell.structure.load_settings import LoadCase, Person, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model

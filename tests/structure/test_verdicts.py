@@ -14,20 +14,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-import typer
 
-from orishell.cli.files import require_carried
-from orishell.cli.structure import summarize_structure
+from one_verdict import one_verdict
 from orishell.conventions.errors import InputError
-from orishell.conventions.record import as_table
-from orishell.conventions.row import MARKS
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.structure.hinge_lines import LineStrength
 from orishell.structure.mesh.sections import Section, thickness_left
-from orishell.structure.pages.files import VERDICTS, structure_page
 from orishell.structure.results import Analysis
 from samples import led_by
 
@@ -86,31 +81,6 @@ def arch(
     shell = make_shell(check_design(tables, Path("arch.toml")), clash="unexamined", skip=SKIP)
     assert shell.analysis is not None
     return shell.analysis
-
-
-def one_verdict(found: Analysis) -> bool | None:
-    """Whether it carries, as all doors say it."""
-    carries: bool | None = found.carries
-    begins = {True: "all cases: ", False: "no: ", None: "not known: "}[carries]
-    assert found.in_words().startswith(begins)
-    assert {"holds": True, "fails": False, "warns": None}[found.sign] is carries
-    worst = found.ranked[0]
-    assert worst.carries is carries
-    assert as_table(found)["carries"] is carries
-    assert as_table(found)["cases"][found.cases.index(worst)]["carries"] is carries
-    line = next(summarize_structure(found, found.model.site.unit, []))
-    assert line.startswith(f"{MARKS[found.sign]} stands    {begins}")
-    page = structure_page(found, title="", unit=found.model.site.unit, png=b"")
-    assert f"Does it carry its loads? {begins.capitalize()}" in page.replace("&#x27;", "'")
-    assert ("not known" in VERDICTS[found.sign]) is (carries is None)
-    assert found.loaded().cases[found.cases.index(worst)].sign == found.sign
-    if carries:
-        require_carried(found, check=True)
-    else:
-        with pytest.raises(typer.Exit) as ended:
-            require_carried(found, check=True)
-        assert ended.value.exit_code == 1
-    return None if carries is None else bool(carries)
 
 
 def test_forces_along_hinge_lines_are_not_known_to_be_borne() -> None:
@@ -261,9 +231,12 @@ def test_chamfers_of_a_shelter_against_calculix(name: str) -> None:
     assert found is not None
     worst = next(case for case in found.cases if case.name == "snow l").equilibrium
     assert worst is not None
-    assert worst.displacement.size == pytest.approx(1.44 * 0.0738, rel=0.05)
-    assert worst.buckling is not None
-    assert 0.95 * 2.92 < worst.buckling < 1.1 * 0.95 * 3.44
+    linear = worst.displacement.size, worst.buckling
+    if worst.path is not None:
+        linear = worst.path.linear_displacement, worst.path.linear_buckling
+    assert linear[0] == pytest.approx(1.44 * 0.0738, rel=0.05)
+    assert linear[1] is not None
+    assert 0.95 * 2.92 < linear[1] < 1.1 * 0.95 * 3.44
 
 
 def test_a_buckling_factor_below_three_is_not_known_to_be_safe() -> None:
@@ -287,7 +260,7 @@ def test_a_buckling_factor_below_three_is_not_known_to_be_safe() -> None:
     led_by(
         [
             ("F5_crease_moment.toml", False, "% of the strength of its panels at the crease"),
-            ("F6_factor_1_16.toml", None, "buckles under 1.06 times its loads"),
+            ("F6_factor_1_16.toml", None, "loaded in crease lines"),
             ("BEST_shelter.toml", None, "loaded in crease lines"),
             ("BEST_en1990_130_ties.toml", None, "loaded in crease lines"),
         ],
@@ -312,3 +285,23 @@ def test_what_helps_a_soft_shell_is_offered(name: str) -> None:
     assert row.sign == "fails"
     assert row.changes["deployment.ties"] == "folds"
     assert "no case fails (tried)" in row.remedy
+
+
+@pytest.mark.parametrize("name", led_by(["F6_factor_1_16.toml"], 0))
+def test_a_factor_near_one_is_followed(name: str) -> None:
+    """Linear factors of 1.04 to 2.05, and in balance off its shape by 1.8 to 2.5 mm, too.
+
+    The fourth case has a factor above 3, and is not followed.
+    """
+    found = make_shell(read_design_file(FILES / name), clash="unexamined", skip=SKIP).analysis
+    assert found is not None
+    paths = {case.name: case.equilibrium.path for case in found.cases if case.equilibrium}
+    assert paths.pop("storm l") is None
+    assert len(paths) == 3
+    for path in paths.values():
+        assert path is not None
+        assert path.linear_buckling is not None
+        assert 1 < path.linear_buckling < 3
+        assert path.ending == "carries"
+        assert 1e-3 < path.imperfection < 3e-3
+    assert not any(each.kind == "buckles" for case in found.cases for each in case.findings)

@@ -508,6 +508,8 @@ export interface Equilibrium {
   frequencies: number[];
   /** The way there, where large displacements are followed: then all but frequencies is of the shell as it is moved, at the end of the path. */
   path: LoadPath | null;
+  /** Why it was not followed though it buckles soon; None if it was, or does not. */
+  unfollowed: "work" | "lost" | "hinges" | "fails" | null;
   /** How long its loads last. */
   duration: "permanent" | "long" | "medium" | "short" | "instantaneous";
   /** What panels bear under loads that last as long; None if that is not known. */
@@ -961,6 +963,8 @@ export interface LoadPath {
   linear_displacement: number;
   /** By linear theory: the largest displacement, and the factor at which it buckles; None if it does not. */
   linear_buckling: number | null;
+  /** How far the shell is off its shape as built, at most (length). */
+  imperfection: number;
 }
 
 /** How a motion ends. */

@@ -1,8 +1,9 @@
 """From a design and what loads it to displacements, forces, stresses and modes.
 
 Limit: the analysis of a structure is for early design and does not replace an engineer's check. It
-begins with the shell as designed, without imperfections, and is linear unless ``nonlinear`` asks
-for large displacements. Stresses at the corners of panels grow with finer cells.
+begins with the shell as designed, without imperfections, and is linear, but where a case buckles
+below three times its loads, or ``nonlinear`` asks for large displacements. Stresses at the corners
+of panels grow with finer cells.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ from orishell.structure.nonlinear import follow
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure, not_combined
+from orishell.structure.soft_cases import Loaded, follow_soft, is_soft
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
@@ -89,12 +91,15 @@ def analyse(
 
     found, cases, change, stopped = refined(model, run, progress)
     model = found.with_refinement(change, stopped)
-    return Analysis(model, tuple(case.of(model) for case in cases))
+    followed = follow_soft(
+        model, [case.of(model) for case, _ in cases], [how for _, how in cases], progress
+    )
+    return Analysis(model, followed)
 
 
 def _run(model: Model, progress: Progress, *, last: bool) -> Run:
     """All load cases, with the least stiffness of creases first; figures only if not ``last``."""
-    found: list[CaseResult] = []
+    found: list[tuple[CaseResult, Loaded | None]] = []
     compared: list[Figures] = []
     asked = model.structure
     stiffnesses = tuple(dict.fromkeys(asked.crease_stiffness))
@@ -106,7 +111,9 @@ def _run(model: Model, progress: Progress, *, last: bool) -> Run:
             linear = _equilibrium(model, solved, kept, modes=last) if solved.stands else None
             compared.append(figures(linear))
             if last:
-                found.append(_result(model, solved, linear))
+                case = _result(model, solved, linear)
+                how = Loaded(solved.case, solved.known, solved.response)
+                found.append((case, how if is_soft(case) else None))
     return model, found, compared
 
 
@@ -173,7 +180,8 @@ def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equi
     if linear is None or not model.structure.nonlinear:
         return linear
     on_panels = panel_loads(model, solved.case, solved.known)
-    return follow(linear, solved.forces, on_panels, solved.response)
+    off = model.structure.imperfection
+    return follow(linear, solved.forces, on_panels, solved.response, imperfection=off)
 
 
 class _Kept:

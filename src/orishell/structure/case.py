@@ -96,7 +96,8 @@ class CaseResult:
         """What the shell does under these loads."""
         if self.sign == "warns":
             return f"is not known to carry its loads: it {self.said}"
-        return self.said or "carries its loads"
+        followed = self.equilibrium is not None and self.equilibrium.path is not None
+        return self.said or f"carries its loads{', large displacements followed' * followed}"
 
     @property
     def said(self) -> str:

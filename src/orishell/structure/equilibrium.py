@@ -6,13 +6,12 @@ Forces are in newtons; vertices and panels are rows and columns of the folding s
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.motion.grid import Panel, Vertex, VertexPair
+from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, descending, first_largest, largest_of
 from orishell.structure.crease_forces import (
@@ -26,7 +25,8 @@ from orishell.structure.crease_forces import (
 )
 from orishell.structure.crease_lines import hinge_line, most_used_line, unknown_line
 from orishell.structure.feet import Foot
-from orishell.structure.load_path import LoadPath
+from orishell.structure.largest import CreaseMoment, Displacement, PairForce, Reaction, Stress
+from orishell.structure.load_path import LoadPath, Unfollowed
 from orishell.structure.loads import Vector, vector
 from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
@@ -38,53 +38,6 @@ COLLAPSED = 0.25
 
 
 @record
-class Displacement:
-    """The largest displacement."""
-
-    size: float  # how large it is
-    vector: Vector  # along x, y and z
-    panel: Panel  # a panel that has the place
-    share: float  # of the shell's height
-
-
-@record
-class Reaction:
-    """The force of a support on the shell."""
-
-    at: Vertex  # the supported vertex
-    force: Vector  # along x, y and z
-
-
-@record
-class PairForce:
-    """The force between two vertices: of a tie, or of two panels of a flap on each other."""
-
-    ends: VertexPair  # the vertices
-    force: float  # how much a tie pulls, or flaps push
-
-
-@record
-class CreaseMoment:
-    """The crease with the largest moment."""
-
-    moment: float  # per length
-    panels: tuple[Panel, Panel]  # the two panels beside it
-
-
-@record
-class Stress:
-    """The largest stress in panels, averaged over patches of a fixed share of a panel."""
-
-    size: float  # von Mises' stress
-    panel: Panel  # where
-    # on which face of the panel, upper as seen from +z on the flat sheet
-    face: Literal["lower", "upper"]
-    # the largest and the least principal stress of all panels: pull and pressure
-    largest: float
-    least: float
-
-
-@record
 class Equilibrium:
     """A shell in equilibrium with its loads."""
 
@@ -92,7 +45,7 @@ class Equilibrium:
         "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
         "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
         "membrane", "arms", "panel_residual", "utilisation",
-        "buckling", "buckling_factors", "frequencies", "path", "duration", "strength",
+        "buckling", "buckling_factors", "frequencies", "path", "unfollowed", "duration", "strength",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -131,6 +84,8 @@ class Equilibrium:
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
+    # why it was not followed though it buckles soon; None if it was, or does not
+    unfollowed: Unfollowed | None = None
     duration: Duration = "permanent"  # how long its loads last
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from orishell.conventions.quantities import plain
@@ -11,6 +12,17 @@ Ending = Literal["carries", "snaps", "branches", "lost"]
 """How a path ends: under the full load; at a load that the shell cannot bear more than; where it
 buckles into another shape, and nothing holds it there; where it could not be followed."""
 
+Unfollowed = Literal["work", "lost", "hinges", "fails"]
+"""Why a shell that buckles soon was not followed to its full load: that takes too long; from some
+load on no balance was found; boards on hinges are not; it fails under other loads anyway."""
+UNFOLLOWED: Mapping[Unfollowed, str] = {
+    "work": "following it would take too long",
+    "lost": "followed, no balance was found under all of them",
+    "hinges": "whole boards on hinges are not followed",
+    "fails": "not followed, as the shell fails anyway",
+}
+"""The same in words."""
+
 
 @record
 class LoadPath:
@@ -18,7 +30,7 @@ class LoadPath:
 
     REPORTED = (
         "carries", "ending", "reached", "factors", "displacements", "linear_displacement",
-        "linear_buckling",
+        "linear_buckling", "imperfection",
     )  # fmt: skip
 
     ending: Ending  # how it ends
@@ -29,6 +41,7 @@ class LoadPath:
     # does not
     linear_displacement: float
     linear_buckling: float | None
+    imperfection: float = 0.0  # how far the shell is off its shape as built, at most (length)
 
     @property
     def carries(self) -> bool:

@@ -15,6 +15,7 @@ from orishell.structure.changes import Changes, Figures, Stop, find_changes
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.sheet import count_freedoms
 from orishell.structure.model import Model
+from orishell.structure.soft_cases import Loaded
 
 LADDER = 1, 2, 3, 4, 6, 8, 12, 16, 24, 32
 """Cells along a side, one after the other."""
@@ -35,7 +36,9 @@ TOLD = 5.0
 """Progress says how long something takes if it takes more seconds."""
 
 
-Run = tuple[Model, Sequence[CaseResult], Sequence[Figures]]
+Cases = Sequence[tuple[CaseResult, Loaded | None]]
+"""What was found of cases, and how, where they may be followed further."""
+Run = tuple[Model, Cases, Sequence[Figures]]
 """A model, its cases, and what of each is compared with other meshes."""
 
 
@@ -48,7 +51,7 @@ class Runs(Protocol):
 
 def refined(
     model: Model, run: Runs, progress: Progress
-) -> tuple[Model, Sequence[CaseResult], Changes, Stop | None]:
+) -> tuple[Model, Cases, Changes, Stop | None]:
     """The model and its cases with cells as fine as is asked for.
 
     Returns
@@ -61,7 +64,7 @@ def refined(
     known: dict[int, Sequence[Figures]] = {}
     spent, stopped = 0.0, None
 
-    def analysed(cells: int, *, last: bool) -> tuple[Model, Sequence[CaseResult]]:
+    def analysed(cells: int, *, last: bool) -> tuple[Model, Cases]:
         nonlocal spent
         takes = seconds(model, cells)
         text = f"with {cells} x {cells} cells to a panel"

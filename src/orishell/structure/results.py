@@ -66,6 +66,10 @@ def buckles_at_points(found: Equilibrium) -> bool:
 
 
 LINEAR = "large displacements: all is linear, from the shape as it was designed"
+LINEAR_BUT_SOFT = (
+    "large displacements of cases that buckle by linear theory under 3 times their loads or more, "
+    "or not at all: these are linear, from the shape as it was designed"
+)
 FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
 FOLDED = (
     "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
@@ -76,6 +80,10 @@ ECCENTRIC = (
     "about their own middle everywhere, the least that they do"
 )
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
+IMPERFECT_BUT_SOFT = (
+    "imperfections of fit, and of shape but of cases that are followed as they are moved, as these "
+    "first buckle"
+)
 IMPERFECT_FIT = "imperfections of fit, and of shape in other ways than it first buckles"
 NOT_COVERED = (
     "buckling of single webs and faces of boards between their webs",
@@ -100,10 +108,13 @@ class Analysis:
     @property
     def not_covered(self) -> tuple[str, ...]:
         """What the analysis says nothing of."""
-        first = FOLLOWED if self.model.structure.nonlinear else LINEAR
+        asked = self.model.structure
+        soft = any(found.path is not None for found, _ in self.balanced)
+        first = FOLLOWED if asked.nonlinear else LINEAR_BUT_SOFT if soft else LINEAR
         thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
-        built = IMPERFECT_FIT if self.model.structure.imperfection else IMPERFECT
+        known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
+        built = IMPERFECT_FIT if asked.imperfection else known
         return (first, *(each for each in (thinned, bare) if each), built, *NOT_COVERED)
 
     @property

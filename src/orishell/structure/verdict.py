@@ -19,6 +19,7 @@ from orishell.numerics.equals import SOLVED, classes
 from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
+from orishell.structure.load_path import UNFOLLOWED
 from orishell.structure.utilisation import NAMED
 
 Kind = Literal[
@@ -39,7 +40,7 @@ LARGE_DISPLACEMENT = 0.05
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
 LEAST_BUCKLING = 3.0
 """Below this factor a shell may well buckle: imperfect ones do before linear theory says so. It is
-not known to carry its loads then, unless large displacements are followed."""
+not known to carry its loads then, unless large displacements are followed (EN 1993-1-1, 5.2.2)."""
 
 
 @record
@@ -80,7 +81,9 @@ def against_equilibrium(
     path = found.path
     if path is not None and not path.carries:
         excess = 1 / path.reached if path.reached else None
-        yield Finding("fails", "buckles", path.in_words(), excess)
+        lost = path.ending == "lost"
+        kind: Kind = "unknown" if lost else "buckles"
+        yield Finding("warns" if lost else "fails", kind, path.in_words(), excess)
     unit, most = found.model.site.unit, found.displacement
     if most.share > LARGE_DISPLACEMENT:
         row, column = most.panel
@@ -121,10 +124,9 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     if found.path is None and factor is not None and factor < LEAST_BUCKLING:
         text = f"buckles under {plain(factor, 3)} times its loads"
         if factor >= 1:
-            text += (
-                f" by linear theory, and earlier with imperfections ({LEAST_BUCKLING:g} is asked "
-                "for, or nonlinear = true)"
-            )
+            text += f" by linear theory ({LEAST_BUCKLING:g} is asked for)"
+            if found.unfollowed is not None:
+                text += f"; {UNFOLLOWED[found.unfollowed]}"
         excess = (1 if factor < 1 else LEAST_BUCKLING) / factor
         yield Finding("fails" if factor < 1 else "warns", "buckles", text, excess)
     yield from _not_known(found)

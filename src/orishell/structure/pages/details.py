@@ -8,7 +8,8 @@ from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.structure.case import CaseResult
 from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
-from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.largest import CreaseMoment, PairForce
 from orishell.structure.utilisation import NAMED
 
 NEGLIGIBLE_COMPONENT = 1e-6
@@ -75,7 +76,9 @@ def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
         linear = f"it is displaced by {said.displacement(path.linear_displacement)}"
         if path.linear_buckling is not None:
             linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
-        return f"nonlinear: it {path.in_words()}. By linear theory {linear}"
+        off = path.imperfection
+        built = f", {said.displacement(off)} off its shape as built" if off else ""
+        return f"nonlinear{built}: it {path.in_words()}. By linear theory {linear}"
     if found.buckling_factors:
         lowest, *others = map(figure, found.buckling_factors)
         further = f"; in other ways under {' and '.join(others)} times" if others else ""

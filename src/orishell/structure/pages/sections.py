@@ -8,7 +8,8 @@ from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Bullets, Paragraph, Part, Picture, Section, Table
 from orishell.numerics.equals import SOLVED, largest_of
 from orishell.structure.case import CaseResult
-from orishell.structure.equilibrium import PairForce
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.largest import PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.negligible import NEGLIGIBLE_FORCE
 from orishell.structure.pages.anchor_tables import anchor_section
@@ -155,10 +156,17 @@ def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
         if found.crease is None or case.creases == "free"
         else said.moment(found.crease.moment),
         quantity(found.ties[0].force, "N") if found.ties and found.ties[0].force else NOTHING,
-        NOTHING if found.buckling is None else figure(found.buckling),
+        _factor(found),
         quantity(found.frequencies[0], "Hz") if found.frequencies else NOTHING,
         percent(max(known)) if known else NOTHING,
     )
+
+
+def _factor(found: Equilibrium) -> str:
+    """Under how many times its loads it buckles, if it does."""
+    if found.path is not None and found.path.carries:
+        return "followed"
+    return NOTHING if found.buckling is None else figure(found.buckling)
 
 
 def _case(case: CaseResult, report: Analysis, said: Quantities) -> Section:

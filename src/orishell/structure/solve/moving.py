@@ -16,7 +16,7 @@ Computer Methods in Applied Mechanics and Engineering 313 (2017). In balance bot
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Protocol, Self
 
@@ -30,6 +30,26 @@ from orishell.structure.solve.sparsity import Sparsity
 
 SEED, SOFTENING = 0, 8
 """Of the shape from which the softest motion is sought, in so many inverse iterations."""
+
+
+class OutOfWorkError(Exception):
+    """More tangents are asked for than there may be."""
+
+
+@dataclass
+class Work:
+    """How many tangents may still be found: no clock decides where it ends."""
+
+    left: float  # number of tangents
+
+    def take(self) -> None:
+        """One more tangent.
+
+        Raises OutOfWorkError: If there may be no more.
+        """
+        if self.left < 1:
+            raise OutOfWorkError
+        self.left -= 1
 
 
 class Part(Protocol):
@@ -127,6 +147,7 @@ class Moving:
     # resists and nothing drives have one (force per length): balance is without it
     steady: float
     sparsity: Sparsity  # where the entries of its tangent are
+    work: Work | None = None  # how many tangents there may be; None for as many as it takes
 
     @classmethod
     def of(
@@ -205,7 +226,10 @@ class Moving:
         """Forces (D,) of all parts, and their tangent.
 
         expected: Forces that each part is expected to have.
+        Raises OutOfWorkError: If there may be no more of them.
         """
+        if self.work is not None:
+            self.work.take()
         known = expected or [None] * len(self.parts)
         both = zip(self.parts, known, strict=True)
         changes = tuple(part.tangent(moved, each) for part, each in both)
