@@ -11,8 +11,25 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.load_settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
-from orishell.structure.loads import Exposure, case_loads, gusts, peak_pressure, sum_forces
+from orishell.structure.load_settings import (
+    LOADS,
+    NO_CODE,
+    LoadCase,
+    PointLoad,
+    Snow,
+    Terrain,
+    Wind,
+    Zone,
+    loads_of,
+)
+from orishell.structure.loads import (
+    Exposure,
+    case_loads,
+    gusts,
+    peak_pressure,
+    require_effects,
+    sum_forces,
+)
 from orishell.structure.mesh.sheet import mesh_sheet
 
 SLOPE = np.deg2rad(40)
@@ -263,3 +280,16 @@ def test_what_is_not_there_is_named(case: LoadCase, says: str) -> None:
     with pytest.raises(InputError, match=r'^\[\[load_case\]\] "a": ') as caught:
         case_forces(replace(tent(), span=None, feet=None), case, [case])
     assert says in str(caught.value)
+
+
+def test_what_a_new_load_lacks_is_named() -> None:
+    """How long it lasts, where its key is; what it does, where the package is loaded."""
+
+    class IcyCase(LoadCase):
+        ice: float = 0.0
+
+    others = LoadCase.model_fields.keys() - LOADS.keys()
+    with pytest.raises(TypeError, match="load ice of a case has no Loading"):
+        loads_of(IcyCase, others)
+    with pytest.raises(TypeError, match=r"@load for ice$"):
+        require_effects([*LOADS, "ice"])

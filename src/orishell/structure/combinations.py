@@ -120,13 +120,7 @@ def action_of(case: LoadCase) -> Action:
     Raises InputError: If that is not clear.
     """
     loads = [name for name in LOADS if getattr(case, name)]
-    known: dict[str, Action] = {
-        "self_weight": "permanent",
-        "snow": "snow",
-        "wind": "wind",
-        "person": "maintenance",
-    }
-    kinds = {known.get(name) for name in loads}
+    kinds = {LOADS[name].action for name in loads}
     (kind,) = kinds if len(kinds) == 1 else (None,)
     if len(kinds) > 1 or (case.action is not None and kind not in {None, case.action}):
         raise InputError(

@@ -5,8 +5,8 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Final, Literal, Self
+from collections.abc import Sequence, Set
+from typing import Annotated, Final, Literal, NamedTuple, Self
 
 import numpy as np
 from pydantic import Field, field_validator, model_validator
@@ -184,6 +184,15 @@ class WorstPlace(Person):
     found: str  # how that was found, in words
 
 
+class Loading(NamedTuple):
+    """What a key of a load case is, that is a load."""
+
+    # how long it lasts where a case does not say it: EN 1995-1-1, table 2.2, snow as above 1000 m
+    # or where it stays. Roofs of category H are in national annexes: short in Germany's, table NA.1
+    lasts: Duration
+    action: Action | None = None  # what it is to EN 1990; None if cases have to say it
+
+
 class LoadCase(Table):
     """Loads that act together, or factors by which those of other cases do.
 
@@ -196,12 +205,12 @@ class LoadCase(Table):
     name: str
     action: Action | None = None
     duration: Duration | None = None
-    self_weight: bool = False
-    pressure: Load = 0.0
-    snow: Snow | None = None
-    wind: Wind | None = None
-    points: Several[PointLoad] = ()
-    person: Person | None = None
+    self_weight: Annotated[bool, Loading("permanent", "permanent")] = False
+    pressure: Annotated[Load, Loading("medium")] = 0.0
+    snow: Annotated[Snow | None, Loading("medium", "snow")] = None
+    wind: Annotated[Wind | None, Loading("short", "wind")] = None
+    points: Annotated[Several[PointLoad], Loading("medium")] = ()
+    person: Annotated[Person | None, Loading("short", "maintenance")] = None
     combine: dict[str, Annotated[Number, Field(ge=-1e3, le=1e3)]] = Field(default_factory=dict)
 
     def lasts(self, known: Sequence[LoadCase]) -> Duration:
@@ -214,7 +223,7 @@ class LoadCase(Table):
         if self.combine:
             parts = [each.lasts(known) for each in known if self.combine.get(each.name)]
         else:
-            parts = [LASTS[name] for name in LOADS if getattr(self, name)]
+            parts = [each.lasts for name, each in LOADS.items() if getattr(self, name)]
         return max(parts, key=DURATIONS.index, default="permanent")
 
     @field_validator("name")
@@ -244,19 +253,22 @@ class LoadCase(Table):
         return self
 
 
-LOADS = tuple(
-    name for name in LoadCase.model_fields if name not in {"name", "action", "duration", "combine"}
-)
-"""The keys of a case that are loads."""
-LASTS: Final[dict[str, Duration]] = {
-    "self_weight": "permanent",
-    "pressure": "medium",
-    "snow": "medium",
-    "wind": "short",
-    "points": "medium",
-    "person": "short",
-}
-"""How long loads last where a case does not say it: EN 1995-1-1, table 2.2, snow as above 1000 m or
-where it stays. Roofs of category H are in national annexes: short in Germany's, table NA.1."""
+def loads_of(case: type[Table], others: Set[str]) -> dict[str, Loading]:
+    """The keys of a table of load cases that are loads: all but some others.
+
+    Raises TypeError: If one of them does not say how long it lasts.
+    """
+    found: dict[str, Loading] = {}
+    for name, field in case.model_fields.items():
+        said = [each for each in field.metadata if isinstance(each, Loading)]
+        if not said and name not in others:
+            raise TypeError(f"the load {name} of a case has no Loading: how long it lasts")
+        if said:
+            found[name] = said[0]
+    return found
+
+
+LOADS: Final = loads_of(LoadCase, {"name", "action", "duration", "combine"})
+"""The keys of a case that are loads, and what they are."""
 OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 """The only case where a design file has none."""

@@ -12,7 +12,8 @@ from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.design import PanelSpec
 from orishell.numerics.arrays import Array
 from orishell.structure.hinge_lines import DIRECTIONS
-from orishell.structure.load_settings import LoadCase
+from orishell.structure.load_settings import LOADS
+from orishell.structure.loads import DOUBTS, Scale
 from orishell.structure.settings import Structure
 from orishell.structure.utilisation import LEAST_LINE
 
@@ -31,17 +32,6 @@ AREAL: Range = (0.01, 1e3)
 YIELDS: Range = (1e-5, 0.1)
 """Strains at which what panels are made of fails: chalk bears more than the first, nothing as much
 as the second."""
-SNOW: Range = (50.0, 30e3)
-"""Half the least of the maps of EN 1991-1-3, 100 N/m2; three times what lies at 1500 m in the Alps
-(N/m2)."""
-PRESSURE: Range = (5.0, 100e3)
-"""Half a millimetre of water; twenty times a crowd (N/m2)."""
-WIND: Range = (5.0, 75.0)
-"""A gentle breeze; more than any code's basic wind speed (m/s)."""
-PERSON: Range = (200.0, 1e4)
-"""A child; ten of Q_k of EN 1991-1-1, 6.3.4 (N)."""
-FORCE = 1e-2
-"""Point loads below this share of the own weight of panels do nothing beside it."""
 STRETCHY, TIES = 0.5, (10.0, 1e7)
 """No rope stretches by half before it breaks; a thread bears 10 N, a bundle of strands 1e7."""
 LINES: Range = (LEAST_LINE, 1e8)
@@ -58,21 +48,29 @@ RESTRAINED_SHARE = 0.1
 """Supports that hold more than this share of the panels hold the shell itself."""
 
 
-def doubts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator[str]:
+def doubts(
+    structure: Structure, unit: str, panel: PanelSpec | None, weight: float = 0.0
+) -> Iterator[str]:
     """Sentences about values that can hardly be meant.
 
     unit: The design's unit of length, which areas are in.
     panel: What panels are made of; None if they have no thickness of their own.
+    weight: Of all panels (N); 0 if it is not known.
     """
-    yield from _materials(structure, conversion(unit, "m") ** 2, unit, panel)
+    area = conversion(unit, "m") ** 2
+    yield from _materials(structure, area, unit, panel)
     yield from _parts(structure, unit, panel)
     for case in structure.cases:
-        yield from _loads(case, conversion(unit, "m") ** 2)
+        for name in LOADS:
+            asked = getattr(case, name)
+            if asked and (said := DOUBTS[name](asked, Scale(area, weight))):
+                yield f"load case {case.name}: {said}"
 
 
 def doubts_of_shell(model: Model) -> Iterator[str]:
-    """Sentences about values that hardly fit the size and weight of the shell."""
-    asked, unit, areal = model.structure, model.site.unit, model.site.areal_density
+    """Sentences about values that can hardly be meant, or hardly fit the shell."""
+    unit, areal = model.site.unit, model.site.areal_density
+    yield from doubts(model.structure, unit, model.design.panel, model.mass * GRAVITY)
     if areal and not AREAL[0] <= areal <= AREAL[1]:
         yield f"panels weigh {plain(areal)} kg per square metre: paper weighs 0.1, steel of 1 mm 8"
     widths = _widths(model)
@@ -97,14 +95,6 @@ def doubts_of_shell(model: Model) -> Iterator[str]:
             f"{plain(float(np.rad2deg(slopes[panel])), 2)} degrees: water stands on them, more "
             "of it the further they sag, and that is not analysed"
         )
-    weight = model.mass * GRAVITY
-    for case in asked.cases:
-        largest = max((abs(each) for point in case.points for each in point.force), default=0.0)
-        if 0 < largest < FORCE * weight:
-            yield (
-                f"load case {case.name}: forces of {plain(largest)} N at most beside an own weight "
-                f"of {plain(weight, 3)} N: forces are in newtons, a person is 1000"
-            )
 
 
 def _slopes(model: Model) -> Array:
@@ -193,32 +183,4 @@ def _parts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator
         yield (
             f"tie_strength = {tie:g} is {plain(100 * tie / stiff, 3)} % of tie_stiffness = "
             f"{stiff:g}: ties would stretch by as much before they break"
-        )
-
-
-def _loads(case: LoadCase, area: float) -> Iterator[str]:
-    """Of a load case; forces per area are in newtons per square of the unit, ``area`` metres."""
-    here = f"N/m2; 1 kN/m2 is {plain(1e3 * area)} here"
-    if case.snow is not None and not SNOW[0] <= case.snow.ground / area <= SNOW[1]:
-        ground = case.snow.ground
-        yield (
-            f"load case {case.name}: snow of {ground:g} on the ground is {plain(ground / area)} "
-            f"{here}"
-        )
-    if case.pressure and not PRESSURE[0] <= abs(case.pressure) / area <= PRESSURE[1]:
-        yield (
-            f"load case {case.name}: a pressure of {case.pressure:g} is "
-            f"{plain(case.pressure / area)} {here}"
-        )
-    person = case.person
-    if person is not None and not PERSON[0] <= person.force <= PERSON[1]:
-        yield (
-            f"load case {case.name}: a person of {person.force:g} N: forces are in newtons, and a "
-            "code's person is 1000"
-        )
-    if case.wind is not None and not WIND[0] <= case.wind.speed <= WIND[1]:
-        speed = case.wind.speed
-        yield (
-            f"load case {case.name}: wind speed = {speed:g} is in metres per second: "
-            f"{plain(3.6 * speed, 3)} km/h"
         )

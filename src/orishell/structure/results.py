@@ -21,7 +21,7 @@ from orishell.structure.envelopes import Envelope, Governing, envelopes, few, re
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.model import Model
-from orishell.structure.plausibility import doubts, doubts_of_shell
+from orishell.structure.plausibility import doubts_of_shell
 from orishell.structure.stiffness import creases_in_words
 from orishell.structure.utilisation import GOVERNING
 from orishell.structure.verdict import CARRIES, misleads
@@ -219,7 +219,6 @@ class Analysis:
             if self.model.mesh.offsets is None:  # of whole boards they are not
                 text += ": large displacements are followed with nonlinear = true in [structure]"
             yield text
-        yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
         yield from doubts_of_shell(self.model)
         said: dict[str, dict[str, None]] = {}
         for case in self.cases:

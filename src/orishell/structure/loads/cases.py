@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.structure.load_settings import LOADS, LoadCase
@@ -17,7 +18,7 @@ from orishell.structure.loads.exposure import Exposure, Vector, vector
 if TYPE_CHECKING:
     LoadKind = str
 else:
-    LoadKind = Literal[LOADS]
+    LoadKind = Literal[tuple(LOADS)]
 
 
 @record
@@ -51,21 +52,48 @@ class Effect(NamedTuple):
     caution: str = ""
 
 
+class Scale(NamedTuple):
+    """What the numbers of a load are compared with, to doubt them."""
+
+    area: float  # square metres in a square of the design's unit
+    weight: float  # of all panels (N); 0 if it is not known
+
+    def per_area(self, size: float) -> str:
+        """A force per area, as others know it."""
+        return f"{plain(size / self.area)} N/m2; 1 kN/m2 is {plain(1e3 * self.area)} here"
+
+
+Doubt = Callable[[Any, Scale], str]
+"""Why the values of a load can hardly be meant, in words; empty if they can."""
 EFFECTS: dict[str, Callable[[Exposure, Any], Effect]] = {}
 """What a load does, by the key of a case that asks for it."""
 KINDS: dict[str, str] = {}
 """What loads are called, by the same keys."""
+DOUBTS: dict[str, Doubt] = {}
+"""What is said of values that can hardly be meant, by the same keys."""
 Effects = TypeVar("Effects", bound=Callable[..., Effect])
 
 
-def load(words: str) -> Callable[[Effects], Effects]:
-    """Register what the load of a function's name does, and what it is called."""
+def load(words: str, doubt: Doubt) -> Callable[[Effects], Effects]:
+    """Register what the load of a function's name does, what it is called, and what is doubted."""
 
     def register(effect: Effects) -> Effects:
-        EFFECTS[effect.__name__], KINDS[effect.__name__] = effect, words
+        name = effect.__name__
+        EFFECTS[name], KINDS[name], DOUBTS[name] = effect, words, doubt
         return effect
 
     return register
+
+
+def no_doubt(_: Any, __: Scale) -> str:
+    """What can be meant, whatever it is."""
+    return ""
+
+
+def require_effects(loads: Iterable[str]) -> None:
+    """Refuse loads of which nothing says what they do."""
+    if missing := [name for name in loads if name not in EFFECTS]:
+        raise TypeError(f"no module of structure/loads has @load for {', '.join(missing)}")
 
 
 def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:

@@ -13,15 +13,24 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.load_settings import Person, Side, WorstPlace
-from orishell.structure.loads.cases import Effect, load
+from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import UP, Exposure
 from orishell.structure.mesh.sheet import triangle_corners
 
 if TYPE_CHECKING:
     from orishell.motion.grid import Panel
 
+FORCES = (200.0, 1e4)
+"""A child; ten of Q_k of EN 1991-1-1, 6.3.4 (N)."""
 
-@load("a person")
+
+def _doubt(asked: Person, _: Scale) -> str:
+    if FORCES[0] <= asked.force <= FORCES[1]:
+        return ""
+    return f"a person of {asked.force:g} N: forces are in newtons, and a code's person is 1000"
+
+
+@load("a person", _doubt)
 def person(exposure: Exposure, asked: Person) -> Effect:
     """Down at the place that it has, or that was found for it.
 

@@ -7,12 +7,26 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import plain
 from orishell.structure.load_settings import PointLoad
-from orishell.structure.loads.cases import Effect, load
+from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import Exposure
 
+LEAST = 1e-2
+"""Forces below this share of the own weight of panels do nothing beside it."""
 
-@load("forces at points")
+
+def _doubt(asked: Sequence[PointLoad], scale: Scale) -> str:
+    largest = max(abs(each) for point in asked for each in point.force)
+    if not 0 < largest < LEAST * scale.weight:
+        return ""
+    return (
+        f"forces of {plain(largest)} N at most beside an own weight of {plain(scale.weight, 3)} N: "
+        "forces are in newtons, a person is 1000"
+    )
+
+
+@load("forces at points", _doubt)
 def points(exposure: Exposure, asked: Sequence[PointLoad]) -> Effect:
     """At single vertices.
 

@@ -14,7 +14,7 @@ from orishell.conventions.quantities import plain
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
 from orishell.structure.load_settings import Snow
-from orishell.structure.loads.cases import Effect, load
+from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import UP, Exposure
 
 LYING = 0.8
@@ -28,8 +28,18 @@ SLIDES = (
     "EN 1991-1-3"
 )
 
+GROUND = (50.0, 30e3)
+"""Half the least of the maps of EN 1991-1-3, 100 N/m2; three times what lies at 1500 m in the Alps
+(N/m2)."""
 
-@load("snow")
+
+def _doubt(asked: Snow, scale: Scale) -> str:
+    if GROUND[0] <= asked.ground / scale.area <= GROUND[1]:
+        return ""
+    return f"snow of {asked.ground:g} on the ground is {scale.per_area(asked.ground)}"
+
+
+@load("snow", _doubt)
 def snow(exposure: Exposure, asked: Snow) -> Effect:
     """Down on the plan of panels.
 

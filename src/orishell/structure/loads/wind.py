@@ -16,7 +16,7 @@ from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import conversion, plain
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.load_settings import Terrain, Wind, Zone
-from orishell.structure.loads.cases import Effect, load
+from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import Exposure
 
 TERRAINS: dict[Terrain, tuple[float, float]] = {
@@ -53,8 +53,18 @@ BEYOND = (0.05, 0.5)
 ALONG = np.sqrt(0.5)
 """Zones of vaults are for wind across them, up to 45 degrees; the cosine of that."""
 
+SPEEDS = (5.0, 75.0)
+"""A gentle breeze; more than any code's basic wind speed (m/s)."""
 
-@load("wind")
+
+def _doubt(asked: Wind, _: Scale) -> str:
+    if SPEEDS[0] <= asked.speed <= SPEEDS[1]:
+        return ""
+    hourly = plain(3.6 * asked.speed, 3)
+    return f"wind speed = {asked.speed:g} is in metres per second: {hourly} km/h"
+
+
+@load("wind", _doubt)
 def wind(exposure: Exposure, asked: Wind) -> Effect:
     """Square on panels, and along them.
 
