@@ -21,6 +21,7 @@ from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
+from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Structure, Support
@@ -137,6 +138,13 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
+            in_patches=PanelStresses(
+                np.zeros(triangles, np.int64),
+                np.zeros(1, np.int64),
+                np.zeros((1, 3)),
+                np.zeros((1, 3)),
+                np.zeros((1, 2)),
+            ),
             buckling_factors=(2.5,),
             buckling_modes=displacements[None],
             buckling_at_points=(0.1,),

@@ -752,7 +752,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1036,6 +1036,8 @@ export interface Model {
   thickness: number;
   /** What panels are made of, by its name in materials.toml: what is not given is taken from there. */
   material: string | null;
+  /** Which way the grain of the faces runs, of a material that has one: along row creases or along column creases; None if nobody knows, and both ways bear what the weaker does. */
+  grain: "along rows" | "along columns" | null;
   /** Young's modulus of panels or boards, of their section as a whole; None if it is that of the material (force per area). */
   modulus: number;
   /** Poisson's ratio of panels. */
@@ -1771,6 +1773,10 @@ export interface TurnTrial {
 export interface Utilisation {
   /** Of their strength; None where that is not known. */
   panels: number | null;
+  /** Of boards with a grain, shear in the plane, which is in the first, too, and rolling of plies. */
+  panel_shear: number | null;
+  /** Of boards with a grain, shear in the plane, which is in the first, too, and rolling of plies. */
+  rolling_shear: number | null;
   /** None, too, where panels have none. */
   membrane: number | null;
   /** Of the moments that they bear. */
@@ -1784,7 +1790,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

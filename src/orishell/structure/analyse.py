@@ -240,6 +240,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
         crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
+        in_patches=stresses,
         buckling_factors=tuple(factors.tolist()),
         buckling_modes=_units(structure, shapes),
         buckling_at_points=tuple(share_at_points(model, structure, shapes).tolist()),

@@ -181,11 +181,17 @@ def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
     build, boards = model.design.panel, model.boards
     if build is None or boards is None or not build.membrane:
         return None
-    flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices()][..., :2]
-    alone = one_board(boards, flat)
+    alone = one_board(boards, model.flat)
     stress = np.where(alone[..., None], board_stress(found.per_length, build), -1.0)
     largest = on_creases(stress[..., None], model.grid).max(axis=(1, 2, 3))
     return largest_at(model, largest) if largest.max() >= 0 else None
+
+
+def beside_one_board(model: Model) -> Array:
+    """1 beside creases (C, 2, 1) where one of two boards is left alone, else 0."""
+    assert model.boards is not None
+    alone = one_board(model.boards, model.flat).astype(np.float64)
+    return on_creases(alone[..., None, None], model.grid)[..., 0]
 
 
 def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
@@ -201,8 +207,7 @@ def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
     if build is None:
         stress = solid_stress(values, model.thickness)
     elif build.construction == "bevel" and boards is not None:
-        flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices()][..., :2]
-        thin = chamfered(boards, flat).astype(np.float64)
+        thin = chamfered(boards, model.flat).astype(np.float64)
         alone = on_creases(thin[..., None, None], model.grid)[..., 0] > 0
         half, whole = board_stress(values, build), solid_stress(values, build.thickness)
         stress = np.where(alone, half, whole)

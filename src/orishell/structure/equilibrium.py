@@ -25,11 +25,13 @@ from orishell.structure.crease_forces import (
 )
 from orishell.structure.crease_lines import hinge_line, most_used_line, unknown_line
 from orishell.structure.feet import Foot
+from orishell.structure.grain_shares import GrainShares, grain_shares
 from orishell.structure.largest import CreaseMoment, Displacement, PairForce, Reaction, Stress
 from orishell.structure.load_path import LoadPath, Unfollowed
 from orishell.structure.loads import Vector, vector
 from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
+from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
 
@@ -71,6 +73,7 @@ class Equilibrium:
     stresses: Array
     # the larger and the smaller principal stress (T, 2) of both faces, likewise (force per area)
     principal: Array
+    in_patches: PanelStresses  # stresses of panels by patches
     # the lowest factors by which all loads grow until the shell buckles, by linear theory; none if
     # it does not
     buckling_factors: tuple[float, ...]
@@ -207,6 +210,11 @@ class Equilibrium:
         """The largest structural stress of solid panels at creases; None if they are not solid."""
         return beside_creases(self.model, self.edges)
 
+    @cached_property
+    def by_grain(self) -> GrainShares | None:
+        """Shares of what boards with a grain bear; None where they have none."""
+        return grain_shares(self.model, self.in_patches, self.edges, self.duration)
+
     @property
     def in_panels(self) -> tuple[float, AtCrease | None]:
         """The largest stress that panels bear, and the crease where it is, if it is at one.
@@ -220,13 +228,21 @@ class Equilibrium:
             return self.stress.size, None
         return most.size, most
 
+    @property
+    def worst_crease(self) -> AtCrease | None:
+        """The crease where panels are nearest to the end of what they bear, if it is at one."""
+        return self.in_panels[1] if self.by_grain is None else self.by_grain.crease
+
     @cached_property
     def utilisation(self) -> Utilisation:
         """Of panels, membrane, creases and ties."""
         asked, film, line = self.model.structure, self.membrane, self.used_line
+        grain = self.by_grain
         creases = 0.0 if self.crease is None else self.crease.moment
         return Utilisation(
-            panels=share_of(self.in_panels[0], self.strength),
+            panels=share_of(self.in_panels[0], self.strength) if grain is None else grain.panels,
+            panel_shear=None if grain is None else grain.panel_shear,
+            rolling_shear=None if grain is None else grain.rolling_shear,
             membrane=None if film is None else share_of(film.size, asked.membrane_strength),
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,

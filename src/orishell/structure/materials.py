@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cache
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from orishell.conventions.record import record
+from orishell.structure.grain import GrainStrength
 
 FILE = Path(__file__).with_suffix(".toml")
 
@@ -37,12 +38,17 @@ class Material:
     # wood-based board
     k_mod: Mapping[str, Sequence[float]] = field(default_factory=dict)
     k_def: Mapping[str, float] = field(default_factory=dict)
+    grain: GrainStrength | None = None  # what it bears by its grain, characteristic values (N/m2)
 
     def bears(self, duration: Duration, service: ServiceClass) -> float:
-        """Design value of its strength under loads of a duration (N/m2): EN 1995-1-1, 2.14."""
+        """Design value of its strength under loads of a duration (N/m2)."""
+        return self.strength * self.design_share(duration, service)
+
+    def design_share(self, duration: Duration, service: ServiceClass) -> float:
+        """Design values of strength, as a share of characteristic ones: EN 1995-1-1, 2.14."""
         factors = self.k_mod.get(str(service))
         k_mod = 1.0 if factors is None else factors[DURATIONS.index(duration)]
-        return k_mod * self.strength / self.partial_factor
+        return k_mod / self.partial_factor
 
     def creeps(self, service: ServiceClass) -> float:
         """By how many times their first displacement lasting loads displace it further: k_def."""
@@ -53,4 +59,8 @@ class Material:
 def materials() -> dict[str, Material]:
     """All materials by their names."""
     found = tomllib.loads(FILE.read_text(encoding="utf-8"))
-    return {name: Material(**values) for name, values in found.items()}
+    return {name: _material(**values) for name, values in found.items()}
+
+
+def _material(*, grain: Mapping[str, Any] | None = None, **values: Any) -> Material:
+    return Material(grain=None if grain is None else GrainStrength(**grain), **values)

@@ -42,9 +42,9 @@ class Model:
 
     REPORTED = (
         "nodes", "triangles", "freedoms", "cells", "change", "stopped", "mass", "height",
-        "thickness", "structure.material", "structure.modulus", "structure.poisson",
-        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
-        "crease_stiffness", "tie_stiffness",
+        "thickness", "structure.material", "structure.grain", "structure.modulus",
+        "structure.poisson", "structure.membrane_modulus", "membrane_stiffness",
+        "bending_stiffness", "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
         "structure.arm_strength", "displacement_limit", "structure.imperfection",
@@ -199,9 +199,13 @@ class Model:
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
-        flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
         middles = centres(self.positions, self.cells)
-        return panel_sections(self.structure, self.design.panel, self.boards, flat, middles)
+        return panel_sections(self.structure, self.design.panel, self.boards, self.flat, middles)
+
+    @cached_property
+    def flat(self) -> Array:
+        """Corners (F, 4, 2) of panels in the flat sheet, counter-clockwise."""
+        return self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
 
     @property
     def boards(self) -> Boards | None:

@@ -80,6 +80,7 @@ def deformed(
         crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
+        in_patches=stresses,
         buckling_factors=factors,
         buckling_modes=np.zeros((0, *places.shape)),
         buckling_at_points=len(factors) * (0.0,),

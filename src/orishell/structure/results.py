@@ -75,6 +75,8 @@ FOLDED = (
     "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
     "without one, as [panel] gives them none"
 )
+ONE_WAY = "boards that are stiffer or stronger in one direction than in the other"
+STIFFER = "boards that are stiffer along their grain than across it: only their strengths know it"
 ECCENTRIC = (
     "how far the middle of what chamfers leave of a board is off its hinge plane: boards bend "
     "about their own middle everywhere, the least that they do"
@@ -87,7 +89,6 @@ IMPERFECT_BUT_SOFT = (
 IMPERFECT_FIT = "imperfections of fit, and of shape in other ways than it first buckles"
 NOT_COVERED = (
     "buckling of single webs and faces of boards between their webs",
-    "boards that are stiffer or stronger in one direction than in the other",
     "holes, and what tears at the corners of panels",
     "wind and snow on flaps: only their weight counts",
 )
@@ -115,7 +116,8 @@ class Analysis:
         bare = FOLDED if self.model.design.panel is None else ""
         known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
-        return (first, *(each for each in (thinned, bare) if each), built, *NOT_COVERED)
+        grain = STIFFER if asked.has_grain else ONE_WAY
+        return (first, *(each for each in (thinned, bare) if each), built, grain, *NOT_COVERED)
 
     @property
     def code_asks(self) -> tuple[str, ...]:

@@ -23,6 +23,7 @@ from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table, misfit
 from orishell.structure.combinations import Expression, Factors, arranged, combine
+from orishell.structure.grain import Grain, GrainStrength
 from orishell.structure.hinge_lines import LineStrengths
 from orishell.structure.load_settings import (
     LOADS,
@@ -155,6 +156,9 @@ class StructureTable(Table):
     # Young's modulus of panels or boards, of their section as a whole; None if it is that of the
     # material (force per area)
     modulus: Annotated[Positive | None, Field(validate_default=True)] = None
+    # which way the grain of the faces runs, of a material that has one: along row creases or along
+    # column creases; None if nobody knows, and both ways bear what the weaker does
+    grain: Grain | None = None
     supports: Annotated[Several[Support], Field(min_length=1)]  # what holds it
     poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3  # Poisson's ratio of panels
     # what panels bear, its design value; None if it is that of the material (force per area)
@@ -199,6 +203,16 @@ class StructureTable(Table):
     imperfection: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
 
     @model_validator(mode="after")
+    def _require_one_strength(self) -> Self:
+        if self.grain is not None and self.strength is not None:
+            raise misfit(
+                "no strength, or no grain: strength is taken alike in all directions",
+                self.strength,
+                "strength",
+            )
+        return self
+
+    @model_validator(mode="after")
     def _follow_imperfect(self) -> Self:
         if self.imperfection and not self.nonlinear:
             raise misfit(
@@ -215,6 +229,15 @@ class StructureTable(Table):
             names = ", ".join(f'"{name}"' for name in materials())
             raise PydanticCustomError("material", "one of {names}", {"names": names})
         return material
+
+    @field_validator("grain")
+    @classmethod
+    def _require_grain(cls, grain: Grain | None, info: ValidationInfo) -> Grain | None:
+        name = info.data.get("material")
+        if grain is not None and (name is None or materials()[name].grain is None):
+            with_grain = ", ".join(f'"{key}"' for key, made in materials().items() if made.grain)
+            raise misfit(f"no grain, or a material that has one: {with_grain}", grain)
+        return grain
 
     @field_validator("modulus")
     @classmethod
@@ -236,6 +259,25 @@ class StructureTable(Table):
             return self.strength
         made = materials()[self.material]
         return made.bears(duration, self.service_class) * conversion(unit, "m") ** 2
+
+    @property
+    def has_grain(self) -> bool:
+        """Whether its boards bear what they do by their grain."""
+        named = self.material is not None and materials()[self.material].grain is not None
+        return named and self.strength is None
+
+    def grain_strength(self, duration: Duration, unit: str) -> GrainStrength | None:
+        """What boards bear by their grain under loads of a duration; None if that is not known.
+
+        What is given as strength is taken as it is, whichever way the grain runs.
+        """
+        if self.material is None or not self.has_grain:
+            return None
+        made = materials()[self.material]
+        assert made.grain is not None
+        bears = made.grain.weaker() if self.grain is None else made.grain
+        share = made.design_share(duration, self.service_class)
+        return bears.times(share * conversion(unit, "m") ** 2)
 
     def _of_material(self, unit: str) -> Self:
         """With the values of its material where they are not given, per square of a unit."""

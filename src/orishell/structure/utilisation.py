@@ -7,10 +7,22 @@ from typing import Literal
 
 from orishell.conventions.record import record
 
-Limiting = Literal["panels", "membrane", "creases", "lines", "arms", "ties", "buckling"]
+Limiting = Literal[
+    "panels",
+    "panel_shear",
+    "rolling_shear",
+    "membrane",
+    "creases",
+    "lines",
+    "arms",
+    "ties",
+    "buckling",
+]
 """What may be at the end of what it bears."""
 GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
+    "panel_shear": "shear of panels in their plane",
+    "rolling_shear": "rolling shear in panels",
     "membrane": "the stress in the membrane between boards",
     "creases": "the moment of creases",
     "lines": "the force along a crease line",
@@ -19,8 +31,14 @@ GOVERNING: Mapping[Limiting, str] = {
     "buckling": "buckling",
 }
 """What governs, in the words of terminal, page and studio."""
-NAMED: Mapping[Limiting, str] = {"lines": "crease lines"}
+NAMED: Mapping[Limiting, str] = {
+    "lines": "crease lines",
+    "panel_shear": "panels against shear in their plane",
+    "rolling_shear": "panels against rolling shear",
+}
 """What bears, where its name is not the word for it."""
+NOT_EVERYWHERE: frozenset[Limiting] = frozenset({"panel_shear", "rolling_shear", "buckling"})
+"""What is not known only where there is nothing of the kind."""
 LEAST_LINE = 100.0
 """Less is taken as borne by any crease line (N/m): a masking tape of paper is peeled off steel by
 330 and torn by 4370 (3M 226, product data sheet of March 1996, by ASTM D-3330 and D-3759)."""
@@ -30,10 +48,13 @@ LEAST_LINE = 100.0
 class Utilisation:
     """Shares of what is borne, by what can be borne."""
 
-    REPORTED = ("panels", "membrane", "creases", "lines", "arms", "ties", "buckling", "governs")
+    REPORTED = (*GOVERNING, "governs")
 
     # of their strength; None where that is not known
     panels: float | None
+    # of boards with a grain, shear in the plane, which is in the first, too, and rolling of plies
+    panel_shear: float | None
+    rolling_shear: float | None
     membrane: float | None  # None, too, where panels have none
     creases: float | None  # of the moments that they bear
     lines: float | None  # of the forces that creases bear as crease lines

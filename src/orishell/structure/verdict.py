@@ -116,7 +116,7 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     for name, part in used.shares.items():
         if name != "buckling" and part is not None and part > 1:
             of = f"strength of its {NAMED.get(name, name)}"
-            place = {"lines": found.used_line, "panels": found.in_panels[1]}.get(name)
+            place = {"lines": found.used_line, "panels": found.worst_crease}.get(name)
             at = "" if place is None else f" at the crease between {_beside(place)}"
             text = f"uses {plain(100 * part, 3)} % of the {of}{at}"
             yield Finding("fails", "exceeds strength", text, part)

@@ -8,7 +8,8 @@ in its plane and D in bending, both times 1 - nu^2 over E, stresses at the faces
 
     n/A -+ m z/D,
 
-z the distance of the outermost fibres: n/t -+ 6 m/t^2 in a solid panel of thickness t.
+z the distance of the outermost fibres: n/t -+ 6 m/t^2 in a solid panel of thickness t. Shear across
+the plane follows from how moments change along it, and is averaged likewise.
 """
 
 from __future__ import annotations
@@ -17,11 +18,18 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.mesh.plane import tensors_along, vectors_along
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh
-from orishell.structure.mesh.triangle import IN_PLANE, OUT_OF_PLANE, Facets, curvatures, strains
+from orishell.structure.mesh.triangle import (
+    CORNERS,
+    IN_PLANE,
+    OUT_OF_PLANE,
+    Facets,
+    curvatures,
+    strains,
+)
 
-MIDDLE = 1 / 3, 1 / 3
 PATCHES = 4
 """Patches along each side of a panel."""
 
@@ -32,6 +40,7 @@ class FacetForces:
 
     forces: Array  # membrane forces xx, yy, xy (T, 3) (force per length)
     moments: Array  # moments xx, yy, xy (T, 3), by how they stretch the upper face (force)
+    at_corners: Array  # these moments at all corners (T, 3, 3), as they change linearly (force)
 
 
 @record
@@ -39,7 +48,19 @@ class PanelStresses:
     """Stresses of panels by patches, in the panels' axes."""
 
     patches: Integers  # the patch (T,) of every triangle, as places in the rows of the others
-    faces: Array  # stresses xx, yy, xy (P, 2, 3) at the lower and the upper face (force per area)
+    panels: Integers  # the panel (P,) of every patch
+    # stresses xx, yy, xy (P, 3) that both faces have, and what bending adds at the upper one and
+    # takes off at the lower one (force per area)
+    direct: Array
+    bent: Array
+    # shear across the plane on sections square to x and y (P, 2), over the thickness there (force
+    # per area)
+    across: Array
+
+    @property
+    def faces(self) -> Array:
+        """Stresses xx, yy, xy (P, 2, 3) at the lower and the upper face (force per area)."""
+        return np.stack([self.direct - self.bent, self.direct + self.bent], axis=1)
 
     def von_mises(self) -> Array:
         """Von Mises' stress (T, 2) at both faces, that of its patch for every triangle."""
@@ -62,16 +83,23 @@ def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetForce
     flat = facets.flat()
     local = np.einsum("tij,tkj->tki", facets.axes(), moved.reshape(-1, 6, 3)).reshape(-1, 3, 6)
     stretch = np.einsum("tij,tj->ti", strains(flat), local[..., IN_PLANE].reshape(-1, 9))
-    # Curvatures are linear, so their mean is that in the middle.
-    bend = np.einsum(
-        "tij,tj->ti", curvatures(flat, MIDDLE), local[..., OUT_OF_PLANE].reshape(-1, 9)
+    bend = np.stack(
+        [
+            np.einsum(
+                "tij,tj->ti", curvatures(flat, place), local[..., OUT_OF_PLANE].reshape(-1, 9)
+            )
+            for place in CORNERS
+        ],
+        axis=1,
     )
     plane = section.matrix(1.0)
     membrane, bending = (
         np.broadcast_to(np.asarray(each, np.float64), len(flat))[:, None]
         for each in (section.membrane, section.bending)
     )
-    return FacetForces(membrane * (stretch @ plane), bending * (bend @ plane))
+    at_corners = bending[..., None] * (bend @ plane)
+    # They are linear, so their mean is that in the middle.
+    return FacetForces(membrane * (stretch @ plane), at_corners.mean(axis=1), at_corners)
 
 
 def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> PanelStresses:
@@ -79,10 +107,12 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
     count, cells = len(mesh.nodes), mesh.nodes.shape[1] - 1
     areas = mesh.facets.areas()
     down, right = (_overlaps(_places(mesh, side)) for side in (np.s_[:, :, 0], np.s_[:, 0]))
+    turns = _turns(mesh)
     amounts = np.concatenate(
         [
-            _turned(mesh, found.forces),
-            _turned(mesh, found.moments),
+            tensors_along(found.forces, *turns),
+            tensors_along(found.moments, *turns),
+            _shears(mesh, found.at_corners),
             *(
                 np.broadcast_to(np.asarray(each, np.float64), len(areas))[:, None]
                 for each in (section.membrane, section.bending, section.reach, 1.0)
@@ -97,15 +127,18 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
     sums[:, :: PATCHES - 1, :: PATCHES - 1] = quarters
     mean = (sums / sums[..., -1:]).reshape(count * PATCHES**2, -1)
     plane = section.modulus / (1 - section.poisson**2)
-    direct = plane * mean[:, :3] / mean[:, 6:7]
-    bent = plane * mean[:, 3:6] * mean[:, 8:9] / mean[:, 7:8]
+    membrane, bending, reach = mean[:, 8:9], mean[:, 9:10], mean[:, 10:11]
     main = (
         np.arange(count)[:, None, None] * PATCHES**2
         + down.argmax(axis=1)[:, :, None] * PATCHES
         + right.argmax(axis=1)[:, None]
     )
     return PanelStresses(
-        np.repeat(main.ravel(), 2), np.stack([direct - bent, direct + bent], axis=1)
+        patches=np.repeat(main.ravel(), 2),
+        panels=np.repeat(np.arange(count), PATCHES**2),
+        direct=plane * mean[:, :3] / membrane,
+        bent=plane * mean[:, 3:6] * reach / bending,
+        across=0.5 * mean[:, 6:8] / reach,
     )
 
 
@@ -124,11 +157,35 @@ def _overlaps(places: Array) -> Array:
     return np.asarray(np.maximum(high - low, 0.0) / np.diff(places)[:, None])
 
 
-def _turned(mesh: SheetMesh, tensors: Array) -> Array:
-    """Tensors xx, yy, xy (T, 3) in the axes of triangles, in those of their panels' first one."""
+def _shears(mesh: SheetMesh, at_corners: Array) -> Array:
+    """Shear across the plane of triangles (T, 2), on sections square to x and y of their panels.
+
+    Where moments m are in balance, Q_x = m_xx,x + m_xy,y and Q_y = m_xy,x + m_yy,y. Within a
+    triangle slopes of m do not converge: at nodes m is averaged over the triangles of a panel.
+    """
+    cosines, sines = (each[:, None] for each in _turns(mesh))
+    moments = tensors_along(at_corners, cosines, sines)
+    areas = np.broadcast_to(mesh.facets.areas()[:, None], mesh.places.shape)
+    size = mesh.nodes.size
+    total = np.bincount(mesh.places.ravel(), areas.ravel(), size)
+    mean = np.stack(
+        [
+            np.bincount(mesh.places.ravel(), (areas * each).ravel(), size) / total
+            for each in np.moveaxis(moments, -1, 0)
+        ],
+        axis=1,
+    )[mesh.places]
+    # Slopes, in axes of triangles, of what is linear between their corners.
+    flat = mesh.facets.flat()
+    change = np.linalg.solve(flat[:, 1:], mean[:, 1:] - mean[:, :1]).swapaxes(1, 2)
+    along = vectors_along(np.asarray(change, np.float64), cosines, sines)
+    xx, yy, xy = np.moveaxis(along, 1, 0)
+    return np.stack([xx[:, 0] + xy[:, 1], xy[:, 0] + yy[:, 1]], axis=1)
+
+
+def _turns(mesh: SheetMesh) -> tuple[Array, Array]:
+    """Cosines and sines (T,) of the turn from triangles' axes to those of their panels' first."""
     axes = mesh.facets.axes()
     own = axes[:: len(axes) // len(mesh.nodes), 0][mesh.panels]
     c, s = (np.einsum("tx,tx->t", own, axes[:, k]) for k in (0, 1))
-    x, y, xy = tensors.T
-    turned = [c * c * x + s * s * y + 2 * s * c * xy, s * s * x + c * c * y - 2 * s * c * xy]
-    return np.stack([*turned, s * c * (y - x) + (c * c - s * s) * xy], axis=1)
+    return c, s

@@ -277,6 +277,10 @@ def curvatures(corners: Array, at: tuple[float, float]) -> Array:
     return np.stack(rows, axis=1) / (2 * _area(corners))[:, None, None]
 
 
+CORNERS = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
+"""Corners in the coordinates xi, eta."""
+
+
 def _area(corners: Array) -> Array:
     u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     return np.asarray(0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]))

@@ -10,7 +10,7 @@ from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.largest import CreaseMoment, PairForce
-from orishell.structure.utilisation import NAMED
+from orishell.structure.utilisation import NAMED, NOT_EVERYWHERE
 
 NEGLIGIBLE_COMPONENT = 1e-6
 """Components of a displacement below this share of it are none."""
@@ -88,7 +88,7 @@ def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
 
 def _shares(found: Equilibrium) -> str:
     """Shares of what is borne, and of what that is not known."""
-    there = {"membrane": found.membrane, "arms": found.arms, "buckling": None}
+    there = {"membrane": found.membrane, "arms": found.arms, **dict.fromkeys(NOT_EVERYWHERE)}
     words, unknown = [], []
     for part, share in found.utilisation.shares.items():
         name = NAMED.get(part, part)

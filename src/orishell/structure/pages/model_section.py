@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
 from orishell.structure.changes import STOPPED
+from orishell.structure.grain import BOTH_WAYS
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
 from orishell.structure.materials import DURATIONS
 from orishell.structure.model import Model
@@ -46,7 +47,11 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
     if asked.membrane_modulus:
         yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
-    yield "Strength of panels", _strength(model, said)
+    if asked.has_grain:
+        yield "Grain of panels", asked.grain or "not given: as weak either way as the weaker"
+        yield from _grain_strengths(model, said)
+    else:
+        yield "Strength of panels", _strength(model, said)
     if model.design.panel is not None and model.design.panel.membrane:
         yield "Strength of the membrane", _known(asked.membrane_strength, said.stress)
     yield (
@@ -145,6 +150,24 @@ def _strength(model: Model, said: Quantities) -> str:
         return _known(values["permanent"], said.stress)
     words = (f"{_known(value, said.stress)} {name}" for name, value in values.items())
     return f"by duration of loads, service class {asked.service_class}: {', '.join(words)}"
+
+
+def _grain_strengths(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
+    """What boards bear by their grain, under loads that last; and how much more under others."""
+    asked = model.structure
+    bears = asked.grain_strength("permanent", model.site.unit)
+    assert bears is not None
+    for key in BOTH_WAYS:
+        along, across = map(said.stress, getattr(bears, key))
+        words = f"{along} along the grain, {across} across it"
+        yield f"Strength in {key.replace('_', ' ')}", words if along != across else along
+    yield "Strength in panel shear", said.stress(bears.panel_shear)
+    values = {each: asked.bears(each, model.site.unit) or 0.0 for each in DURATIONS}
+    shares = [f"{figure(each / values['permanent'])} {name}" for name, each in values.items()]
+    yield (
+        "These strengths are for permanent loads",
+        f"times, by duration, service class {asked.service_class}: {', '.join(shares)}",
+    )
 
 
 def _lines(strength: LineStrength | None, said: Quantities) -> str:
