@@ -125,7 +125,7 @@ def test_the_example_of_loads_works(directory: Path) -> None:
     lines = "\n".join(blocks).splitlines()
     commented = "\n".join(line.removeprefix("# ") for line in lines if "combine" not in line)
     tables = {**parse_toml(text), **parse_toml(commented), "workshop": {"areal_density": 5}}
-    for key in OF_PANELS:
+    for key in (*OF_PANELS, "grain"):
         del tables["structure"][key]
     file = check_design(tables, directory / "shell.toml")
     shell = make_shell(file, clash="unexamined", skip=MEASURES)
