@@ -48,6 +48,8 @@ export interface Anchor {
   friction: number;
   /** Coefficient of friction under the ballast: that of the ground there, or else one that is assumed. */
   assumed: boolean;
+  /** The ballast that holds it; 0 where none is given (kg). */
+  given: number;
 }
 
 /** The surface that ever finer shells approach, where it is not f swept along g. */
@@ -97,6 +99,26 @@ export interface AtCrease {
   size: number;
   /** The two panels beside the crease. */
   panels: [[number, number], [number, number]];
+}
+
+/** The foot that uses most of what ballast holds. */
+export interface BallastedFoot {
+  /** The vertex. */
+  at: [number, number];
+  /** How it would give way first. */
+  kind: "lifts off" | "slips";
+  /** By which it is pulled up, or pushed aside (N). */
+  force: number;
+  /** What holds against that (N). */
+  holds: number;
+  /** The share of that which is used; infinite if nothing holds. */
+  used: number;
+  /** The ballast there (kg). */
+  mass: number;
+  /** The ballast with which it would be held (kg). */
+  needed: number;
+  /** Gamma, in these. */
+  factor: number;
 }
 
 /** Number of boards by the face that they lie on. */
@@ -160,6 +182,8 @@ export interface CaseResult {
   loads: Load[];
   /** Sum of all loads. */
   load: [number, number, number];
+  /** The foot that uses most of what its ballast holds, where equilibrium is judged. */
+  ballast: BallastedFoot | null;
   /** What holds it; None if it moves. */
   equilibrium: Equilibrium | null;
 }
@@ -452,7 +476,7 @@ export interface Envelope {
   case: string;
   /** The case that governs, and the stiffness of its creases. */
   creases: number | "free" | "rigid";
-  /** What is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction"; null if the shell moves, or nothing is known of it. */
+  /** What is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction" or "ballast"; null if the shell moves, or nothing is known of it. */
   part: string | null;
   /** Its share of what can be borne, of the shell's height, or of the friction that there is. */
   share: number | null;
@@ -1662,12 +1686,14 @@ export interface Support {
   at: "feet" | "ends" | [number, number][];
   /** How they are held. */
   kind: "pinned" | "fixed" | "sliding" | "friction";
-  /** Coefficient of friction of the ground. */
+  /** Coefficient of friction of the ground, under ballast where that holds them. */
   friction: number;
   /** Whether edges of panels are held, too, whose ends are both among these vertices. */
   edges: boolean;
   /** Radius of what is held around each vertex, as a base plate does; 0 for points (length). */
   patch: number;
+  /** Mass of the ballast that holds each of these vertices down; 0 where it is held otherwise (kg). */
+  ballast: number;
 }
 
 /** The ground that a shell needs on its way to the target: it is proved to stay inside. */

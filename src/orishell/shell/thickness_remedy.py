@@ -53,6 +53,8 @@ def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> R
         )
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
         return None  # thickness holds nothing, and the case says what does
+    if all(case.lifts_only for case in analysis.cases if case.sign == "fails"):
+        return None  # the case says which ballast would hold
     trials = _Trials(file, analysis, progress)
     for changes in trials.proposed():
         if trials.work > WORK:

@@ -5,6 +5,8 @@ and pushed aside by no more than friction on what presses then: with the vertica
 shell (upwards) and H aside,
 
     W + R >= 0,        H <= mu (W + R).
+
+In EQU it counts with the factor of what is favourable there.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from orishell.conventions.record import record
 from orishell.deployment.report import DeploymentReport
 from orishell.motion.grid import Vertex
 from orishell.numerics.equals import SOLVED, first_largest, largest_of
+from orishell.structure.ballast import favourable, needed_weight
 from orishell.structure.case import CaseResult
 from orishell.structure.model import Model
 from orishell.structure.negligible import NEGLIGIBLE_FORCE
@@ -42,7 +45,9 @@ class Worst:
 class Anchor:
     """What a supported vertex asks of the ground, of all cases in equilibrium."""
 
-    REPORTED = ("at", "push", "pull", "sideways", "ballast", "ballast_mass", "friction", "assumed")
+    REPORTED = (
+        "at", "push", "pull", "sideways", "ballast", "ballast_mass", "friction", "assumed", "given",
+    )  # fmt: skip
 
     at: Vertex  # the vertex
     push: Worst  # down on the ground
@@ -53,6 +58,7 @@ class Anchor:
     # assumed
     friction: float
     assumed: bool
+    given: float = 0.0  # the ballast that holds it; 0 where none is given (kg)
 
     @property
     def ballast_mass(self) -> float:
@@ -74,17 +80,23 @@ def find_anchors(model: Model, balanced: Sequence[tuple[str, CaseResult]]) -> tu
     least = NEGLIGIBLE_FORCE * loads[:, None]
     up, aside = forces[..., 2], np.linalg.norm(forces[..., :2], axis=-1)
     up, aside = (np.where(np.abs(each) > least, each, 0.0) for each in (up, aside))
-    ground = model.grounded
+    ground, supports = model.grounded, model.supports
+    rubs, given = (
+        dict(zip(model.supported, each.tolist(), strict=True))
+        for each in (supports.rubs, supports.ballast)
+    )
+    factors = [favourable(model.structure, case.limit_state) for _, case in balanced]
     found = []
     for number, at in enumerate(model.supported):
-        own = ground.get(at, 0.0)
+        own = ground.get(at, 0.0) or rubs[at]
         friction = own or ASSUMED
         rises, slides = up[:, number], aside[:, number]
-        ballast = np.maximum(np.maximum(-rises, slides / friction - rises), 0.0)
+        rough = np.full(len(rises), friction)
+        ballast = needed_weight(rises, slides, rough, np.array(factors))
         ballast = np.where(ballast > least[:, 0], ballast, 0.0)
         kinds = (np.maximum(rises, 0.0), np.maximum(-rises, 0.0), slides, ballast)
         push, pull, sideways, weight = (_worst(each, names) for each in kinds)
-        found.append(Anchor(at, push, pull, sideways, weight, friction, not own))
+        found.append(Anchor(at, push, pull, sideways, weight, friction, not own, given[at]))
     return tuple(found)
 
 
@@ -156,6 +168,7 @@ def ground_warnings(
             f"({_several(map(_vertex, lifted))}), under {_several(cases)}: others bear their share"
         )
     restrained = set(model.supported) - set(model.grounded)
+    restrained -= {each.at for each in anchors if each.given}  # of those it is judged
     pulled = [each for each in anchors if each.pull.force and each.at in restrained]
     if pulled:
         most = largest_of(pulled, lambda each: each.pull.force, SOLVED)

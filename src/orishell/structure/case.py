@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 from math import inf
 
 from orishell.conventions.record import record
 from orishell.conventions.row import Sign, worst
 from orishell.numerics.arrays import Array
+from orishell.structure.ballast import BallastedFoot, against_ballast, worst_ballast
 from orishell.structure.combinations import STRENGTH, LimitState
 from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
@@ -30,7 +32,8 @@ class CaseResult:
     """A load case with one stiffness of creases."""
 
     REPORTED = (
-        "name", "limit_state", "creases", "carries", "findings", "loads", "load", "equilibrium",
+        "name", "limit_state", "creases", "carries", "findings", "loads", "load", "ballast",
+        "equilibrium",
     )  # fmt: skip
 
     name: str  # the case
@@ -65,7 +68,21 @@ class CaseResult:
             return ranked(against_motion(self.motion))
         assert self.equilibrium is not None
         strength, limited = self.limit_state in STRENGTH, self.limit_state in {None, "SLS"}
-        return ranked(against_equilibrium(self.equilibrium, strength=strength, limited=limited))
+        within = against_equilibrium(self.equilibrium, strength=strength, limited=limited)
+        return ranked(chain(within, against_ballast(self.ballast)))
+
+    @cached_property
+    def ballast(self) -> BallastedFoot | None:
+        """The foot that uses most of what its ballast holds, where equilibrium is judged."""
+        found = self.equilibrium
+        return None if found is None else worst_ballast(found, self.forces, self.limit_state)
+
+    @property
+    def lifts_only(self) -> bool:
+        """Whether all that fails is that ballast does not hold its feet."""
+        failing = [each for each in self.findings if each.sign == "fails"]
+        lifts = {each.text for each in against_ballast(self.ballast)}
+        return bool(failing) and all(each.text in lifts for each in failing)
 
     @property
     def sign(self) -> Sign:

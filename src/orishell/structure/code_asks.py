@@ -43,6 +43,15 @@ ASKS: tuple[tuple[Left, str], ...] = (
         '(EN 1990, 6.4, 6.5): combinations = "EN 1990" makes them',
     ),
     (
+        lambda asked: any(each.kind != "friction" and not each.ballast for each in asked.supports),
+        "whether supports hold (EN 1990, 6.4.2): what they have to is found, and no ballast is "
+        "given for all of them",
+    ),
+    (
+        lambda asked: any(each.ballast and not each.friction for each in asked.supports),
+        "whether feet under ballast slip: no friction is given for all of them",
+    ),
+    (
         lambda asked: asked.strength is not None,
         "partial factors of panels, and how long loads last: the strength that is given is taken "
         "as the design value",

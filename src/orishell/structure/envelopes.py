@@ -31,7 +31,8 @@ class Envelope:
     """What governs one limit state.
 
     That is a case under which the shell moves. If there is none, it is for ULS the largest share of
-    what can be borne, for EQU of friction, for SLS the largest displacement.
+    what can be borne, for EQU of friction or of what ballast holds, for SLS the largest
+    displacement.
     """
 
     limit_state: LimitState  # which
@@ -40,8 +41,8 @@ class Envelope:
     # the case that governs, and the stiffness of its creases
     case: str
     creases: Stiffness
-    # what is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction";
-    # null if the shell moves, or nothing is known of it
+    # what is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction"
+    # or "ballast"; null if the shell moves, or nothing is known of it
     part: str | None
     # its share of what can be borne, of the shell's height, or of the friction that there is
     share: float | None
@@ -68,7 +69,13 @@ def _largest(case: CaseResult) -> tuple[str | None, float | None]:
     if case.limit_state == "SLS":
         return "displacement", found.displacement.share
     if case.limit_state == "EQU":
-        return (None, None) if found.friction is None else ("friction", found.friction)
+        shares = {
+            "friction": found.friction,
+            "ballast": None if case.ballast is None else case.ballast.used,
+        }
+        known = [(share, part) for part, share in shares.items() if share is not None]
+        share, part = max(known, default=(None, None))
+        return part, share
     used = found.utilisation
     return (None, None) if used.governs is None else (used.governs, used.shares[used.governs])
 

@@ -105,17 +105,19 @@ else:
 class Support(Table):
     """What holds some vertices."""
 
-    REPORTED: ClassVar = ("at", "kind", "friction", "edges", "patch")
+    REPORTED: ClassVar = ("at", "kind", "friction", "edges", "patch", "ballast")
 
     # the rows that are feet, the first and last columns, or vertices
     at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
     kind: SupportKind  # how they are held
-    # coefficient of friction of the ground
+    # coefficient of friction of the ground, under ballast where that holds them
     friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
     # whether edges of panels are held, too, whose ends are both among these vertices
     edges: bool = False
     # radius of what is held around each vertex, as a base plate does; 0 for points (length)
     patch: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # mass of the ballast that holds each of these vertices down; 0 where it is held otherwise (kg)
+    ballast: Annotated[Number, Field(ge=0, le=1e12)] = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -130,16 +132,24 @@ class Support(Table):
                     "no {key} where kind = friction: on the ground feet stand on points",
                     {"key": key, "got": getattr(self, key)},
                 )
+        if self.kind == "friction" and self.ballast:
+            raise PydanticCustomError(
+                "ballast_on_ground",
+                "no ballast where kind = friction: with kind = pinned it is judged whether ballast "
+                "and friction hold",
+                {"key": "ballast", "got": self.ballast},
+            )
         if self.kind == "friction" and not self.friction:
             raise PydanticCustomError(
                 "no_friction",
                 "a value above 0; ground without friction holds like kind = sliding",
                 {"key": "friction", "got": self.friction},
             )
-        if self.kind != "friction" and self.friction:
+        rubs = self.kind == "friction" or (self.ballast and self.kind in {"pinned", "fixed"})
+        if self.friction and not rubs:
             raise PydanticCustomError(
                 "friction",
-                'no friction, or kind = "friction"',
+                'no friction, or kind = "friction", or "pinned" with ballast',
                 {"key": "friction", "got": self.friction},
             )
         return self

@@ -34,6 +34,8 @@ class Supports:
     points: Integers  # those that are held by themselves, without an edge or a patch
     lost: tuple[float, ...]  # patches in which no other node lies (length)
     share: float  # of the area of panels that is held in place as a whole
+    ballast: Array  # mass at supported vertices (S,) that holds them; 0 where there is none (kg)
+    rubs: Array  # coefficient of friction under it (S,); 0 where that is not known
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""
@@ -82,6 +84,7 @@ def find_supports(
     broad: list[Integers] = [np.zeros(0, np.int64)]
     lost: list[float] = []
     whole = np.zeros(len(mesh.facets.points), dtype=bool)
+    ballast, rubs = np.zeros((2, grid.vertex_count))
     apart = _Ways(asked, before, grid.columns)
     for number, support in enumerate(asked):
         where = f"[structure] supports[{number}] at"
@@ -96,6 +99,8 @@ def find_supports(
         if support.kind == "friction":
             ground.append(vertices)
             friction.append(np.full(len(vertices), support.friction))
+        elif support.ballast:
+            ballast[vertices], rubs[vertices] = support.ballast, support.friction
         nodes = _nodes(support, mesh, grid, vertices, f"[structure] supports[{number}]")
         apart.add(number, vertices, nodes)
         if len(RESTRAINED[support.kind]) >= len("xyz"):
@@ -117,15 +122,18 @@ def find_supports(
             expected="supports that leave most of the shell free",
             remedy="lengths are in the design's unit: a base plate has some 0.1 m",
         )
+    at = np.unique(np.concatenate([*points, *broad]))
     standing, first = np.unique(np.concatenate(ground), return_index=True)
     return Supports(
         restrained=np.unique(np.concatenate(restrained), axis=0),
         ground=standing,
         friction=np.concatenate(friction)[first],
-        at=np.unique(np.concatenate([*points, *broad])),
+        at=at,
         points=np.setdiff1d(np.concatenate(points), np.concatenate(broad)),
         lost=tuple(lost),
         share=float(areas[still].sum() / areas.sum()),
+        ballast=ballast[at],
+        rubs=rubs[at],
     )
 
 
@@ -145,9 +153,8 @@ class _Ways:
         own = self.asked[number]
         for other, others, reached in self.seen:
             same = self.asked[other]
-            if same.kind == own.kind and same.friction == own.friction:
-                continue
-            if {same.kind, own.kind} == {"pinned", "fixed"}:
+            holds = (same.friction, same.ballast) == (own.friction, own.ballast)
+            if holds and (same.kind == own.kind or {same.kind, own.kind} == {"pinned", "fixed"}):
                 continue
             both = np.intersect1d(vertices, others)
             if not len(both) and "friction" in {same.kind, own.kind}:
@@ -170,7 +177,8 @@ class _Ways:
 
 def _way(support: Support) -> str:
     friction = f" {support.friction:g}" if support.friction else ""
-    return f'"{support.kind}"{friction}'
+    ballast = f" with ballast of {support.ballast:g} kg" if support.ballast else ""
+    return f'"{support.kind}"{friction}{ballast}'
 
 
 def _nodes(

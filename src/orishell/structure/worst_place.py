@@ -181,7 +181,10 @@ class _Search:
         corners = own.reshape(-1, 3, 6).copy()
         corners[..., :3] += np.cross(corners[..., 3:], self.arms[triangles])
         facets = Facets(mesh.facets.points, mesh.facets.triangles[triangles])
-        part = SheetMesh(facets, mesh.seats[panels], mesh.places[triangles])
+        # Each panel by itself, also where it has several places.
+        size = mesh.nodes[0].size
+        apart = np.repeat((np.arange(count) - panels) * size, each)[:, None]
+        part = SheetMesh(facets, mesh.seats[panels], mesh.places[triangles] + apart)
         section = self.model.section.of(triangles)
         borne = facet_stresses(facets, section, corners.reshape(-1, 18))
         found = panel_stresses(part, section, borne).von_mises()

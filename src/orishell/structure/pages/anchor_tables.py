@@ -16,13 +16,15 @@ HEAD = (
     "row", "column",
     "push_N", "push_case", "pull_N", "pull_case", "sideways_N", "sideways_case",
     "ballast_N", "ballast_case", "ballast_kg", "friction", "friction_assumed",
+    "given_ballast_kg",
 )  # fmt: skip
 RULE = (
     "Push is down on the ground, pull up from it, sideways along it: the largest of all cases in "
     "equilibrium, each by itself. A peg holds pull and sideways force. Ballast instead is the "
     "weight W at the foot with which W + R is never negative and sideways force is no more than "
     "friction times W + R, R being the force of the ground upwards. Ground with friction has its "
-    f"own; elsewhere {ASSUMED:g} is assumed."
+    f"own; elsewhere {ASSUMED:g} is assumed. In EQU ballast counts with the factor of what is "
+    "favourable, 0.9 unless factors say otherwise."
 )
 
 
@@ -34,7 +36,8 @@ def anchor_csv(report: Analysis) -> str:
     for each in report.anchors:
         forces = [cell for kind in KINDS for cell in _cells(getattr(each, kind))]
         friction = (f"{each.friction:g}", "yes" if each.assumed else "no")
-        writer.writerow((*each.at, *forces, f"{each.ballast_mass:.6g}", *friction))
+        row = (*each.at, *forces, f"{each.ballast_mass:.6g}", *friction, f"{each.given:.6g}")
+        writer.writerow(row)
     return text.getvalue()
 
 

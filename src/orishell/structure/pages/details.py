@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
+from orishell.structure.ballast import BallastedFoot
 from orishell.structure.case import CaseResult
 from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
@@ -63,10 +64,23 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
             "Largest moment of a crease",
             f"{said.moment(found.crease.moment)} {_between(found.crease)}",
         )
+    if case.ballast is not None:
+        yield "Ballast", _ballasted(case.ballast)
     yield "Buckling", _buckles(case, found, said)
     if hertz := ", ".join(map(figure, found.frequencies)):
         yield "Natural frequencies", f"{hertz} Hz"
     yield "Share used", _shares(found)
+
+
+def _ballasted(worst: BallastedFoot) -> str:
+    """The foot that uses most of what its ballast holds."""
+    ways = {"lifts off": "pulled up", "slips": "pushed aside"}
+    if not worst.force:
+        return "no foot is pulled up or pushed aside"
+    return (
+        f"foot {vertex(worst.at)} is {ways[worst.kind]} by {quantity(worst.force, 'N')}, and held "
+        f"by {quantity(worst.holds, 'N')} of {quantity(worst.mass, 'kg')} there"
+    )
 
 
 def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:

@@ -128,6 +128,9 @@ def _place(support: Support, said: Quantities) -> str:
 
 def _held(support: Support) -> str:
     words = RESTRAINED[support.kind]
+    if support.ballast:
+        rubs = f", friction {figure(support.friction)}" if support.friction else ""
+        return f"{words} by ballast of {quantity(support.ballast, 'kg')} each{rubs}"
     return f"{words} {figure(support.friction)}" if support.kind == "friction" else words
 
 

@@ -136,8 +136,8 @@ def _results(report: Analysis, said: Quantities, paths: bytes | None) -> Iterato
     if envelopes:
         yield Paragraph(
             "ULS is judged by strength and buckling, EQU by equilibrium, SLS by displacements: "
-            "shares of what can be borne, of the friction that there is, and of the shell\u2019s "
-            "height.",
+            "shares of what can be borne, of friction and what ballast holds, and of the "
+            "shell\u2019s height.",
             "soft",
         )
 
