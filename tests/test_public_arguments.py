@@ -118,3 +118,15 @@ def test_paths_may_be_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         orishell.convert_fold("a", "b.obj")
     with pytest.raises(InputError, match="no format has this ending"):
         orishell.convert_fold("a", "b")
+
+
+@pytest.mark.parametrize("pattern", [3, None, orishell.ParallelRepeatingPattern(rows=5, columns=5)])
+def test_the_class_of_a_table_is_named(pattern: Any) -> None:
+    arc = orishell.curve_from_formulas(None, orishell.parse_formula("-x**2"), -1, 1)
+    with pytest.raises(InputError) as caught:
+        orishell.design_orthodiagonal(arc, arc, pattern)
+    expected = "an instance of OrthodiagonalPattern, or a dictionary of its keys"
+    assert (caught.value.where, caught.value.expected) == (
+        "design_orthodiagonal: pattern",
+        expected,
+    )

@@ -9,13 +9,18 @@ from collections.abc import Callable
 from functools import cache, wraps
 from itertools import islice
 from pathlib import Path
-from typing import Any, TypedDict, TypeVar, cast, get_type_hints
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast, get_type_hints
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, create_model
 from pydantic_core import ErrorDetails
 
 from orishell.conventions.errors import InputError
+
+if TYPE_CHECKING:  # pydantic gives it no public name
+    from pydantic._internal._model_construction import ModelMetaclass as Metaclass
+else:
+    Metaclass = type(BaseModel)
 
 UNKNOWN = "unknown key"
 MOST_FAULTS = 20
@@ -41,11 +46,13 @@ def first_fault(
     place: Callable[[Location], Place],
     keys: Callable[[Location], list[str]],
     inside: tuple[str, ...] = (),
+    *,
+    called: bool = False,
 ) -> InputError:
     """One message for the first fault; the others follow, a line each.
 
     ``keys`` are those that may stand beside the last one of a location, ``inside`` those of the
-    table that pydantic looked at.
+    table that pydantic looked at. What is ``called`` from Python expects classes by their names.
     """
     found = [
         (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)
@@ -59,7 +66,7 @@ def first_fault(
         whole = next(location[:k] for k in range(len(location) + 1) if location[:k] in places)
         faults.setdefault(whole, []).append(details)
     first, *others = [
-        _fault(location, group, place, keys)
+        _fault(location, group, place, keys, CALLED if called else {})
         for location, group in islice(faults.items(), MOST_FAULTS)
     ]
     listed: set[str] = set()
@@ -96,7 +103,9 @@ def _fault(
     group: list[ErrorDetails],
     place: Callable[[Location], Place],
     keys: Callable[[Location], list[str]],
+    own: dict[str, str],
 ) -> InputError:
+    """The message of a fault; ``own`` are words for what is expected, before those of files."""
     details = group[0]
     context = details.get("ctx", {})
     if "key" in context:
@@ -116,7 +125,7 @@ def _fault(
     if kind == "source":
         return InputError(details["msg"], got=str(context.get("found", "")), **found)
     got = context.get("got", details["input"])
-    expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
+    expected = " or ".join(dict.fromkeys(_expected(each, own) for each in group))
     return InputError(
         "this value does not fit",
         got=_shown(got),
@@ -163,10 +172,12 @@ _EXPECTED = {
     "callable_type": "a function",
     "path_type": "a path",
 }
+CALLED = {"model_type": "an instance of {class_name}, or a dictionary of its keys"}
+"""What is expected of arguments in other words than of keys in files."""
 
 
-def _expected(details: ErrorDetails) -> str:
-    text = _EXPECTED.get(details["type"])
+def _expected(details: ErrorDetails, own: dict[str, str]) -> str:
+    text = (_EXPECTED | own).get(details["type"])
     return text.format(**details.get("ctx", {})) if text else details["msg"]
 
 
@@ -214,16 +225,16 @@ def _of_call(name: str, raw: dict[str, Any], error: ValidationError, *keys: str)
         key, *index = location or ("",)
         return {"where": f"{name}: {key}" + "".join(f"[{each}]" for each in index)}
 
-    return first_fault(raw, error, place, lambda _: list(keys))
+    return first_fault(raw, error, place, lambda _: list(keys), called=True)
 
 
-class Called(type(BaseModel)):  # type: ignore[misc]
+class Called(Metaclass):
     """Makes tables that are called like functions: what is wrong is said as of arguments.
 
     Numbers and arrays of numpy's are taken as numbers and lists, and tuples as lists.
     """
 
-    def __call__(cls, *args: Any, **values: Any) -> Any:
+    def __call__(self, *args: Any, **values: Any) -> Any:
         """A table of these values.
 
         Raises
@@ -235,7 +246,8 @@ class Called(type(BaseModel)):  # type: ignore[misc]
         try:
             return super().__call__(*args, **raw)
         except ValidationError as error:
-            raise _of_call(cls.__name__, raw, error, *cls.model_fields) from None
+            keys = cast("type[BaseModel]", self).model_fields
+            raise _of_call(self.__name__, raw, error, *keys) from None
 
 
 def path_of(value: str | Path, name: str) -> Path:

@@ -12,6 +12,7 @@ from typing import (
     Any,
     NamedTuple,
     TypeVar,
+    cast,
     dataclass_transform,
     get_args,
     get_type_hints,
@@ -35,10 +36,10 @@ def record(cls: type[T]) -> type[T]:
     the class's own stays.
     """
     slots = not any(isinstance(each, cached_property) for each in vars(cls).values())
-    made = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)
+    made: Any = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)
     if "__repr__" not in cls.__dict__:
-        made.__repr__ = _in_one_line  # type: ignore[method-assign]
-    return made
+        made.__repr__ = _in_one_line
+    return cast("type[T]", made)
 
 
 def _in_one_line(thing: object) -> str:

@@ -71,7 +71,7 @@ class Part:
     assignment: tuple[str, ...]
     # vertices (V, 2) as it is cut, read-only; None where only folded states are known
     flat: Array | None
-    fold_angles_deg: Array  # fold angles (E,) at the last state, valley positive, NaN where unknown
+    fold_angles_deg: Array  # fold angles (E,) at the target, valley positive, NaN where unknown
     # folded states in the order of the motion; may be made one by one as they are asked for
     states: Sequence[DocumentState]
     # rows and columns of vertices, if panels and vertices are numbered row by row; flaps that are

@@ -24,7 +24,7 @@ from orishell.workshop import Workshop
 from orishell.workshop.kit.facts import KitFacts, corner_panels, find_facts
 from orishell.workshop.kit.line_drawing import draw_lines
 from orishell.workshop.kit.parts import KitPart, kit_parts, kit_tools
-from orishell.workshop.kit.steps import Step, kit_steps, pack_boxes, pack_words
+from orishell.workshop.kit.steps import Step, carried, kit_steps, pack_boxes
 from orishell.workshop.kit.words import Words, load_words
 
 WIDE, HIGH = 595.28, 841.89
@@ -101,13 +101,7 @@ class _Book:
             lines.append(say("cover.model", scale=ratio))
         key = "cover.opened_clipped" if facts.flaps else "cover.opened"
         lines += ["", say(key, size=box(facts.whole, self.unit))]
-        if facts.packs and facts.starts_packed:
-            key = "cover.packed" if facts.construction else "cover.packed_bare"
-            sizes = pack_words(facts, self.unit)
-            lines.append(say(key, size=sizes, layers=facts.layers))
-        lines.append(say("cover.sheet", size=box(facts.sheet, self.unit)))
-        if facts.mass is not None:
-            lines.append(say("cover.mass", mass=f"{plain(facts.mass, 3)} kg"))
+        lines += carried(facts, self.unit, self.words)
         lines.append(say("cover.panels", count=len(self.document.mesh.faces) + facts.flap_panels))
         boards = sum(part.count for part in parts if part.name in ("top", "bottom", "solid"))
         if boards:

@@ -12,7 +12,7 @@ from typing import Final
 from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, followed, no_progress, stretch
-from orishell.conventions.quantities import box, plain
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.document import Document
@@ -30,7 +30,7 @@ from orishell.workshop import Workshop
 from orishell.workshop.kit.card_model import make_card_model
 from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.kit.parts import kit_parts
-from orishell.workshop.kit.steps import pack_words
+from orishell.workshop.kit.steps import carried
 from orishell.workshop.kit.words import load_words
 
 FORMATS: Final = ("dxf", "pdf", "csv", "booklet")
@@ -262,12 +262,7 @@ def _readme(
         yield "DXF files are 1:1 in the unit that they declare, PDF files as each says."
     yield ""
     yield f"- Opened: {facts.opened_in_words(unit)}"
-    if facts.packs and facts.starts_packed:
-        bare = "" if facts.construction else f", without the thickness of {facts.layers} layers"
-        yield f"- Packed: {pack_words(facts, unit)}{bare}"
-    yield f"- Flat sheet: {box(facts.sheet, unit)}"
-    if facts.mass is not None:
-        yield f"- Mass: {plain(facts.mass, 3)} kg"
+    yield from (f"- {line}" for line in carried(facts, unit, words))
     if facts.freedoms is not None:
         kind, count = facts.freedoms
         yield f"- Motion: {words.say(f'more.several_{kind}', freedoms=count)}"

@@ -38,7 +38,7 @@ from orishell.shell import convert_fold, make_shell
 from orishell.workshop import Workshop
 from orishell.workshop.kit import words
 from orishell.workshop.kit.parts import CutCounts
-from orishell.workshop.kit.words import load_words
+from orishell.workshop.kit.words import load_words, require_words
 from orishell.workshop.settings import Language
 from pdf_tools import require_sound
 
@@ -142,6 +142,14 @@ def test_every_language_says_the_same() -> None:
     first = paths(load_words(LANGUAGES[0]).tables)
     for language in LANGUAGES[1:]:
         assert paths(load_words(language).tables) == first
+
+
+def test_what_a_language_lacks_is_one_message() -> None:
+    first = load_words(LANGUAGES[0]).tables
+    cover = {key: each for key, each in first["cover"].items() if key != "mass"}
+    lacking = {key: each for key, each in (first | {"cover": cover}).items() if key != "check"}
+    with pytest.raises(InputError, match=r"booklet.fr.toml: .*got 2 missing: check, cover.mass,"):
+        require_words("fr", lacking, first)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

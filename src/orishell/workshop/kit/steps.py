@@ -14,6 +14,7 @@ from orishell.document.ground import GroundPlan
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.workshop.kit.facts import KitFacts, middle_state
 from orishell.workshop.kit.parts import KitPart
+from orishell.workshop.kit.words import Words
 from orishell.workshop.settings import Workshop
 
 SLIM = 0.03
@@ -180,6 +181,16 @@ def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[St
 def pack_words(facts: KitFacts, unit: str) -> str:
     """The sides of all packs."""
     return "; ".join(pack_boxes(facts, unit))
+
+
+def carried(facts: KitFacts, unit: str, words: Words) -> Iterator[str]:
+    """What is carried, a line each: its sizes in the pack and flat, and its mass if it is known."""
+    if facts.packs and facts.starts_packed:
+        key = "cover.packed" if facts.construction else "cover.packed_bare"
+        yield words.say(key, size=pack_words(facts, unit), layers=facts.layers)
+    yield words.say("cover.sheet", size=box(facts.sheet, unit))
+    if facts.mass is not None:
+        yield words.say("cover.mass", mass=f"{plain(facts.mass, 3)} kg")
 
 
 def pack_boxes(facts: KitFacts, unit: str) -> tuple[str, ...]:
