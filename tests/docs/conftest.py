@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from node_tools import BUILT_DOCS, lacking
+from samples import THOROUGH
 from viewer_pages import require_viewer
 
 ROOT = Path(__file__).parents[2]
@@ -23,7 +24,7 @@ SECONDS = 1200
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The site's pages, as of `make docs`.
+    """The site's pages, as of `make docs`; without the gallery's long scripts in `make test`.
 
     Built here, they are built from a copy, so that nothing is written beside the sources.
     """
@@ -49,6 +50,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     options = ["-q", "-b", "html", "-W", "--keep-going"]
     folders = [str(source / "docs"), str(place / "docs")]
     words = [sys.executable, "-m", "sphinx", *options, *folders]
-    ran = subprocess.run(words, capture_output=True, text=True, check=False)
+    briefly = {} if THOROUGH else {"ORISHELL_BRIEFLY": "1"}
+    variables = os.environ | briefly
+    ran = subprocess.run(words, env=variables, capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     return place / "docs"

@@ -21,7 +21,7 @@ from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import DOFS, Facets
 from orishell.structure.solve.moving import Moving
 from orishell.structure.solve.path import Point, trace
-from samples import thorough
+from samples import led_by, thorough
 
 
 def lattice(
@@ -212,10 +212,14 @@ def roof(thickness: float, cells: int) -> tuple[Array, Array, Array]:
     return np.array(factors), np.array(sinks), np.array(unstable)
 
 
-@thorough
-def test_a_hinged_roof_snaps_through() -> None:
+CELLS = led_by([8, 16])
+"""Along a side of the roof: 8 tell its extremes within 0.3 % of what 16 tell."""
+
+
+@pytest.mark.parametrize("cells", CELLS)
+def test_a_hinged_roof_snaps_through(cells: int) -> None:
     """12.7 mm, P 3000: up to 0.742 of it, down to 0.173, and up again (their table 8)."""
-    factors, sinks, unstable = roof(12.7, 16)
+    factors, sinks, unstable = roof(12.7, cells)
     top = int(np.argmax(np.where(sinks < 15, factors, 0)))
     low = top + int(np.argmin(factors[top:]))
     assert factors[top] == pytest.approx(0.742, rel=0.005)
@@ -234,10 +238,10 @@ def test_a_hinged_roof_snaps_through() -> None:
     assert set(unstable[top + 1 : low - 1]) == {1}
 
 
-@pytest.mark.slow
-def test_a_thin_hinged_roof_snaps_back() -> None:
+@pytest.mark.parametrize("cells", CELLS)
+def test_a_thin_hinged_roof_snaps_back(cells: int) -> None:
     """6.35 mm: to 0.1953, back to -0.1288, while the middle rises from 17.0 to 14.45 (table 8)."""
-    factors, sinks, _ = roof(6.35, 16)
+    factors, sinks, _ = roof(6.35, cells)
     top = int(np.argmax(factors[sinks < 14]))
     assert factors[top] == pytest.approx(0.1953, rel=0.02)
     assert factors.min() == pytest.approx(-0.1288, rel=0.02)
