@@ -56,15 +56,13 @@ SUPPORTS = (
 )
 FIRST, SECOND = ("figure1", 3, 4), ("figure2", 5, 6)
 FREE_AND_RIGID, SPRUNG = (0.0, np.inf), (20.0, 20.0)
+CHOICES = (FIRST, SECOND), (FREE_AND_RIGID, SPRUNG), (False, True)
 PAIRS = [
-    (FIRST, FREE_AND_RIGID, PINNED, True),
-    (FIRST, FREE_AND_RIGID, SMOOTH, False),
-    (FIRST, FREE_AND_RIGID, ENDS, True),
-    (FIRST, SPRUNG, PINNED, False),
-    (FIRST, SPRUNG, SMOOTH, True),
-    (FIRST, SPRUNG, ENDS, False),
+    (CHOICES[0][(k + crease) % 2], CHOICES[1][crease], support, CHOICES[2][(crease + (k > 1)) % 2])
+    for k, support in enumerate(SUPPORTS)
+    for crease in range(2)
 ]
-"""Each two of creases, supports and ties are in one of them."""
+"""Each two of shells, creases, supports and ties are in one of them."""
 ALL = [*itertools.product((FIRST, SECOND), (FREE_AND_RIGID, SPRUNG), SUPPORTS, (False, True))]
 
 
