@@ -30,13 +30,13 @@ VAULT: dict[str, dict[str, Any]] = {
         "f": {"formula": "-0.5*x**2", "range": [-1, 1]},
         "g": {"formula": "0*x", "range": [0, 3]},
     },
-    "pattern": {"rows": 5, "columns": 5},
+    "pattern": {"rows": 3, "columns": 3},
     "motion": {"frames": 3},
 }
 
 
 def vault(**pattern: object) -> DesignFile:
-    tables = {**VAULT, "pattern": {"rows": 5, "columns": 5, **pattern}}
+    tables = {**VAULT, "pattern": {**VAULT["pattern"], **pattern}}
     return check_design(tables, Path("vault.toml"), files=False)
 
 
@@ -55,7 +55,7 @@ def test_all_families_are_compared_with_the_same_rows_and_columns(shell: Shell) 
     assert [each.family for each in families.tried] == list(TRIED)
     for each in families.tried:
         assert (each.distance is None) == bool(each.why_not)
-    assert (shell.report.rows, shell.report.columns) == (5, 5)
+    assert (shell.report.rows, shell.report.columns) == (3, 3)
 
 
 def test_the_nearest_that_locks_is_taken(shell: Shell) -> None:
