@@ -10,6 +10,7 @@ from orishell.design.mesh_errors import ELSE_PART, place_in_words, refused_mesh
 from orishell.design.mesh_facing import require_no_folds
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.components import find_components
 from orishell.numerics.equals import descending, first_largest, first_smallest
 
 MOST_TRIANGLES = 400_000
@@ -151,8 +152,6 @@ def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Intege
     InputError
         If there are no triangles, or too many.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
     if len(triangles) > MOST_TRIANGLES:
@@ -167,9 +166,8 @@ def joined_vertices(vertices: Array, triangles: Integers) -> tuple[Array, Intege
     require_size(vertices)
     size = float(lengths(np.ptp(vertices, axis=0))) if len(vertices) else 0.0
     pairs = cKDTree(vertices).query_pairs(SAME * size, output_type="ndarray")
-    links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
-    _, number = connected_components(links, directed=False)
-    triangles = number.astype(np.int64)[triangles]
+    number = find_components(pairs, len(vertices))
+    triangles = number[triangles]
     first = np.unique(number, return_index=True)[1]
     vertices = vertices[first]
     p, q, r = triangles.T
@@ -208,17 +206,13 @@ def _require_two_each(vertices: Array, triangles: Integers) -> None:
             "a surface without branches",
             "remove what stands on it there" + ELSE_PART,
         )
-    from scipy import sparse
-    from scipy.sparse.csgraph import connected_components
-
-    links = sparse.coo_array((np.ones(len(found)), found.T), (len(vertices),) * 2)
-    count, piece = connected_components(links, directed=False)
-    if count > 1:
-        smallest = int(np.bincount(piece).argmin())
-        place = vertices[piece == smallest].mean(axis=0)
+    piece = find_components(found, len(vertices))
+    sizes = np.bincount(piece)
+    if len(sizes) > 1:
+        place = vertices[piece == sizes.argmin()].mean(axis=0)
         raise refused_mesh(
             "the mesh has several pieces",
-            f"{count}, the smallest near {place_in_words(place)}",
+            f"{len(sizes)}, the smallest near {place_in_words(place)}",
             "one piece",
             "remove the others, or join them" + ELSE_PART,
         )

@@ -23,6 +23,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.components import find_components
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -39,12 +40,12 @@ class Levels:
     def of(cls, pairs: Integers, count: int) -> Levels:
         """Levels of so many things of which pairs (N, 2) are neighbours."""
         from scipy.sparse import coo_array
-        from scipy.sparse.csgraph import connected_components, dijkstra
+        from scipy.sparse.csgraph import dijkstra
 
         ends = pairs.T.astype(np.int32)  # SciPy before 1.14 finds no ways by longer numbers
         graph = coo_array((np.ones(len(pairs)), ends), shape=(count, count)).tocsr()
         # What does not hang together begins with a thing of its own.
-        pieces = connected_components(graph, directed=False)[1]
+        pieces = find_components(pairs, count)
         starts = np.unique(pieces, return_index=True)[1]
         steps = dijkstra(graph, directed=False, unweighted=True, indices=starts, min_only=True)
         level = steps.astype(np.int64)

@@ -11,6 +11,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document, Part
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.components import find_components
 from orishell.numerics.equals import first_smallest
 from orishell.workshop.cut_parts import STRAIGHT, CutPart
 from orishell.workshop.palettes import Circle, Layer, Line
@@ -260,9 +261,6 @@ def _require_few(document: Document, counts: Array, workshop: Workshop) -> Integ
 
 def _straight_runs(document: Document, creases: _Creases) -> tuple[Names, Array]:
     """Layers (L,) and ends (L, 2, 2) of creases, those that go on straight in one layer joined."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     flat, count = document.require_flat(), len(creases.edges)
     vertices = document.mesh.edges[creases.edges].T.ravel()
     outward = np.concatenate([creases.directions, -creases.directions])
@@ -276,10 +274,9 @@ def _straight_runs(document: Document, creases: _Creases) -> tuple[Names, Array]
         straight = (np.abs(cross) < STRAIGHT) & ((outward[one] * outward[two]).sum(axis=1) < 0)
         joined = straight & (vertices[one] == vertices[two]) & (layers[one] == layers[two])
         free[one[joined]] = free[two[joined]] = False
-        pairs.append(np.stack([owners[one[joined]], owners[two[joined]]]))
-    rows, columns = np.concatenate([*pairs, np.zeros((2, 0), dtype=owners.dtype)], axis=1)
-    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(count, count))
-    runs = connected_components(graph, directed=False)[1][owners]
+        pairs.append(np.stack([owners[one[joined]], owners[two[joined]]], axis=1))
+    together = np.concatenate([*pairs, np.zeros((0, 2), dtype=owners.dtype)])
+    runs = find_components(together, count)[owners]
     tips = np.flatnonzero(free)
     ends = tips[np.argsort(runs[tips], kind="stable")].reshape(-1, 2)
     return layers[ends[:, 0]], flat[vertices[ends]]

@@ -11,6 +11,7 @@ import numpy as np
 
 from orishell.document import Part
 from orishell.numerics.arrays import Integers
+from orishell.numerics.components import find_components
 from orishell.workshop.fitting import CutSheet, require_panels_fit
 
 
@@ -37,15 +38,11 @@ def _bisect(sheet: CutSheet, pieces: Integers) -> list[Integers]:
 
 
 def _connected(sheet: CutSheet, panels: Integers) -> list[Integers]:
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     beside = sheet.neighbours[panels]
     here, side = np.nonzero(np.isin(beside, panels))
     there = np.searchsorted(panels, beside[here, side])
-    graph = coo_array((np.ones(len(here)), (here, there)), shape=(len(panels),) * 2)
-    count, labels = connected_components(graph, directed=False)
-    return [panels[labels == k] for k in range(count)]
+    labels = find_components(np.stack([here, there], axis=1), len(panels))
+    return [panels[labels == k] for k in range(labels.max(initial=-1) + 1)]
 
 
 def _join_pieces(sheet: CutSheet, parts: list[Integers]) -> list[Integers]:

@@ -11,6 +11,7 @@ from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.quads import lengths, units
 from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.components import find_components
 from orishell.numerics.equals import classes
 
 
@@ -112,15 +113,14 @@ class Placing:
     def _levels(self) -> list[_Hinged]:
         """Panels by how many creases they are from the middle one of their piece."""
         from scipy.sparse import coo_array
-        from scipy.sparse.csgraph import connected_components, dijkstra
+        from scipy.sparse.csgraph import dijkstra
 
         pattern, count = self.pattern, len(self.pattern.faces)
         creases = np.flatnonzero(pattern.crease)
         pairs = pattern.edge_faces[creases]
         ends = pairs.T.astype(np.int32)  # SciPy before 1.14 finds no ways by longer numbers
         graph = coo_array((np.ones(len(pairs)), ends), shape=(count, count)).tocsr()
-        pieces = connected_components(graph, directed=False)[1]
-        first = _middle_panels(pattern, pieces.astype(np.int64))
+        first = _middle_panels(pattern, find_components(pairs, count))
         depths, before, _ = dijkstra(
             graph,
             directed=False,
