@@ -12,11 +12,14 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import InputError
 from orishell.deployment import ColumnDistances, Tie, feet_ties, find_ties
+from orishell.deployment.short_ties import _others
+from orishell.deployment.ties import fold_ties
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import diagonal
+from orishell.motion.hinge_lines import IN_CREASES
 from samples import examples
 from strategies import Request, graph, orthodiagonal, orthodiagonal_requests, pair, requests
 
@@ -234,3 +237,33 @@ def test_pairs_that_are_no_ties(ends: tuple[tuple[int, int], tuple[int, int]], w
         "0 to 12 in one column of 1 to 13. Remedy: take two vertices of one column between the "
         "flaps, such as its feet."
     )
+
+
+def test_ties_across_folds_by_rows_are_some_of_all() -> None:
+    """Those of rows 2 and 4 join rows 1 and 3, and 3 and 5."""
+    sheet = bare(example("shelter"))
+    every = fold_ties(sheet)
+    rows, columns = sheet.grid.rows - 2, sheet.grid.columns
+    assert len(every) == rows * columns
+    some = fold_ties(sheet, [4, 2, 2])
+    assert some == [pair for pair in every if pair[0][0] in (1, 3)]
+    assert len(some) == 2 * columns
+    with pytest.raises(InputError, match="no fold lies at the border"):
+        fold_ties(sheet, [rows + 1])
+
+
+def test_rows_of_folds_that_are_slack_are_offered_for_those_that_are_not() -> None:
+    """Own states say which: ties of the rows that are left are never longer than at the target."""
+    sheet, limit = horseshoe(), np.pi
+    asked = [*feet_ties(sheet, (0, 10)), *fold_ties(sheet)]
+    first = next(iter(_others(sheet, asked, limit, IN_CREASES))).changes["deployment.ties"]
+    rows = first["folds"] if isinstance(first, dict) else []
+    seen = np.sqrt(
+        squares(
+            sheet,
+            np.array([(one[0], other[0], one[1]) for one, other in fold_ties(sheet)]),
+            np.linspace(sheet.target_drive, limit, 65),
+        )
+    )
+    slack = (seen <= seen[0] * (1 + ROUNDING)).all(axis=0).reshape(9, -1).all(axis=1)
+    assert rows == (np.flatnonzero(slack) + 1).tolist()

@@ -10,6 +10,10 @@ import pytest
 
 from command_line import Ran, orishell
 from deployed_shelters import shelter
+from orishell.conventions.errors import InputError
+from orishell.design_file import read_design_file
+from orishell.shell.candidate import prove
+from orishell.shell.steps import Work
 from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -68,6 +72,28 @@ def test_what_does_not_fit_is_named(
     assert f"; got {got}" in before or f"; got rows and columns {got}" in before
     assert expected in after
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("folds", "got", "expected"),
+    [
+        ("[]", "[]", "1 entries"),
+        ("[2.5]", "2.5", "a whole number"),
+        ("[0]", "row 0", "rows of inner vertices, 1 to 11"),
+        ("[2, 12]", "row 12", "rows of inner vertices, 1 to 11"),
+    ],
+)
+def test_rows_of_ties_are_those_of_folds(
+    tmp_path: Path, folds: str, got: str, expected: str
+) -> None:
+    path = tmp_path / "s.toml"
+    path.write_text(deployed(f"{PACK}ties = {{ folds = {folds} }}"), encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        prove(read_design_file(path), Work(clash="unexamined"))
+    error = refused.value
+    assert any(key.endswith("folds") for key in error.keys) or "folds" in error.where
+    assert error.got == got
+    assert expected in error.expected
 
 
 def test_keys_that_are_not_there(tmp_path: Path) -> None:

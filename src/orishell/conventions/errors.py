@@ -151,7 +151,7 @@ class CurveError(InputError):
 
 Vertices = list[int] | list[list[int]] | list[list[list[int]]]
 """Rows and columns of vertices, of pairs of them, of lists of pairs."""
-Value = float | int | str | list[float] | list[str] | Vertices
+Value = float | int | str | list[float] | list[str] | Vertices | dict[str, list[int]]
 """What can be written at a key of the design file."""
 
 
@@ -183,6 +183,8 @@ def _written(key: str, value: Value) -> str:
 
 
 def _toml(value: Value) -> str:
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{key} = {_toml(each)}' for key, each in value.items())} }}"
     if isinstance(value, list):
         return f"[{', '.join(map(_toml, value))}]"
     return f'"{value}"' if isinstance(value, str) else repr(value).removesuffix(".0")

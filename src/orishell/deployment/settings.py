@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, Tag, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Pair, Several, Table
@@ -24,18 +24,37 @@ def _usual_attachment(given: dict[str, Any]) -> Attachment:
     return "clipped" if given.get("start") == "pack" else "folded"
 
 
+class FoldTies(Table):
+    """Ties across the folds at some rows only, beside those between the feet.
+
+    ``folds`` are rows of inner vertices, counted from 0 in the folding sheet: a tie joins the
+    vertices above and below every one of them.
+    """
+
+    folds: Annotated[Several[Index], Field(min_length=1)]
+
+
+Ties = Annotated[
+    Annotated[FoldTies, Tag("folds")]
+    | Annotated[Literal["none", "feet", "folds"] | Several[Pair[TableVertex]], Tag("others")],
+    Discriminator(lambda value: "folds" if isinstance(value, dict | FoldTies) else "others"),
+]
+"""What keeps a shell from opening beyond its target."""
+
+
 class Deployment(Table):
     """How a shell is deployed; flaps are clipped on where it is opened from its pack.
 
     ``largest_fold_deg`` is how far hinges close. ``ties`` keep the shell from opening beyond its
     target: none; ties between the feet of every column; these, and across the folds between the
-    vertices above and below every inner one; or between pairs of vertices.
+    vertices above and below every inner one, or every one of some rows; or between pairs of
+    vertices.
     """
 
     start: Annotated[Start, Field(alias="from")] = "flat"
     flap_attachment: Attachment = Field(default_factory=_usual_attachment)
     largest_fold_deg: Annotated[Number, Field(gt=0, le=180)] = 180.0
-    ties: Literal["none", "feet", "folds"] | Several[Pair[TableVertex]] = "none"
+    ties: Ties = "none"
 
     @model_validator(mode="after")
     def _check(self) -> Self:

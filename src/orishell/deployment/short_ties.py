@@ -99,7 +99,8 @@ def require_slack(
 def _others(
     mechanism: Mechanism, asked: Sequence[VertexPair], limit: float, hinges: HingeLines
 ) -> Iterator[Remedy]:
-    """Ties of two other rows in the same columns that are proved slack; and none at all."""
+    """Those across folds that are slack; ties of two other rows in the same columns; and none."""
+    yield from _slack_folds(mechanism, asked, limit, hinges)
     columns = sorted({first[1] for first, _ in asked})
     low, high = sorted((asked[0][0][0], asked[0][1][0]))
 
@@ -114,6 +115,20 @@ def _others(
             yield Remedy({"deployment.ties": [[list(end) for end in tie.ends] for tie in ties]})
             break
     yield Remedy({"deployment.ties": "none"})
+
+
+def _slack_folds(
+    mechanism: Mechanism, asked: Sequence[VertexPair], limit: float, hinges: HingeLines
+) -> Iterator[Remedy]:
+    """Ties across the folds at those rows at which all of them are proved slack."""
+    folds = [pair for pair in asked if pair[1][0] - pair[0][0] == 2]
+    loose: dict[int, bool] = {}
+    for tie in find_ties(mechanism, folds, limit, hinges):
+        row = tie.ends[0][0] + 1
+        loose[row] = loose.get(row, True) and tie.slack is True
+    kept = sorted(row for row, slack in loose.items() if slack)
+    if kept and len(folds) < len(asked):
+        yield Remedy({"deployment.ties": {"folds": kept}})
 
 
 def _distances(

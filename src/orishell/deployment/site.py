@@ -6,7 +6,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.deployment.feet import Feet
-from orishell.deployment.settings import Deployment
+from orishell.deployment.settings import Deployment, FoldTies
 from orishell.deployment.ties import feet_ties, fold_ties
 from orishell.design import Design
 from orishell.design.fittings import fit_hinges
@@ -83,14 +83,17 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
         return deployment.ties
     if deployment.ties == "none":
         return ()
-    folds = fold_ties(design.mechanism) if deployment.ties == "folds" else []
+    folds = []
+    if deployment.ties != "feet":
+        rows = deployment.ties.folds if isinstance(deployment.ties, FoldTies) else None
+        folds = fold_ties(design.mechanism, rows)
     if folds and feet is None:
         return tuple(folds)
     if feet is None:
         raise InputError(
             "there are no feet to tie",
             keys=("deployment.ties",),
-            got=f'"{deployment.ties}"',
+            got='"feet"',
             expected="a shell that stands on two of its rows",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
         )

@@ -105,15 +105,33 @@ def feet_ties(
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 
-def fold_ties(mechanism: Mechanism) -> list[VertexPair]:
-    """Pairs of vertices above and below every inner one, across the folds of each inner column."""
+def fold_ties(mechanism: Mechanism, rows: Iterable[int] | None = None) -> list[VertexPair]:
+    """Pairs of vertices above and below inner ones, across the folds of each inner column.
+
+    Parameters
+    ----------
+    rows
+        The rows of the inner vertices, as the grid counts them; all if None.
+
+    Raises
+    ------
+    InputError
+        If a row is none of inner vertices.
+    """
     grid = mechanism.grid
     columns = range(grid.columns)[mechanism.inner_columns]
-    return [
-        ((row - 1, column), (row + 1, column))
-        for row in range(1, grid.rows - 1)
-        for column in columns
-    ]
+    inner = range(1, grid.rows - 1)
+    chosen = inner if rows is None else sorted(set(rows))
+    for row in chosen:
+        if row not in inner:
+            raise InputError(
+                "no fold lies at the border of the sheet, or beyond it",
+                keys=("deployment.ties.folds",),
+                got=f"row {row}",
+                expected=f"rows of inner vertices, {inner[0]} to {inner[-1]}",
+                remedy="rows count from 0, the border; 'ties = \"folds\"' takes all of them",
+            )
+    return [((row - 1, column), (row + 1, column)) for row in chosen for column in columns]
 
 
 def find_ties(

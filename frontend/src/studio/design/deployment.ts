@@ -72,6 +72,7 @@ export class DeploymentControls {
     const words = [
       packed ? "Flaps of the sheet would keep it from closing into a pack." : "",
       Array.isArray(ties) ? `Ties: ${ties.length} listed in the file.` : "",
+      typeof ties === "object" && !Array.isArray(ties) ? `Ties between feet, and across folds at rows ${String(ties["folds"]).replaceAll(",", ", ")}.` : "",
     ].filter(Boolean);
     this.note.textContent = words.join(" ");
     this.note.hidden = !words.length;
