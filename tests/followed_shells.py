@@ -5,10 +5,12 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
+from orishell.structure import soft_cases
 from orishell.structure.analyse import analyse
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.results import Analysis
@@ -49,3 +51,11 @@ def held(analysis: Analysis) -> Equilibrium:
     (case,) = analysis.cases
     assert case.equilibrium is not None
     return case.equilibrium
+
+
+def linear(followed: Analysis) -> Equilibrium:
+    """The same by linear theory, also where it buckles soon."""
+    model = followed.model
+    structure = model.structure.replace_unchecked(nonlinear=False)
+    with patch.object(soft_cases, "SECONDS", 0.0):
+        return held(analyse(model.design, structure, model.site, built=model.built))

@@ -9,24 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from followed_shells import asked, held
+from followed_shells import asked, held, linear
 from orishell.deployment import Site
 from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.equilibrium import Equilibrium
-from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure, Support
 from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-def linear(followed: Analysis) -> Equilibrium:
-    """The same by linear theory."""
-    model = followed.model
-    structure = model.structure.replace_unchecked(nonlinear=False)
-    return held(analyse(model.design, structure, model.site))
 
 
 SMALL = [

@@ -66,7 +66,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     deck = _deck_of(shell)
     cases = _different_loads(shell)
     lines = [
-        *_head(document, unit, [name for name, _ in cases]),
+        *_head(document, unit, [name for name, _ in cases], shell.ties),
         *_mesh(deck, document.in_world(deck.points)),
         *_sections(deck, shell.poisson, conversion(unit, "m")),
         *_ties(shell, len(deck.cells)),
@@ -140,7 +140,12 @@ def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
     return list(found.values())
 
 
-def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
+TIED = (
+    "CalculiX counts springs twice where it buckles (2.20): with ties its factors are too high.",
+)
+
+
+def _head(document: Document, unit: str, names: Sequence[str], ties: Integers) -> Iterable[str]:
     kilograms = conversion("m", unit)
     yield "*HEADING"
     yield _plain(document.title)
@@ -158,6 +163,7 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
             "- frequencies are those of the shell without loads, and with every tie.",
+            *TIED * bool(len(ties)),
             "Steps: every case of loads; natural frequencies; buckling under every case.",
             *(f"Case {number}: {_plain(name)}" for number, name in enumerate(names, 1)),
         )

@@ -1,0 +1,208 @@
+"""Decks for CalculiX with free hinges: every panel has nodes of its own, tied by equations.
+
+They are written from the analysed model: its mesh, places, loads, supports and sections, and what
+ties and flaps act as the analysis found. Elements are CalculiX's own.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from calculix_tool import REQUIRED
+from node_tools import lacking
+from orishell.numerics.arrays import Array, Integers
+from orishell.structure.case import CaseResult
+from orishell.structure.model import Model
+
+STIFF = 1e3
+"""A tie or flap that does not give is so many times as stiff as a square of panel."""
+ROW = r"^ +(\d+)((?: +[-+.\dE]+){%d})$"
+
+
+@dataclass(frozen=True)
+class Deck:
+    """A model with free hinges, for one of its load cases."""
+
+    model: Model
+    case: CaseResult
+    element: str = "S8R"  # of CalculiX: S8R, S8
+    springs_act: bool = False  # ties and flaps are springs; or equations, which do not give
+
+    @property
+    def own(self) -> int:
+        """Nodes of all panels, without the middles of sides."""
+        return self.model.mesh.nodes.size
+
+    def cells(self) -> tuple[Integers, Integers]:
+        """Corners (C, 4) of cells as numbers of the panels' own nodes, and their panels (C,)."""
+        count, size, _ = self.model.mesh.nodes.shape
+        own = np.arange(self.own).reshape(count, size, size)
+        corners = [own[:, :-1, :-1], own[:, 1:, :-1], own[:, 1:, 1:], own[:, :-1, 1:]]
+        panels = np.repeat(np.arange(count), (size - 1) ** 2)
+        return np.stack([each.ravel() for each in corners], axis=1), panels
+
+    def middles(self) -> tuple[Integers, Integers]:
+        """Sides (S, 2) of cells by own nodes, and which (C, 4) each cell has."""
+        corners, _ = self.cells()
+        sides = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1), axis=-1)
+        ends, which = np.unique(sides.reshape(-1, 2), axis=0, return_inverse=True)
+        return ends, which.reshape(-1, 4)
+
+    def masters(self) -> Integers:
+        """The first own node (N,) at every node of the model."""
+        _, first = np.unique(self.model.mesh.nodes.ravel(), return_index=True)
+        return first
+
+    def together(self, ends: Integers) -> Iterator[tuple[int, int]]:
+        """Pairs of nodes that have their displacements in common: the first, and another."""
+        nodes, masters = self.model.mesh.nodes.ravel(), self.masters()
+        yield from (
+            (int(masters[node]), own) for own, node in enumerate(nodes) if masters[node] != own
+        )
+        first: dict[tuple[int, int], int] = {}
+        for number, (one, other) in enumerate(np.sort(nodes[ends], axis=1).tolist()):
+            before = first.setdefault((one, other), number)
+            if before != number:
+                yield self.own + before, self.own + number
+
+    def _held_apart(self) -> Iterator[str]:
+        """Equations of ties and flaps that act: the length between their ends stays."""
+        model, masters = self.model, self.masters()
+        points, supported = model.mesh.facets.points, set(model.supports.dofs(model.mesh).tolist())
+        for one, other, _ in self.springs():
+            along = points[other] - points[one]
+            along /= np.linalg.norm(along)
+            terms = [
+                (node, axis, sign * along[axis])
+                for node, sign in ((other, 1.0), (one, -1.0))
+                for axis in range(3)
+                if 3 * node + axis not in supported and abs(along[axis]) > 1e-9
+            ]
+            terms.sort(key=lambda term: -abs(term[2]))
+            if terms:
+                yield f"{len(terms)}"
+                yield from (f"{masters[node] + 1},{axis + 1},{by:.13g}" for node, axis, by in terms)
+
+    def springs(self) -> list[tuple[int, int, float]]:
+        """Nodes of the model between which ties and flaps act, and their stiffness."""
+        model, found = self.model, self.case.equilibrium
+        assert found is not None
+        points, stiff = model.mesh.facets.points, STIFF * model.membrane_stiffness[1]
+        springs = []
+        for pairs, forces, own in (
+            (model.nodes_of(model.site.ties), found.tie_forces, model.structure.tie_stiffness),
+            (model.nodes_of(model.flaps), found.flap_forces, np.inf),
+        ):
+            for (one, other), force in zip(pairs.tolist(), forces, strict=True):
+                if force > 0:
+                    length = float(np.linalg.norm(points[other] - points[one]))
+                    springs.append((one, other, min(own / length, stiff)))
+        return springs
+
+    def sections(self) -> tuple[Array, Array]:
+        """Thickness (C,) of cells, and Young's modulus: as stiff in its plane and in bending."""
+        section = self.model.section
+        count = 2 * len(self.cells()[0])
+        both = (np.broadcast_to(each, count) for each in (section.membrane, section.bending))
+        membrane, bending = (each.reshape(-1, 2).mean(axis=1) for each in both)
+        thickness = np.sqrt(12 * bending / membrane)
+        return thickness, (1 - section.poisson**2) * membrane / thickness
+
+    def write(self, path: Path, *steps: str, off: Array | None = None) -> None:
+        """Write it with steps: "*STATIC", "*STATIC,NLGEOM" or "*BUCKLE".
+
+        off: By how much its nodes (N, 3) are off the places of the model.
+        """
+        path.write_text("\n".join(self._lines(steps, off)) + "\n", encoding="ascii")
+
+    def _lines(self, steps: tuple[str, ...], off: Array | None) -> Iterator[str]:
+        model = self.model
+        nodes, points = model.mesh.nodes.ravel(), model.mesh.facets.points
+        points = points if off is None else points + off
+        (corners, _), (ends, which) = self.cells(), self.middles()
+        places = np.concatenate([points[nodes], points[nodes[ends]].mean(axis=1)])
+        yield "*NODE,NSET=ALL"
+        yield from (f"{k},{x:.13g},{y:.13g},{z:.13g}" for k, (x, y, z) in enumerate(places, 1))
+        yield f"*ELEMENT,TYPE={self.element},ELSET=PANELS"
+        every = np.concatenate([corners, self.own + which], axis=1) + 1
+        yield from (",".join(map(str, (k, *each))) for k, each in enumerate(every.tolist(), 1))
+        values = np.column_stack(self.sections())
+        kinds, kind = np.unique(values.round(12), axis=0, return_inverse=True)
+        for number, (thickness, modulus) in enumerate(kinds):
+            yield f"*ELSET,ELSET=E{number}"
+            yield from map(str, (np.flatnonzero(kind.ravel() == number) + 1).tolist())
+            yield f"*MATERIAL,NAME=M{number}"
+            yield f"*ELASTIC\n{modulus:.13g},{model.section.poisson:.13g}"
+            yield f"*SHELL SECTION,ELSET=E{number},MATERIAL=M{number}\n{thickness:.13g}"
+        yield "*EQUATION"
+        for master, other in self.together(ends):
+            for axis in (1, 2, 3):
+                yield f"2\n{other + 1},{axis},1.,{master + 1},{axis},-1."
+        masters = self.masters()
+        if not self.springs_act:
+            yield from self._held_apart()
+        for number, (one, other, stiffness) in enumerate(self.springs() * self.springs_act, 1):
+            yield f"*ELEMENT,TYPE=SPRINGA,ELSET=T{number}"
+            yield f"{len(every) + number},{masters[one] + 1},{masters[other] + 1}"
+            yield f"*SPRING,ELSET=T{number}\n\n{stiffness:.12e}"
+        yield "*BOUNDARY"
+        for dof in model.supports.dofs(model.mesh).tolist():
+            node, axis = divmod(dof, 3)
+            assert node < model.mesh.node_count, "held against turning"
+            yield f"{masters[node] + 1},{axis + 1},{axis + 1}"
+        yield "*NSET,NSET=SHOWN"
+        yield from (str(each + 1) for each in masters.tolist())
+        for step in steps:
+            yield f"*STEP{',NLGEOM' if 'NLGEOM' in step else ''}"
+            yield step.replace(",NLGEOM", "")
+            if "BUCKLE" in step:
+                yield "3,1e-4,40,1000"
+            elif "NLGEOM" in step:
+                yield "0.34,1.,1e-5,0.34"
+            yield "*CLOAD,OP=NEW"
+            for node, axis in np.argwhere(self.case.forces).tolist():
+                yield f"{masters[node] + 1},{axis + 1},{self.case.forces[node, axis]:.13g}"
+            yield "*NODE PRINT,NSET=SHOWN,FREQUENCY=1000\nU"
+            yield "*END STEP"
+
+
+@dataclass(frozen=True)
+class Found:
+    """What CalculiX finds: displacements (N, 3) of the model's nodes by step, and factors."""
+
+    displacements: list[Array]
+    factors: list[float]
+
+
+def run_deck(path: Path, deck: Deck) -> Found:
+    """Run CalculiX on a written deck."""
+    if shutil.which("ccx") is None:
+        lacking("CalculiX is not installed: apt-get install calculix-ccx", REQUIRED)
+    done = subprocess.run(
+        ["ccx", "-i", path.stem], cwd=path.parent, capture_output=True, encoding="utf-8",
+        timeout=600, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "*ERROR" not in done.stdout, done.stdout[-3000:]
+    text = path.with_suffix(".dat").read_text()
+    begins = [each.start() for each in re.finditer(r"displacements \(vx", text)]
+    tables = [text[one:other] for one, other in pairwise([*begins, len(text)])]
+    displacements = []
+    for table in tables:
+        rows = re.findall(ROW % 3, table.partition("B U C K")[0], flags=re.MULTILINE)
+        values = {int(number): [float(each) for each in row.split()] for number, row in rows}
+        displacements.append(np.array([values[own + 1] for own in deck.masters().tolist()]))
+    factors = [
+        float(row.split()[0])
+        for table in text.split("B U C K L I N G")[1:]
+        for _, row in re.findall(ROW % 1, table, flags=re.MULTILINE)
+    ]
+    return Found(displacements, factors)
