@@ -102,8 +102,8 @@ def test_an_example_works(tables: Tables, directory: Path) -> None:
         del tables["pattern"]["rows"], tables["pattern"]["columns"]
     if "structure" in tables:
         tables["workshop"] = {"areal_density": 5}
-        # There is a strength, which goes without a grain.
-        for key in (*OF_PANELS, "grain"):
+        # There is a strength, which goes without a grain; and the material has one.
+        for key in (*OF_PANELS, "grain", "sandwich"):
             del tables["structure"][key]
     if "search" in tables:
         assert parse_problem(tables, path).figures
@@ -125,7 +125,7 @@ def test_the_example_of_loads_works(directory: Path) -> None:
     lines = "\n".join(blocks).splitlines()
     commented = "\n".join(line.removeprefix("# ") for line in lines if "combine" not in line)
     tables = {**parse_toml(text), **parse_toml(commented), "workshop": {"areal_density": 5}}
-    for key in (*OF_PANELS, "grain"):
+    for key in (*OF_PANELS, "grain", "sandwich"):
         del tables["structure"][key]
     file = check_design(tables, directory / "shell.toml")
     shell = make_shell(file, clash="unexamined", skip=MEASURES)

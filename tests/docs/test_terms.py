@@ -42,6 +42,7 @@ from orishell.structure.load_settings import LoadCase, Person, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis
+from orishell.structure.sandwich import Sandwich
 from orishell.structure.settings import StructureTable, Support
 from orishell.structure.utilisation import Utilisation
 from public_names import public_objects
@@ -265,6 +266,7 @@ PARTS_OF_STRUCTURE: tuple[type, ...] = (
 def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     assert fields_in_table("[structure]", "structure") == {
         *StructureTable.model_fields, *Support.model_fields, *LineStrength.model_fields,
+        *Sandwich.model_fields,
     }  # fmt: skip
     keys = set(LoadCase.model_fields)
     for table in (Snow, Wind, Person):

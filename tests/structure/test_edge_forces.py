@@ -23,6 +23,7 @@ from orishell.structure.mesh.edge_forces import (
     find_edge_forces,
     on_creases,
 )
+from orishell.structure.mesh.layup import Layup
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.mesh.strips import board_stress, film_stress, one_board
@@ -111,6 +112,9 @@ def test_two_plates_that_lean_on_each_other() -> None:
     np.testing.assert_allclose(found[..., ABOUT], 0.0, atol=1e-9 * thrust)
 
 
+LAYUP = Layup(1e9, 0.3)
+
+
 def test_membrane_and_a_board_alone() -> None:
     """By hand: 1000 N/m over 1 mm; and over a board of 4.5 mm whose middle is 2.75 mm away."""
     build = PanelSpec(thickness=0.010, membrane=0.001)
@@ -119,9 +123,9 @@ def test_membrane_and_a_board_alone() -> None:
     assert film_stress(push, build) == pytest.approx(0.0)
     assert film_stress(np.array([0, 500.0, 9, 0]), build) == pytest.approx(0.5e6)
     bent = 1000 / 0.0045 + 6 * 1000 * 0.00275 / 0.0045**2
-    assert board_stress(pull, build) == pytest.approx(bent)
-    assert board_stress(push, build) == pytest.approx(bent)
-    assert board_stress(np.array([0, 0, 0, -3.0]), build) == pytest.approx(6 * 3 / 0.0045**2)
+    assert board_stress(pull, build, LAYUP) == pytest.approx(bent)
+    assert board_stress(push, build, LAYUP) == pytest.approx(bent)
+    assert board_stress(np.array([0, 0, 0, -3.0]), build, LAYUP) == pytest.approx(6 * 3 / 0.0045**2)
 
 
 def test_where_one_board_is_alone() -> None:

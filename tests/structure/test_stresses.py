@@ -35,7 +35,9 @@ SECTION, GRID = Section.solid(1e9, THICK, 0.0), Grid(2, 3)
 NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
 
 
-def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[SheetMesh, Array]:
+def strip(
+    force: tuple[float, float, float], crease: float = np.inf, section: Section = SECTION
+) -> tuple[SheetMesh, Array]:
     """Two panels in line, clamped at x = 0, under a force that is spread over the other end."""
     x, y = np.meshgrid([0.0, 0.5 * LONG, LONG], [WIDE, 0.0])
     mesh = mesh_sheet(np.stack([x, y, 0 * x], axis=-1), GRID, 8, grading=0)
@@ -43,8 +45,8 @@ def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[Sh
     root, end = (points[:, 0] == place for place in (0.0, LONG))
     turned = mesh.rotations()[np.isin(mesh.nodes, np.flatnonzero(root))]
     supported = np.unique(np.concatenate([own[root].ravel(), turned.ravel()]))
-    elements = [mesh.elements(SECTION)]
-    springs = min(crease, rigid_stiffness(mesh, SECTION))
+    elements = [mesh.elements(section)]
+    springs = min(crease, rigid_stiffness(mesh, section))
     elements.append(hinge_elements(mesh, GRID, springs))
     held = factorise(elements, mesh, supported, NOTHING, GRID)
     share = np.where((points[:, 1] == 0) | (points[:, 1] == WIDE), 0.5, 1.0) * end
@@ -55,8 +57,8 @@ def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[Sh
     return mesh, moved
 
 
-def stresses(mesh: SheetMesh, moved: Array) -> PanelStresses:
-    return panel_stresses(mesh, SECTION, facet_stresses(mesh.facets, SECTION, moved[mesh.dofs()]))
+def stresses(mesh: SheetMesh, moved: Array, section: Section = SECTION) -> PanelStresses:
+    return panel_stresses(mesh, section, facet_stresses(mesh.facets, section, moved[mesh.dofs()]))
 
 
 def patch_middles(mesh: SheetMesh, patches: Integers) -> Array:

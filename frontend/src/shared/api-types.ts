@@ -776,7 +776,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "panel_shear" | "rolling_shear" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1062,7 +1062,9 @@ export interface Model {
   material: string | null;
   /** Which way the grain of the faces runs, of a material that has one: along row creases or along column creases; None if nobody knows, and both ways bear what the weaker does. */
   grain: "along rows" | "along columns" | null;
-  /** Young's modulus of panels or boards, of their section as a whole; None if it is that of the material (force per area). */
+  /** What boards are of whose faces are on a core; None if they are solid, or as the material is. */
+  sandwich: Sandwich | null;
+  /** Young's modulus of panels or boards, of their section as a whole, or of the faces of a sandwich; None if it is that of the material (force per area). */
   modulus: number;
   /** Poisson's ratio of panels. */
   poisson: number;
@@ -1072,11 +1074,13 @@ export interface Model {
   membrane_stiffness: [number, number];
   /** Of the sections of panels, the least and the largest: moment per length by curvature. */
   bending_stiffness: [number, number];
+  /** Of boards with a core, across them, likewise: force per length by shear strain. */
+  shear_stiffness: [number, number] | null;
   /** The least and the largest with which all is analysed. */
   crease_stiffness: [number | "free" | "rigid", number | "free" | "rigid"];
   /** Force by strain; None if ties do not stretch. */
   tie_stiffness: number | null;
-  /** What panels bear, its design value; None if it is that of the material (force per area). */
+  /** What panels bear, or the faces of a sandwich, its design value; None if it is that of the material (force per area). */
   strength: number | null;
   /** What creases bear: moment per length; None if that is not known (force). */
   crease_strength: number | null;
@@ -1545,6 +1549,18 @@ export interface Row {
   changes: Record<string, unknown>;
 }
 
+/** Faces and core of boards. */
+export interface Sandwich {
+  /** What is None is that of the material. */
+  face: number | null;
+  /** Of the core (force per area). */
+  core_shear_modulus: number | null;
+  /** Young's modulus of the core across the board (force per area). */
+  core_modulus: number | null;
+  /** What the core bears in shear, its design value; None if that is not known (force per area). */
+  core_shear_strength: number | null;
+}
+
 /** How large something is in sheets that are cut with errors. */
 export interface Scatter {
   /** Root mean square over sheets and places (length). */
@@ -1803,6 +1819,10 @@ export interface Utilisation {
   panel_shear: number | null;
   /** Of boards with a grain, shear in the plane, which is in the first, too, and rolling of plies. */
   rolling_shear: number | null;
+  /** Of boards with a core, shear of that, and the pressure at which faces wrinkle on it. */
+  core_shear: number | null;
+  /** Of boards with a core, shear of that, and the pressure at which faces wrinkle on it. */
+  wrinkling: number | null;
   /** None, too, where panels have none. */
   membrane: number | null;
   /** Of the moments that they bear. */
@@ -1816,7 +1836,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "panel_shear" | "rolling_shear" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

@@ -5,7 +5,7 @@ from __future__ import annotations
 from orishell.conventions.errors import InputError
 from orishell.design import PanelSpec
 from orishell.families.tolerance import Tolerance
-from orishell.structure.settings import StructureTable
+from orishell.structure.settings import Structure, StructureTable
 from orishell.workshop import Workshop
 
 ONLY_WITH = (
@@ -47,6 +47,21 @@ def require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> Non
                     f'"{construction}"',
                     remedy="remove it",
                 )
+
+
+def require_a_core(structure: Structure, panel: PanelSpec | None) -> None:
+    """Refuse boards that their faces fill, or more than that."""
+    board = structure.thickness if panel is None else panel.thickness
+    if panel is not None and not panel.is_solid:
+        board = 0.5 * (panel.thickness - panel.membrane)
+    faces = 0.0 if structure.sandwich is None else 2 * structure.sandwich.core.face
+    if board is not None and faces >= board:
+        raise InputError(
+            "faces leave no room for a core",
+            keys=("structure.sandwich.face", "structure.material"),
+            got=f"twice {faces / 2:g} in boards of {board:g}",
+            remedy="make boards thicker, or faces thinner",
+        )
 
 
 def require_one_hinge_density(panel: PanelSpec | None, workshop: Workshop) -> None:

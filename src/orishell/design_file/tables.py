@@ -17,7 +17,7 @@ from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
-from orishell.design_file.constructions import require_one_thickness
+from orishell.design_file.constructions import require_a_core, require_one_thickness
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
 from orishell.design_file.targets import Targets
@@ -118,6 +118,7 @@ def structure_of(
     require_one_thickness(table, panel)
     _require_names(cases)
     structure = table.filled(unit).under(cases or (OWN_WEIGHT,))
+    require_a_core(structure, panel)
     _require_one_name_each(structure)
     return structure
 
@@ -131,10 +132,13 @@ def weighed(
     """
     if table is None or table.material is None or workshop.areal_density:
         return panel, workshop
-    density = materials()[table.material].density
+    made, metres = materials()[table.material], conversion(unit, "m")
     if panel is not None:
-        return panel.replace_unchecked(density=panel.density or density), workshop
-    thickness = (table.thickness or 0.0) * conversion(unit, "m")
+        parts = 1 if panel.is_solid else 2
+        board = (panel.thickness - (0 if panel.is_solid else panel.membrane)) / parts * metres
+        return panel.replace_unchecked(density=panel.density or made.density_of(board)), workshop
+    thickness = (table.thickness or 0.0) * metres
+    density = made.density_of(thickness)
     return None, workshop.replace_unchecked(areal_density=density * thickness)
 
 

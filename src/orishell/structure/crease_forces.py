@@ -182,7 +182,9 @@ def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
     if build is None or boards is None or not build.membrane:
         return None
     alone = one_board(boards, model.flat)
-    stress = np.where(alone[..., None], board_stress(found.per_length, build), -1.0)
+    stress = np.where(
+        alone[..., None], board_stress(found.per_length, build, model.structure.layup), -1.0
+    )
     largest = on_creases(stress[..., None], model.grid).max(axis=(1, 2, 3))
     return largest_at(model, largest) if largest.max() >= 0 else None
 
@@ -205,11 +207,13 @@ def beside_creases(model: Model, found: EdgeForces) -> AtCrease | None:
     """
     build, boards, values = model.design.panel, model.boards, spread_forces(model, found)
     if build is None:
-        stress = solid_stress(values, model.thickness)
+        stress = solid_stress(values, model.thickness, model.structure.layup)
     elif build.construction == "bevel" and boards is not None:
         thin = chamfered(boards, model.flat).astype(np.float64)
         alone = on_creases(thin[..., None, None], model.grid)[..., 0] > 0
-        half, whole = board_stress(values, build), solid_stress(values, build.thickness)
+        layup = model.structure.layup
+        half = board_stress(values, build, layup)
+        whole = solid_stress(values, build.thickness, layup)
         stress = np.where(alone, half, whole)
     else:
         return None

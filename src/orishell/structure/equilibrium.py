@@ -33,6 +33,7 @@ from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
+from orishell.structure.sandwich_shares import InSandwich, in_sandwich
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
 
 COLLAPSED = 0.25
@@ -215,6 +216,11 @@ class Equilibrium:
         """Shares of what boards with a grain bear; None where they have none."""
         return grain_shares(self.model, self.in_patches, self.edges, self.duration)
 
+    @cached_property
+    def sandwich(self) -> InSandwich | None:
+        """What there is in the core and the faces of boards; None where they have none."""
+        return in_sandwich(self.model, self.in_patches, self.edges)
+
     @property
     def in_panels(self) -> tuple[float, AtCrease | None]:
         """The largest stress that panels bear, and the crease where it is, if it is at one.
@@ -237,12 +243,15 @@ class Equilibrium:
     def utilisation(self) -> Utilisation:
         """Of panels, membrane, creases and ties."""
         asked, film, line = self.model.structure, self.membrane, self.used_line
-        grain = self.by_grain
+        grain, inside = self.by_grain, self.sandwich
+        core = None if asked.sandwich is None else asked.sandwich.core_shear_strength
         creases = 0.0 if self.crease is None else self.crease.moment
         return Utilisation(
             panels=share_of(self.in_panels[0], self.strength) if grain is None else grain.panels,
             panel_shear=None if grain is None else grain.panel_shear,
             rolling_shear=None if grain is None else grain.rolling_shear,
+            core_shear=None if inside is None else share_of(inside.core_shear, core),
+            wrinkling=None if inside is None else inside.pressure / inside.wrinkling,
             membrane=None if film is None else share_of(film.size, asked.membrane_strength),
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,
@@ -257,6 +266,7 @@ class Equilibrium:
         least = LEAST_LINE * conversion(self.model.site.unit, "m")
         bears: dict[Limiting, bool] = {
             "panels": True,
+            "core_shear": self.sandwich is not None,
             "membrane": self.membrane is not None and self.membrane.size > 0,
             "creases": self.crease is not None,
             "lines": self.unknown_line.size > least,

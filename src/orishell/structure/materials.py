@@ -11,6 +11,7 @@ from typing import Any, Literal, get_args
 
 from orishell.conventions.record import record
 from orishell.structure.grain import GrainStrength
+from orishell.structure.sandwich import MadeSandwich
 
 FILE = Path(__file__).with_suffix(".toml")
 
@@ -38,6 +39,8 @@ class Material:
     # wood-based board
     k_mod: Mapping[str, Sequence[float]] = field(default_factory=dict)
     k_def: Mapping[str, float] = field(default_factory=dict)
+    # of what is a sandwich: then modulus and strength are those of its faces
+    sandwich: MadeSandwich | None = None
     grain: GrainStrength | None = None  # what it bears by its grain, characteristic values (N/m2)
 
     def bears(self, duration: Duration, service: ServiceClass) -> float:
@@ -49,6 +52,10 @@ class Material:
         factors = self.k_mod.get(str(service))
         k_mod = 1.0 if factors is None else factors[DURATIONS.index(duration)]
         return k_mod / self.partial_factor
+
+    def density_of(self, thickness: float) -> float:
+        """Mass by volume (kg/m3) of boards as thick (m)."""
+        return self.density if self.sandwich is None else self.sandwich.density(thickness)
 
     def creeps(self, service: ServiceClass) -> float:
         """By how many times their first displacement lasting loads displace it further: k_def."""
@@ -62,5 +69,14 @@ def materials() -> dict[str, Material]:
     return {name: _material(**values) for name, values in found.items()}
 
 
-def _material(*, grain: Mapping[str, Any] | None = None, **values: Any) -> Material:
-    return Material(grain=None if grain is None else GrainStrength(**grain), **values)
+def _material(
+    *,
+    grain: Mapping[str, Any] | None = None,
+    sandwich: Mapping[str, Any] | None = None,
+    **values: Any,
+) -> Material:
+    return Material(
+        grain=None if grain is None else GrainStrength(**grain),
+        sandwich=None if sandwich is None else MadeSandwich(**sandwich),
+        **values,
+    )

@@ -42,9 +42,10 @@ class Model:
 
     REPORTED = (
         "nodes", "triangles", "freedoms", "cells", "change", "stopped", "mass", "height",
-        "thickness", "structure.material", "structure.grain", "structure.modulus",
+        "thickness", "structure.material", "structure.grain", "structure.sandwich",
+        "structure.modulus",
         "structure.poisson", "structure.membrane_modulus", "membrane_stiffness",
-        "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "bending_stiffness", "shear_stiffness", "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
         "structure.arm_strength", "displacement_limit", "structure.imperfection",
@@ -138,6 +139,11 @@ class Model:
     def bending_stiffness(self) -> tuple[float, float]:
         """Of the sections of panels, the least and the largest: moment per length by curvature."""
         return _range(self.section.bending)
+
+    @property
+    def shear_stiffness(self) -> tuple[float, float] | None:
+        """Of boards with a core, across them, likewise: force per length by shear strain."""
+        return None if self.structure.sandwich is None else _range(self.section.shear)
 
     @property
     def crease_stiffness(self) -> tuple[Stiffness, Stiffness]:

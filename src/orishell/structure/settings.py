@@ -39,6 +39,8 @@ from orishell.structure.load_settings import (
     Zone,
 )
 from orishell.structure.materials import Duration, ServiceClass, materials
+from orishell.structure.mesh.layup import Layup
+from orishell.structure.sandwich import Sandwich
 
 __all__ = [
     "LOADS",
@@ -163,15 +165,18 @@ class StructureTable(Table):
     # how wet it becomes, the service class of EN 1995: 1 indoors, 2 under a roof, 3 outdoors; for
     # what materials bear by name
     service_class: ServiceClass = 3
-    # Young's modulus of panels or boards, of their section as a whole; None if it is that of the
-    # material (force per area)
+    # Young's modulus of panels or boards, of their section as a whole, or of the faces of a
+    # sandwich; None if it is that of the material (force per area)
     modulus: Annotated[Positive | None, Field(validate_default=True)] = None
+    # what boards are of whose faces are on a core; None if they are solid, or as the material is
+    sandwich: Sandwich | None = None
     # which way the grain of the faces runs, of a material that has one: along row creases or along
     # column creases; None if nobody knows, and both ways bear what the weaker does
     grain: Grain | None = None
     supports: Annotated[Several[Support], Field(min_length=1)]  # what holds it
     poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3  # Poisson's ratio of panels
-    # what panels bear, its design value; None if it is that of the material (force per area)
+    # what panels bear, or the faces of a sandwich, its design value; None if it is that of the
+    # material (force per area)
     strength: Positive | None = None
     thickness: Positive | None = None  # of panels, where the design has none; else None (length)
     # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
@@ -211,6 +216,20 @@ class StructureTable(Table):
     # how far the shape is off as built: so much at most, as the first way in which it buckles; only
     # where large displacements are followed (length)
     imperfection: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+
+    @field_validator("sandwich")
+    @classmethod
+    def _require_core(cls, sandwich: Sandwich | None, info: ValidationInfo) -> Sandwich | None:
+        name = info.data.get("material")
+        made = None if name is None else materials()[name]
+        if sandwich is None:
+            return None
+        if made is not None and made.grain is not None:
+            raise misfit("no sandwich, or faces of a material without a grain", name)
+        missing = sandwich.filled(None if made is None else made.sandwich, "m").missing
+        if missing:
+            raise misfit(f"also {' and '.join(missing)}", "a sandwich without it")
+        return sandwich
 
     @model_validator(mode="after")
     def _require_one_strength(self) -> Self:
@@ -299,8 +318,11 @@ class StructureTable(Table):
             "poisson": made.poisson,
         }
         given = {key for key in known if key in self.model_fields_set}
+        sandwich = self.sandwich
+        if sandwich is not None or made.sandwich is not None:
+            sandwich = (sandwich or Sandwich()).filled(made.sandwich, unit)
         return self.replace_unchecked(
-            **{key: each for key, each in known.items() if key not in given}
+            sandwich=sandwich, **{key: each for key, each in known.items() if key not in given}
         )
 
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:
@@ -315,6 +337,12 @@ class Structure(StructureTable):
 
     modulus: Positive
     cases: Several[LoadCase]
+
+    @property
+    def layup(self) -> Layup:
+        """What its boards are made of."""
+        core = None if self.sandwich is None else self.sandwich.core
+        return Layup(self.modulus, self.poisson, core)
 
     @property
     def arranged(self) -> tuple[LoadCase, ...]:

@@ -11,6 +11,8 @@ Limiting = Literal[
     "panels",
     "panel_shear",
     "rolling_shear",
+    "core_shear",
+    "wrinkling",
     "membrane",
     "creases",
     "lines",
@@ -23,6 +25,8 @@ GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
     "panel_shear": "shear of panels in their plane",
     "rolling_shear": "rolling shear in panels",
+    "core_shear": "shear of the core in panels",
+    "wrinkling": "wrinkling of faces of panels",
     "membrane": "the stress in the membrane between boards",
     "creases": "the moment of creases",
     "lines": "the force along a crease line",
@@ -35,9 +39,13 @@ NAMED: Mapping[Limiting, str] = {
     "lines": "crease lines",
     "panel_shear": "panels against shear in their plane",
     "rolling_shear": "panels against rolling shear",
+    "core_shear": "cores of panels in shear",
+    "wrinkling": "faces of panels against wrinkling",
 }
 """What bears, where its name is not the word for it."""
-NOT_EVERYWHERE: frozenset[Limiting] = frozenset({"panel_shear", "rolling_shear", "buckling"})
+NOT_EVERYWHERE: frozenset[Limiting] = frozenset(
+    {"panel_shear", "rolling_shear", "core_shear", "wrinkling", "buckling"}
+)
 """What is not known only where there is nothing of the kind."""
 LEAST_LINE = 100.0
 """Less is taken as borne by any crease line (N/m): a masking tape of paper is peeled off steel by
@@ -55,6 +63,9 @@ class Utilisation:
     # of boards with a grain, shear in the plane, which is in the first, too, and rolling of plies
     panel_shear: float | None
     rolling_shear: float | None
+    # of boards with a core, shear of that, and the pressure at which faces wrinkle on it
+    core_shear: float | None
+    wrinkling: float | None
     membrane: float | None  # None, too, where panels have none
     creases: float | None  # of the moments that they bear
     lines: float | None  # of the forces that creases bear as crease lines

@@ -2,9 +2,9 @@
 
 Chamfers leave a solid board the thinner the nearer to a crease, down to half of it or less.
 
-A solid panel of thickness t has E t and E t^3/12, each over 1 - nu^2. Of two boards of thickness b
-at a distance 2 d between their middles each adds E b and E (b^3/12 + b d^2); where only one of them
-is left beside a crease, E b and E b^3/12. A membrane between them adds what it has by itself.
+A board has what its layup has. Of two boards at a distance 2 d between their middles each adds its
+E A and E (I + A d^2); where only one of them is left beside a crease, E A and E I. A membrane
+between them adds what it has by itself.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.structure.mesh.layup import Layup
 from orishell.structure.settings import Structure
 
 
@@ -32,13 +33,32 @@ class Section:
     poisson: float  # Poisson's ratio
     modulus: float  # Young's modulus at the outermost fibres (force per area)
     reach: ArrayLike  # distance (T,) of the outermost fibres from the middle (length)
+    depth: ArrayLike  # over how much shear across the plane is spread (T,) (length)
+    # force per length by shear strain across the plane (T,); infinite where it does not count
+    shear: ArrayLike = np.inf
+
+    @property
+    def softness(self) -> Array:
+        """Bending stiffness by that in shear (T,), or (); 0 where shear does not count."""
+        return np.asarray(np.asarray(self.bending) / np.asarray(self.shear), np.float64)
 
     @classmethod
     def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:
         """That of a solid plate: modulus (force per area), thickness (length), poisson's ratio."""
-        plane = modulus / (1 - poisson**2)
-        bending = plane * thickness**3 / 12
-        return cls(plane * thickness, bending, poisson, modulus, 0.5 * thickness)
+        return cls.board(Layup(modulus, poisson), thickness)
+
+    @classmethod
+    def board(cls, layup: Layup, thickness: float) -> Section:
+        """That of a board of a layup and a thickness (length)."""
+        return cls(
+            membrane=layup.plane * float(layup.area(thickness)),
+            bending=layup.plane * float(layup.inertia(thickness)),
+            poisson=layup.poisson,
+            modulus=layup.modulus,
+            reach=0.5 * thickness,
+            depth=float(layup.depth(thickness)),
+            shear=float(layup.shear(thickness)),
+        )
 
     def of(self, triangles: Integers) -> Section:
         """Those of some triangles (t,)."""
@@ -79,47 +99,59 @@ def panel_sections(
     flat: Corners (F, 4, 2) of the panels in the flat sheet.
     centres: Middles (F, t, 2) of the panels' triangles, as shares of the way down and across.
     """
-    modulus, nu = structure.modulus, structure.poisson
+    layup = structure.layup
     if build is None or boards is None or build.is_solid:
         thickness = structure.thickness if build is None else build.thickness
         assert thickness is not None
         if build is None or boards is None or build.construction != "bevel":
-            return Section.solid(modulus, thickness, nu)
-        return _tapered(Section.solid(modulus, thickness, nu), boards, flat, centres)
+            return Section.board(layup, thickness)
+        return _tapered(layup, thickness, boards, flat, centres)
     board = 0.5 * (build.thickness - build.membrane)
     away = 0.5 * (board + build.membrane)
     places = places_in(flat, SAMPLES)
     top, bottom = (_covered(boards.chosen(boards.sides == side), places) for side in (1, -1))
     number = top.astype(np.int64) + bottom  # boards (F, S, S) at every place
-    plane, fabric = (each / (1 - nu**2) for each in (modulus, structure.membrane_modulus))
-    alone = plane * board**3 / 12
-    bends = np.choose(number, [0.0, alone, 2 * (alone + plane * board * away**2)])
+    one, alone = (layup.plane * float(each(board)) for each in (layup.area, layup.inertia))
+    fabric = structure.membrane_modulus / (1 - layup.poisson**2)
+    bends = np.choose(number, [0.0, alone, 2 * (alone + one * away**2)])
     boards_there = _averaged(number.astype(np.float64), centres)
     bending = _averaged(np.asarray(bends, np.float64), centres)
     between = fabric * build.membrane
+    both = boards_there > 1
     return Section(
-        membrane=plane * board * boards_there + between,
-        bending=bending + max(between, LEAST_BENDING * plane * board) * build.membrane**2 / 12,
-        poisson=nu,
-        modulus=modulus,
-        reach=np.where(boards_there > 1, 0.5 * build.thickness, 0.5 * board),
+        membrane=one * boards_there + between,
+        bending=bending + max(between, LEAST_BENDING * one) * build.membrane**2 / 12,
+        poisson=layup.poisson,
+        modulus=layup.modulus,
+        reach=np.where(both, 0.5 * build.thickness, 0.5 * board),
+        depth=np.where(both, 2, 1) * float(layup.depth(board)),
+        shear=np.maximum(boards_there, LEAST_BENDING) * float(layup.shear(board)),
     )
 
 
-def _tapered(solid: Section, boards: Boards, flat: Array, centres: Array) -> Section:
-    """Sections of boards that are chamfered, by those of a whole board.
+def _tapered(
+    layup: Layup, thickness: float, boards: Boards, flat: Array, centres: Array
+) -> Section:
+    """Sections of boards that are chamfered.
 
     Each place bends about the middle of what is left of it there, apart from its neighbours: that
     is the least that it may be, and about the hinge plane it is up to four times as stiff.
     """
+    whole = Section.board(layup, thickness)
     left = thickness_left(boards, flat, SAMPLES)
-    share, cubed = (np.maximum(_averaged(each, centres), LEAST_BENDING) for each in (left, left**3))
+    area, inertia = (
+        _averaged(each(thickness * left), centres) / float(each(thickness))
+        for each in (layup.area, layup.inertia)
+    )
+    share = np.maximum(_averaged(left, centres), LEAST_BENDING)
     return Section(
-        membrane=np.asarray(solid.membrane) * share,
-        bending=np.asarray(solid.bending) * cubed,
-        poisson=solid.poisson,
-        modulus=solid.modulus,
-        reach=np.asarray(solid.reach) * share,
+        membrane=np.asarray(whole.membrane) * np.maximum(area, LEAST_BENDING),
+        bending=np.asarray(whole.bending) * np.maximum(inertia, LEAST_BENDING),
+        poisson=layup.poisson,
+        modulus=layup.modulus,
+        reach=np.asarray(whole.reach) * share,
+        depth=layup.depth(thickness * share),
+        shear=layup.shear(thickness * share),
     )
 
 

@@ -53,8 +53,8 @@ class PanelStresses:
     # takes off at the lower one (force per area)
     direct: Array
     bent: Array
-    # shear across the plane on sections square to x and y (P, 2), over the thickness there (force
-    # per area)
+    # shear across the plane on sections square to x and y (P, 2), over the thickness there, that of
+    # the core and half of each face where there is one (force per area)
     across: Array
 
     @property
@@ -83,10 +83,13 @@ def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetForce
     flat = facets.flat()
     local = np.einsum("tij,tkj->tki", facets.axes(), moved.reshape(-1, 6, 3)).reshape(-1, 3, 6)
     stretch = np.einsum("tij,tj->ti", strains(flat), local[..., IN_PLANE].reshape(-1, 9))
+    softness = np.broadcast_to(section.softness, len(flat))
     bend = np.stack(
         [
             np.einsum(
-                "tij,tj->ti", curvatures(flat, place), local[..., OUT_OF_PLANE].reshape(-1, 9)
+                "tij,tj->ti",
+                curvatures(flat, place, softness),
+                local[..., OUT_OF_PLANE].reshape(-1, 9),
             )
             for place in CORNERS
         ],
@@ -115,7 +118,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
             _shears(mesh, found.at_corners),
             *(
                 np.broadcast_to(np.asarray(each, np.float64), len(areas))[:, None]
-                for each in (section.membrane, section.bending, section.reach, 1.0)
+                for each in (section.membrane, section.bending, section.reach, section.depth, 1.0)
             ),
         ],
         axis=1,
@@ -127,7 +130,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
     sums[:, :: PATCHES - 1, :: PATCHES - 1] = quarters
     mean = (sums / sums[..., -1:]).reshape(count * PATCHES**2, -1)
     plane = section.modulus / (1 - section.poisson**2)
-    membrane, bending, reach = mean[:, 8:9], mean[:, 9:10], mean[:, 10:11]
+    membrane, bending, reach, depth = (mean[:, k : k + 1] for k in range(8, 12))
     main = (
         np.arange(count)[:, None, None] * PATCHES**2
         + down.argmax(axis=1)[:, :, None] * PATCHES
@@ -138,7 +141,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
         panels=np.repeat(np.arange(count), PATCHES**2),
         direct=plane * mean[:, :3] / membrane,
         bent=plane * mean[:, 3:6] * reach / bending,
-        across=0.5 * mean[:, 6:8] / reach,
+        across=mean[:, 6:8] / depth,
     )
 
 

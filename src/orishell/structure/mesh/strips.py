@@ -24,6 +24,7 @@ from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.mesh.edge_forces import ABOUT, IN_PLANE, NORMAL
+from orishell.structure.mesh.layup import Layup
 from orishell.structure.mesh.sections import inwards, set_back
 
 EQUAL = 1e-6
@@ -39,27 +40,31 @@ def film_stress(per_length: Array, build: PanelSpec) -> Array:
     return np.asarray((half + np.hypot(half, shear)) / build.membrane)
 
 
-def board_stress(per_length: Array, build: PanelSpec) -> Array:
+def board_stress(per_length: Array, build: PanelSpec, layup: Layup) -> Array:
     """Largest stress (...) by von Mises of a board that is alone beside a crease (force per area).
 
     per_length: N, V_in, V, M (..., 4).
     """
     board = 0.5 * (build.thickness - build.membrane)
     away = 0.5 * (board + build.membrane)
-    size = np.abs(per_length)
-    direct = size[..., NORMAL] / board
-    bent = 6 * (size[..., ABOUT] + size[..., NORMAL] * away) / board**2
-    return np.asarray(np.sqrt((direct + bent) ** 2 + 3 * (size[..., IN_PLANE] / board) ** 2))
+    return _outermost(per_length, layup, board, away)
 
 
-def solid_stress(per_length: Array, thickness: float) -> Array:
+def solid_stress(per_length: Array, thickness: float, layup: Layup) -> Array:
     """Largest stress (...) by von Mises of a solid board beside a crease (force per area).
 
     per_length: N, V_in, V, M (..., 4).
     """
+    return _outermost(per_length, layup, thickness, 0.0)
+
+
+def _outermost(per_length: Array, layup: Layup, thickness: float, away: float) -> Array:
+    """Von Mises' stress (...) of the outermost fibres, N being so far away from the middle."""
     size = np.abs(per_length)
-    direct = size[..., NORMAL] / thickness + 6 * size[..., ABOUT] / thickness**2
-    return np.asarray(np.sqrt(direct**2 + 3 * (size[..., IN_PLANE] / thickness) ** 2))
+    moment = size[..., ABOUT] + size[..., NORMAL] * away
+    direct, bent = layup.stresses(thickness, size[..., NORMAL], moment)
+    shear, _ = layup.stresses(thickness, size[..., IN_PLANE], moment)
+    return np.asarray(np.sqrt((direct + bent) ** 2 + 3 * shear**2))
 
 
 def one_board(boards: Boards, flat: Array) -> Booleans:

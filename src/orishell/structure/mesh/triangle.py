@@ -1,4 +1,4 @@
-"""The flat shell triangle: membrane (OPT) and bending (DKT).
+"""The flat shell triangle: membrane (OPT) and bending (DKT, or DKMT where it shears).
 
 Every node has six dofs, three translations and three rotations, in the world's axes.
 
@@ -13,8 +13,18 @@ the last from strains along the three sides at their middles.
 
 J.-L. Batoz, K.-J. Bathe and L.-W. Ho, "A study of three-node triangular plate bending elements",
 International Journal for Numerical Methods in Engineering 15 (1980). Rotations are quadratic, and
-free of shear at corners and middles of sides; curvatures are linear in area coordinates, so that
-the three middles of the sides integrate their products exactly.
+free of shear along sides; curvatures are linear in area coordinates, so that the three middles of
+the sides integrate their products exactly.
+
+I. Katili, "A new discrete Kirchhoff-Mindlin element based on Mindlin-Reissner plate theory and
+assumed shear strain fields - part I", the same journal 36 (1993). Sides are as soft in shear as
+their bending asks for: by what rotations bulge at the middle of a side of length l, db, the moment
+changes by -8 D db/l^2, and with shear stiffness S that strains it by gamma = -8 D/(S l^2) db. On
+average along the side this is w,s + beta_s, so that with phi = 12 D/(S l^2)
+
+    db = -3/(2 l (1 + phi)) (w_j - w_i + l (beta_i + beta_j)/2),
+
+which is DKT where S is infinite. At corners gamma is that of both sides, and linear between them.
 """
 
 from __future__ import annotations
@@ -65,11 +75,15 @@ class Facets:
             np.broadcast_to(section.matrix(each), (len(found), 3, 3))
             for each in (section.membrane, section.bending)
         )
+        softness, shear = (
+            np.broadcast_to(np.asarray(each, np.float64), len(found))
+            for each in (section.softness, section.shear)
+        )
         for some in chunks(len(found), 18 * 18):
             part = Facets(self.points, self.triangles[some])
             flat = part.flat()
             membrane = membrane_stiffness(flat, plane[some], section.poisson)
-            plate = plate_stiffness(flat, bending[some])
+            plate = plate_stiffness(flat, bending[some], softness[some], shear[some])
             local = np.zeros((len(flat), 18, 18))
             for stiffness, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
                 places = (DOFS * np.arange(3)[:, None] + np.array(own)).ravel()
@@ -188,93 +202,96 @@ MIDDLES = ((0.5, 0.0), (0.5, 0.5), (0.0, 0.5))
 """Middles of the sides in the coordinates xi, eta."""
 
 
-def plate_stiffness(corners: Array, rigidity: Array) -> Array:
+def plate_stiffness(corners: Array, rigidity: Array, softness: Array, shear: Array) -> Array:
     """Stiffness (T, 9, 9) of triangles for w and the rotations about x and y at every corner.
 
     corners: Corners (T, 3, 2), counter-clockwise (length).
     rigidity: Moments per length by curvatures xx, yy, xy (T, 3, 3), or one for all (3, 3).
+    softness: Bending stiffness by that in shear (T,), 0 where shear does not count (length^2).
+    shear: Force per length by shear strain (T,), where softness is not 0.
     """
-    area = _area(corners)
+    area = _area(corners)[:, None, None]
     total = np.zeros((len(corners), 9, 9))
     for middle in MIDDLES:
-        curvature = curvatures(corners, middle)
+        curvature = curvatures(corners, middle, softness)
         total += curvature.swapaxes(1, 2) @ rigidity @ curvature
-    return np.asarray(total * (area / 3)[:, None, None])
+    if softness.any():
+        sheared = np.where(softness > 0, shear, 0.0)[:, None, None]
+        at_corners = shear_strains(corners, softness)
+        for first, second in ((0, 1), (1, 2), (2, 0)):
+            strain = 0.5 * (at_corners[:, first] + at_corners[:, second])
+            total += sheared * (strain.swapaxes(1, 2) @ strain)
+    return np.asarray(total * (area / 3))
 
 
-def curvatures(corners: Array, at: tuple[float, float]) -> Array:
+SIDES = ((0, 1), (1, 2), (2, 0))
+"""Corners at both ends of sides."""
+
+
+def curvatures(corners: Array, at: tuple[float, float], softness: Array | float = 0.0) -> Array:
     """Curvatures (T, 3, 9) xx, yy and twice xy at a place of every triangle.
 
     corners: Corners (T, 3, 2), counter-clockwise (length).
     at: Area coordinates of the second and the third corner.
+    softness: Bending stiffness by that in shear (T,), 0 where shear does not count (length^2).
     """
-    xi, eta = at
-    x, y = corners[..., 0], corners[..., 1]
-    # Sides 4, 5, 6 of the paper: from corner 2 to 3, 3 to 1, 1 to 2.
-    dx = np.stack([x[:, 1] - x[:, 2], x[:, 2] - x[:, 0], x[:, 0] - x[:, 1]])
-    dy = np.stack([y[:, 1] - y[:, 2], y[:, 2] - y[:, 0], y[:, 0] - y[:, 1]])
-    square = dx**2 + dy**2
-    p4, p5, p6 = -6 * dx / square
-    t4, t5, t6 = -6 * dy / square
-    q4, q5, q6 = 3 * dx * dy / square
-    r4, r5, r6 = 3 * dy**2 / square
-    a, b = 1 - 2 * xi, 1 - 2 * eta
-    x_xi = [
-        p6 * a + (p5 - p6) * eta,
-        q6 * a - (q5 + q6) * eta,
-        -4 + 6 * (xi + eta) + r6 * a - eta * (r5 + r6),
-        -p6 * a + eta * (p4 + p6),
-        q6 * a - eta * (q6 - q4),
-        -2 + 6 * xi + r6 * a + eta * (r4 - r6),
-        -eta * (p5 + p4),
-        eta * (q4 - q5),
-        -eta * (r5 - r4),
-    ]
-    y_xi = [
-        t6 * a + eta * (t5 - t6),
-        1 + r6 * a - eta * (r5 + r6),
-        -q6 * a + eta * (q5 + q6),
-        -t6 * a + eta * (t4 + t6),
-        -1 + r6 * a + eta * (r4 - r6),
-        -q6 * a - eta * (q4 - q6),
-        -eta * (t4 + t5),
-        eta * (r4 - r5),
-        -eta * (q4 - q5),
-    ]
-    x_eta = [
-        -p5 * b - xi * (p6 - p5),
-        q5 * b - xi * (q5 + q6),
-        -4 + 6 * (xi + eta) + r5 * b - xi * (r5 + r6),
-        xi * (p4 + p6),
-        xi * (q4 - q6),
-        -xi * (r6 - r4),
-        p5 * b - xi * (p4 + p5),
-        q5 * b + xi * (q4 - q5),
-        -2 + 6 * eta + r5 * b + xi * (r4 - r5),
-    ]
-    y_eta = [
-        -t5 * b - xi * (t6 - t5),
-        1 + r5 * b - xi * (r5 + r6),
-        -q5 * b + xi * (q5 + q6),
-        xi * (t4 + t6),
-        xi * (r4 - r6),
-        -xi * (q4 - q6),
-        t5 * b - xi * (t4 + t5),
-        -1 + r5 * b + xi * (r4 - r5),
-        -q5 * b - xi * (q4 - q5),
-    ]
-    hx_xi, hy_xi, hx_eta, hy_eta = (
-        np.stack([np.broadcast_to(part, len(corners)) for part in parts], axis=-1)
-        for parts in (x_xi, y_xi, x_eta, y_eta)
-    )
-    x31, y31 = (x[:, 2] - x[:, 0])[:, None], (y[:, 2] - y[:, 0])[:, None]
-    x12, y12 = (x[:, 0] - x[:, 1])[:, None], (y[:, 0] - y[:, 1])[:, None]
-    rows = [
-        y31 * hx_xi + y12 * hx_eta,
-        -x31 * hy_xi - x12 * hy_eta,
-        -x31 * hx_xi - x12 * hx_eta + y31 * hy_xi + y12 * hy_eta,
-    ]
-    return np.stack(rows, axis=1) / (2 * _area(corners))[:, None, None]
+    place = 1 - at[0] - at[1], *at
+    slopes = _slopes(corners)
+    found = np.zeros((len(corners), 3, 9))
+    for k in range(3):
+        x, y = slopes[:, k].T
+        # beta_x is the rotation about y, beta_y that about -x.
+        found[:, 0, 3 * k + 2], found[:, 1, 3 * k + 1] = x, -y
+        found[:, 2, 3 * k + 2], found[:, 2, 3 * k + 1] = y, -x
+    for (i, j), (along, bulge) in zip(SIDES, _bulges(corners, softness), strict=True):
+        x, y = 4 * (place[i] * slopes[:, j] + place[j] * slopes[:, i]).T
+        c, s = along.T
+        bent = np.stack([x * c, y * s, y * c + x * s], axis=1)
+        found += bent[:, :, None] * bulge[:, None]
+    return found
+
+
+def shear_strains(corners: Array, softness: Array) -> Array:
+    """Shear strains (T, 3, 2, 9) across the plane, along x and y, at corners; linear between them.
+
+    corners: Corners (T, 3, 2), counter-clockwise (length).
+    softness: Bending stiffness by that in shear (T,) (length^2).
+    """
+    sides = _bulges(corners, softness)
+    # Along a side the moment changes by -8 D bulge/l^2, and that is its shear.
+    strains = []
+    for (i, j), (_, bulge) in zip(SIDES, sides, strict=True):
+        square = np.sum((corners[:, j] - corners[:, i]) ** 2, axis=1)
+        strains.append(-8 * (softness / square)[:, None] * bulge)
+    found = np.empty((len(corners), 3, 2, 9))
+    for k in range(3):
+        before, after = (k + 2) % 3, k
+        both = np.stack([sides[before][0], sides[after][0]], axis=1)
+        found[:, k] = np.linalg.solve(both, np.stack([strains[before], strains[after]], axis=1))
+    return found
+
+
+def _bulges(corners: Array, softness: Array | float) -> list[tuple[Array, Array]]:
+    """Directions (T, 2) of sides, and by how much (T, 9) rotations along them bulge at middles."""
+    found = []
+    for i, j in SIDES:
+        side = corners[:, j] - corners[:, i]
+        length = np.linalg.norm(side, axis=1)
+        c, s = (side / length[:, None]).T
+        bulge = np.zeros((len(corners), 9))
+        bulge[:, 3 * i], bulge[:, 3 * j] = -1.0, 1.0
+        for k in (i, j):
+            bulge[:, 3 * k + 1], bulge[:, 3 * k + 2] = -0.5 * length * s, 0.5 * length * c
+        phi = 12 * softness / length**2
+        found.append((np.stack([c, s], axis=1), -1.5 / (length * (1 + phi))[:, None] * bulge))
+    return found
+
+
+def _slopes(corners: Array) -> Array:
+    """Slopes (T, 3, 2) along x and y of area coordinates."""
+    side = np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
+    across = np.stack([-side[..., 1], side[..., 0]], axis=-1)
+    return np.asarray(across / (2 * _area(corners))[:, None, None])
 
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))

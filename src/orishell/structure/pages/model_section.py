@@ -43,15 +43,18 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Thickness of panels, t", said.displacement(model.thickness)
     if asked.material is not None:
         yield "Material", asked.material
-    yield "Young\u2019s modulus, E", said.stress(asked.modulus)
+    core = asked.sandwich
+    yield f"Young\u2019s modulus{' of faces' if core else ''}, E", said.stress(asked.modulus)
     yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
+    if core is not None:
+        yield from _core(model, said)
     if asked.membrane_modulus:
         yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
     if asked.has_grain:
         yield "Grain of panels", asked.grain or "not given: as weak either way as the weaker"
         yield from _grain_strengths(model, said)
     else:
-        yield "Strength of panels", _strength(model, said)
+        yield f"Strength of {'faces' if core else 'panels'}", _strength(model, said)
     if model.design.panel is not None and model.design.panel.membrane:
         yield "Strength of the membrane", _known(asked.membrane_strength, said.stress)
     yield (
@@ -59,6 +62,8 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         _from_to(model.membrane_stiffness, said.per_length),
     )
     yield "Stiffness of sections in bending", _from_to(model.bending_stiffness, said.bending)
+    if model.shear_stiffness is not None:
+        yield "Stiffness of sections in shear", _from_to(model.shear_stiffness, said.per_length)
     stiffness = _stiffness(low)
     if low != high:
         stiffness += f", and {_stiffness(high)}: all is found for both"
@@ -96,13 +101,16 @@ def _changes_in_words(model: Model) -> str:
 
 def _sections_in_words(model: Model, said: Quantities) -> str:
     """How the stiffness of sections comes from thickness and modulus."""
-    asked = model.structure
-    plane = asked.modulus / (1 - asked.poisson**2)
-    solid = plane * model.thickness**3 / 12
+    layup, thick = model.structure.layup, model.thickness
+    solid = layup.plane * float(layup.inertia(thick))
     least, most = model.bending_stiffness
+    area, inertia, what = "t", "t³/12", "A solid panel"
+    if layup.core is not None:
+        area, inertia, what = "2 f", "(f d²/2 + f³/6)", "A panel with faces f and d = t \u2212 f"
+    flat = said.per_length(layup.plane * float(layup.area(thick)))
     text = (
-        f"A solid panel has E t/(1 \u2212 \u03bd²) = {said.per_length(plane * model.thickness)} in "
-        f"its plane and E t³/12/(1 \u2212 \u03bd²) = {said.bending(solid)} in bending."
+        f"{what} has E {area}/(1 \u2212 \u03bd²) = {flat} in its plane and "
+        f"E {inertia}/(1 \u2212 \u03bd²) = {said.bending(solid)} in bending."
     )
     if max(abs(least - solid), abs(most - solid)) <= 1e-9 * solid:
         return text
@@ -153,6 +161,18 @@ def _strength(model: Model, said: Quantities) -> str:
         return _known(values["permanent"], said.stress)
     words = (f"{_known(value, said.stress)} {name}" for name, value in values.items())
     return f"by duration of loads, service class {asked.service_class}: {', '.join(words)}"
+
+
+def _core(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
+    """Faces and core of a sandwich."""
+    core, made = model.structure.layup.core, model.structure.sandwich
+    assert core is not None
+    assert made is not None
+    yield "Thickness of each face, f", said.displacement(core.face)
+    yield "Shear modulus of the core", said.stress(core.shear_modulus)
+    yield "Strength of the core in shear", _known(made.core_shear_strength, said.stress)
+    yield "Young\u2019s modulus of the core", said.stress(core.modulus)
+    yield "Faces wrinkle at", said.stress(model.structure.layup.wrinkling or 0.0)
 
 
 def _grain_strengths(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
