@@ -17,6 +17,7 @@ from orishell.deployment.site import Site
 from orishell.deployment.ties import Tie, find_ties
 from orishell.deployment.weight import Body, OwnWeight, measure_weight
 from orishell.design import Design, PanelSpec
+from orishell.design.design import Fixing
 from orishell.document import Document
 from orishell.document.ground import GroundPlan
 from orishell.locking import Cause, Lock
@@ -41,8 +42,12 @@ class DeploymentReport:
     end_drive: Angle  # as far as it closes, proved if its path was examined
     # what keeps it from closing, and from opening, beyond its target; None if nothing does, or if
     # it is not known to keep all motions of a sheet from it that has several
-    closing: Cause | Literal["clipped flaps"] | None
-    opening: Literal["ties"] | None
+    closing: Cause | Literal["clipped flaps", "gussets"] | None
+    opening: Literal["ties", "gussets"] | None
+    gussets: int  # how many are clipped into its folds at the target
+    # whether any one of them alone, or all together, keep it from both, in all of its motions; None
+    # if that is not known
+    fixed_by: Fixing | None
     # the state that packs smallest, of the largest piece where there are pieces; None if that was
     # not asked for
     packed: Pack | None
@@ -76,11 +81,15 @@ def describe_deployment(
     # Where the proof ends nothing is known to hold it.
     ends = lock.closes_to <= lock.target_drive and lock.cause != "unproved"
     caught = lock.cause if ends else None
-    closing: Cause | Literal["clipped flaps"] | None = "clipped flaps" if clipped else caught
+    closing: Cause | Literal["clipped flaps", "gussets"] | None
+    closing = "clipped flaps" if clipped else caught
     if not freedom.one_motion:
         ties = tuple(replace(tie, slack=None if tie.slack else tie.slack) for tie in ties)
         if design.clipped is None or not held_by_flaps(design.clipped):
             closing = None
+    opening: Literal["ties", "gussets"] | None = "ties" if ties and freedom.one_motion else None
+    if design.fixed_by is not None:
+        closing, opening = closing or "gussets", opening or "gussets"
     return DeploymentReport(
         start=start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
@@ -89,7 +98,9 @@ def describe_deployment(
         largest_thickness=None,
         end_drive=lock.closes_to,
         closing=closing,
-        opening="ties" if ties and freedom.one_motion else None,
+        opening=opening,
+        gussets=len(design.plates),
+        fixed_by=design.fixed_by,
         packed=None,
         pieces=(),
         ties=ties,

@@ -23,6 +23,9 @@ from orishell.numerics.arrays import Array
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""
 
+Fixing = Literal["any", "all"]
+"""Whether each of several parts does something by itself, or all of them together."""
+
 Parameter = float | int | str | list[float] | list[str]
 
 
@@ -65,6 +68,9 @@ class Design:
     clipped: Mechanism | None = None
     # other parts that go with the sheet, each with the states in which it is there
     attached: tuple[Part, ...] = ()
+    # whether plates among them keep the whole sheet still at its target: any one of them alone, or
+    # all together; None if it is not known that they do
+    fixed_by: Fixing | None = None
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
@@ -173,6 +179,11 @@ class Design:
     def flapped(self) -> Mechanism:
         """The sheet with all its flaps, those that are clipped on at the target as well."""
         return self.clipped or self.mechanism
+
+    @property
+    def plates(self) -> tuple[Part, ...]:
+        """Parts that stiffen it: plates hinged on the sheet at its target."""
+        return tuple(part for part in self.attached if part.plate is not None)
 
     @property
     def in_pieces(self) -> bool:

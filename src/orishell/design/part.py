@@ -15,6 +15,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.design.panel import PanelSpec
+from orishell.design.stiffeners import Plate
 from orishell.motion.boards import Boards
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.mesh import QuadMesh
@@ -89,6 +90,10 @@ class Part:
     kind: str = field(default="sheet", repr=False)
     # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself
     borne_at: Integers | None = field(default=None, repr=False)
+    # the share (K,) of its mass that each of these bears; None if they bear as much each
+    borne_shares: Array | None = field(default=None, repr=False)
+    # where it is a plate that stiffens the shell; None if it stiffens nothing
+    plate: Plate | None = field(default=None, repr=False)
 
     @property
     def sheet(self) -> Self:

@@ -18,6 +18,7 @@ from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import MeshSurface, PanelSpec, PiecedSurface
+from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import require_boards, require_one_hinge_density
 from orishell.design_file.faults import explain
 from orishell.design_file.fit import FitTable
@@ -71,6 +72,8 @@ class DesignFile:
     ground: Ground = "z0"  # where a shell that can stand is put
     deployment: Deployment = FROM_FLAT  # how it is deployed
     panel: PanelSpec | None = None  # what its panels are made of; None if they have no thickness
+    # what is put into its folds where it stands; None if nothing is
+    stiffeners: Stiffeners | None = None
     # how it is analysed as a structure; None if that was not asked for
     structure: Structure | None = None
     search: Search | None = None  # what is searched for among its variants; None if nothing is
@@ -281,6 +284,7 @@ def _checked(
         ground=file.shell.ground,
         deployment=file.deployment,
         panel=panel,
+        stiffeners=file.stiffeners,
         structure=structure,
         search=file.search,
         tables=raw,

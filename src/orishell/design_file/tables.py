@@ -17,6 +17,7 @@ from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
+from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import require_a_core, require_one_thickness
 from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
@@ -212,6 +213,7 @@ class FileTable(Table):
     motion: MotionTable = MotionTable()
     deployment: Deployment = FROM_FLAT
     panel: PanelSpec = PanelSpec()
+    stiffeners: Stiffeners | None = None
     structure: StructureTable | None = None
     load_case: Several[LoadCase] = ()
     workshop: Workshop = DEFAULT

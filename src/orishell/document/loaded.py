@@ -58,4 +58,5 @@ class LoadedShell:
     cases: tuple[LoadedCase, ...]  # the load cases
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
+    stiffened: bool = False  # whether plates stand on it, which are none of its triangles
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

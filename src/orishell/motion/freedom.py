@@ -24,7 +24,7 @@ from orishell.motion.grid import Grid
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 Lines = Literal["rows", "columns"]
 
@@ -101,12 +101,30 @@ def held_by_flaps(mechanism: Mechanism) -> bool:
     So no part of it closes further: at a vertex beside a flap that is shut, the sheet is as far
     closed as it goes.
     """
-    pattern, folds = _pattern(mechanism), edge_folds(mechanism, mechanism.target_drive)
+    pattern = _pattern(mechanism)
     flaps = np.append(Layout.of(mechanism).flaps, False)
-    shut = flaps[pattern.edge_faces].all(axis=1) & pattern.crease
-    closure = Closure.of(pattern)
+    return _stands_still(mechanism, pattern, np.asarray(flaps[pattern.edge_faces].all(axis=1)))
+
+
+def held_at(mechanism: Mechanism, vertices: Integers) -> bool:
+    """Whether all of a sheet stands still at its target while creases at some vertices do.
+
+    Parameters
+    ----------
+    vertices
+        Numbers (k,) of the vertices at which no crease turns.
+    """
+    pattern = _pattern(mechanism)
+    return _stands_still(
+        mechanism, pattern, np.asarray(np.isin(pattern.edges, vertices).any(axis=1))
+    )
+
+
+def _stands_still(mechanism: Mechanism, pattern: CreasePattern, shut: Booleans) -> bool:
+    """Whether a sheet stands still at its target while edges (E,) that are shut do not turn."""
+    folds, closure = edge_folds(mechanism, mechanism.target_drive), Closure.of(pattern)
     _, along = closure.turns(folds[closure.edges])
-    found = find_couplings(closure, along, shut[closure.edges])
+    found = find_couplings(closure, along, (shut & pattern.crease)[closure.edges])
     return found is not None and found.count == 0
 
 

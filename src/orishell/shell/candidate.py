@@ -13,6 +13,7 @@ from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, end_motion, lock_without_clash, require_pack
+from orishell.locking.gussets import with_gussets
 from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.shell.answers import Answers
@@ -54,6 +55,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     feet = find_feet(design)
     if file.ground == "z0":
         design, feet = stand(design, feet)
+    design = with_gussets(design, lock, file.stiffeners, file.contact_tolerance)
     site = find_site(
         design,
         feet,

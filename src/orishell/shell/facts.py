@@ -77,6 +77,7 @@ def find_facts(found: Candidate, work: Work) -> Facts:
         "whether panels stay rigid": residuals is None,
         CONTACT: work.clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
+        "how gussets are brought to their place": bool(design.plates),
         "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),

@@ -11,6 +11,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.verdict import ground_rows, weight_rows
+from orishell.design.design import Fixing
 from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
 from orishell.locking import Contact
@@ -33,6 +34,7 @@ SLIM = 0.03
 CLOSING = {
     "flaps": "its flaps stop it closing",
     "clipped flaps": "flaps clipped on stop it closing",
+    "gussets": "gussets stop it closing",
     "crease": "a crease folded flat stops it closing",
     "clash": "panels that meet stop it closing",
     "hinges": "its hinges stop it closing",
@@ -165,6 +167,9 @@ def _locks(report: Report) -> Iterator[Row]:
         panels = _panels_of(lock.clipped_contact)
         yield Row("fails", "locks", f"no: {panels} meet when flaps are clipped on {where}")
         return
+    if held.fixed_by is not None:
+        yield Row("holds", "locks", f"{where}: {_fixed(held.gussets, held.fixed_by)}")
+        return
     slack = sum(tie.slack is True for tie in held.ties)
     known = "all" if slack == len(held.ties) else str(slack)
     before = f"{known} proved slack from the pack to there"
@@ -191,6 +196,14 @@ def _locks(report: Report) -> Iterator[Row]:
         text = "only its supports stop it closing and opening"
     subject = "held" if held.closing is None and held.opening is not None else "locks"
     yield Row(sign, subject, f"{where}: {text}")
+
+
+def _fixed(gussets: int, by: Fixing) -> str:
+    """What gussets do that keep the whole shell still."""
+    if gussets == 1:
+        return "a gusset stops it closing and opening"
+    each = "each of them by itself" if by == "any" else "all of them together"
+    return f"{gussets} gussets stop it closing and opening, {each}"
 
 
 def _packs(report: Report, *, said: bool) -> Iterator[Row]:

@@ -35,6 +35,7 @@ from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.negligible import borne_by
 from orishell.structure.nonlinear import follow
+from orishell.structure.plates import plate_forces, stresses_in_plates
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure, not_combined
@@ -209,6 +210,8 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
     straight = ties + len(model.flaps)
     borne = facet_stresses(mesh.facets, model.section, mesh.corners_moved(moved))
     stresses = panel_stresses(mesh, model.section, borne)
+    plates = model.plates
+    on_plates = plate_forces(model, None if plates is None else plates.corners_moved(moved))
     total = float(np.linalg.norm(solved.forces, axis=1).sum())
     on_panels = panel_loads(model, solved.case, solved.known)
     edges, panel_residual = hold_panels(model, moved, on_panels, solved.stiffness, total)
@@ -217,7 +220,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
         hung = model.elements.forces(moved), solved.forces
-        turned = turned_by_load(model, structure, response.forces, borne.forces, hung)
+        turned = turned_by_load(model, structure, response.forces, (borne, on_plates), hung)
         if turned.loaded:
             count = BUCKLING if modes else 1
             factors, shapes = find_buckling(inverse, turned.times, count, kept.buckled)
@@ -246,6 +249,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
         buckling_at_points=tuple(share_at_points(model, structure, shapes).tolist()),
         frequencies=tuple(frequencies.tolist()),
         modes=_units(structure, swinging),
+        plate_stresses=stresses_in_plates(model, on_plates),
     )
 
 

@@ -10,7 +10,9 @@ from orishell.numerics.arrays import Array
 from orishell.structure.mesh.elements import assemble
 from orishell.structure.mesh.geometric import Turned, geometric_stiffness
 from orishell.structure.mesh.sheet import CORNERS, SheetMesh
+from orishell.structure.mesh.stresses import FacetForces
 from orishell.structure.model import Model
+from orishell.structure.plates import turned_plates
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import turning_stiffness
 
@@ -22,13 +24,13 @@ def turned_by_load(
     model: Model,
     structure: Factorised,
     forces: Array,
-    membrane: Array,
+    borne: tuple[FacetForces, FacetForces | None],
     hung: tuple[Array, Array],
 ) -> Turned:
     """The geometric stiffness of free dofs.
 
     forces: Of all rows (M,) of the structure: ties pull, flaps push.
-    membrane: Membrane forces xx, yy, xy (T, 3) of triangles, in their own axes.
+    borne: What triangles bear, and those of plates that stiffen the sheet; None without any.
     hung: Forces (T, 18) that move triangles, and loads (N, 3) on points.
     """
     mesh, ties = model.mesh, len(model.site.ties)
@@ -40,7 +42,10 @@ def turned_by_load(
     turning = turning_stiffness(mesh.facets.points, pairs[:straight], pulls, mesh.count)
     if mesh.offsets is not None:
         turning = turning + by_arms(mesh, *hung)
-    return geometric_stiffness(mesh, membrane, points, structure.free, turning)
+    panels, plates = borne
+    if model.plates is not None and plates is not None:
+        turning = turning + turned_plates(model.plates, plates, mesh.count)
+    return geometric_stiffness(mesh, panels.forces, points, structure.free, turning)
 
 
 def by_arms(mesh: SheetMesh, forces: Array, loads: Array) -> csr_array:

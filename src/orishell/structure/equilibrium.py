@@ -33,6 +33,7 @@ from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
+from orishell.structure.plates import PlateStress, most_stressed
 from orishell.structure.sandwich_shares import InSandwich, in_sandwich
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
 
@@ -47,7 +48,7 @@ class Equilibrium:
     REPORTED = (
         "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
         "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
-        "membrane", "arms", "panel_residual", "utilisation",
+        "membrane", "arms", "gussets", "panel_residual", "utilisation",
         "buckling", "buckling_factors", "frequencies", "path", "unfollowed", "duration", "strength",
     )  # fmt: skip
 
@@ -85,6 +86,8 @@ class Equilibrium:
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
+    # von Mises' stress (T', 2) of plates that stiffen the sheet, at both faces (force per area)
+    plate_stresses: Array
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
@@ -180,6 +183,11 @@ class Equilibrium:
         return arms(self.model, self.edges)
 
     @cached_property
+    def gussets(self) -> PlateStress | None:
+        """The largest stress of gussets; None if there are none."""
+        return most_stressed(self.model, self.plate_stresses)
+
+    @cached_property
     def stress(self) -> Stress:
         """The largest."""
         triangle, face = np.unravel_index(first_largest(self.stresses, SOLVED), self.stresses.shape)
@@ -256,6 +264,7 @@ class Equilibrium:
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
+            gussets=share_of(self.gussets.size, self.strength) if self.gussets else None,
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             buckling=None if self.buckling is None else 1 / self.buckling,
         )
@@ -271,6 +280,7 @@ class Equilibrium:
             "creases": self.crease is not None,
             "lines": self.unknown_line.size > least,
             "arms": self.arms is not None and self.arms.size > 0,
+            "gussets": self.gussets is not None and self.gussets.size > 0,
             "ties": bool(self.tie_forces.any()),
         }
         shares = self.utilisation.shares

@@ -25,8 +25,10 @@ from orishell.structure.mesh.arms import joint_elements
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.hinges import rigid_stiffness
-from orishell.structure.mesh.sections import Section, panel_sections
+from orishell.structure.mesh.plates import LEAST_STANDING, Plates, mesh_plates
+from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
+from orishell.structure.mesh.stops import Stops, stops_of
 from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
 from orishell.structure.solve.factorise import factorise
@@ -70,7 +72,8 @@ class Model:
     @property
     def least_cells(self) -> int:
         """How many cells there are at least along a side of a panel."""
-        return LEAST_CELLS if self.design.has_whole_boards else 1
+        standing = LEAST_STANDING if self.design.plates else 1
+        return LEAST_CELLS if self.design.has_whole_boards else standing
 
     @property
     def nodes(self) -> int:
@@ -188,7 +191,29 @@ class Model:
         """The meshed sheet, or its whole boards."""
         if self.design.has_whole_boards:
             return mesh_boards(self._plates(self.sheet.target_drive), self.grid, self.cells)
-        return mesh_sheet(self.positions, self.grid, self.cells)
+        bare = mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
+        return bare if self.plates is None else replace(bare, added=self.plates.added)
+
+    @cached_property
+    def plates(self) -> Plates | None:
+        """Plates that stiffen the sheet; None if there are none."""
+        corners = [part.plate.corner for part in self.design.attached if part.plate is not None]
+        if not corners:
+            return None
+        at = np.array(corners) - [0, self.before]
+        bare = mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
+        return mesh_plates(bare, self.grid, at, self.stops.line(self.cells))
+
+    @property
+    def stops(self) -> Stops:
+        """Where plates that stiffen the sheet end."""
+        plates = [part.plate for part in self.design.attached if part.plate is not None]
+        return stops_of([each.corner[0] for each in plates], [each.share for each in plates])
+
+    @cached_property
+    def plate_section(self) -> Section:
+        """Section of plates that stiffen the sheet: they are made as panels are."""
+        return whole_section(self.structure, self.design.panel)
 
     def vertices(self, drive: float) -> Array:
         """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).
@@ -205,7 +230,7 @@ class Model:
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
-        middles = centres(self.positions, self.cells)
+        middles = centres(self.positions, self.cells, self.stops)
         return panel_sections(self.structure, self.design.panel, self.boards, self.flat, middles)
 
     @cached_property
@@ -257,7 +282,8 @@ class Model:
             assert part.borne_at is not None, "what goes with a sheet is borne by it"
             rows, columns = part.borne_at.T
             nodes = self.grid.vertices()[rows, columns - self.before]
-            found[nodes] += part.mass(areal_mass, metres) / len(nodes)
+            shares = 1 / len(nodes) if part.borne_shares is None else part.borne_shares
+            found[nodes] += part.mass(areal_mass, metres) * shares
         return found
 
     @cached_property
@@ -329,6 +355,8 @@ class Model:
         mesh = self.mesh
         springs = min(stiffness, rigid_stiffness(mesh, self.section))
         elements = [self.elements, *joint_elements(mesh, self.grid, springs)]
+        if self.plates is not None:
+            elements.append(self.plates.elements(self.plate_section, mesh.count))
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
 

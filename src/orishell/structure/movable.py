@@ -7,6 +7,7 @@ import numpy as np
 from orishell.structure.mesh.corotational import Corotational
 from orishell.structure.mesh.hinges import Folds, crease_springs, rigid_stiffness
 from orishell.structure.model import Model
+from orishell.structure.plates import movable_plates
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.moving import Moving
@@ -25,7 +26,7 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
     mesh, points = model.mesh, model.mesh.facets.points
     translations, lever = mesh.translations(), float(np.sqrt(mesh.facets.areas().mean()))
     panels = Corotational.of(mesh.facets, model.section, mesh.dofs(), mesh.places)
-    parts: list[Corotational | Folds | Links | Feet] = [panels]
+    parts: list[Corotational | Folds | Links | Feet] = [panels, *movable_plates(model)]
     if stiffness:
         least = min(stiffness, rigid_stiffness(mesh, model.section))
         parts.append(Folds(*crease_springs(mesh, model.grid, least)))
@@ -65,11 +66,14 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
                 stood=stood,
             )
         )
+    spins = mesh.rotations().reshape(-1, 3)
+    if model.plates is not None:
+        spins = np.concatenate([spins, model.plates.turns])
     loose = len(pairs) or len(ground) or not stiffness or response.motions.shape[1]
     return Moving.of(
         parts,
         model.supports.dofs(mesh),
-        mesh.rotations().reshape(-1, 3),
+        spins,
         lever,
         steady=STEADY * typical if loose else 0.0,
     )

@@ -13,12 +13,13 @@ from orishell.structure.feet import Foot, moved_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import vector
-from orishell.structure.mesh.corotational import Corotational
+from orishell.structure.mesh.corotational import Corotational, Moved
 from orishell.structure.mesh.hinges import Folds
 from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.negligible import borne_by
+from orishell.structure.plates import plate_forces, stresses_in_plates
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.path import Point
 
@@ -47,8 +48,7 @@ def deformed(
     panels, *others = moving.parts
     assert isinstance(panels, Corotational)
     places = mesh.facets.points + moved.displacements[mesh.translations()]
-    strained = panels.seen(moved)[2].reshape(-1, 6, 3)
-    in_place = np.einsum("tji,tkj->tki", panels.axes, strained).reshape(-1, 18)
+    in_place = _in_place(panels, moved)
     stresses = panel_stresses(
         mesh, model.section, facet_stresses(mesh.facets, model.section, in_place)
     )
@@ -58,6 +58,8 @@ def deformed(
     edges, panel_residual = hold_moved_panels(
         model, (panels.forces(moved), turning, places), point.factor * on_panels, total
     )
+    in_plates = [_in_place(each, moved) for each in others if isinstance(each, Corotational)]
+    on_plates = plate_forces(model, in_plates[0] if in_plates else None)
     borne = np.zeros(len(model.site.ties) + len(model.flaps))
     feet: tuple[Foot, ...] = ()
     for part in others:
@@ -85,7 +87,14 @@ def deformed(
         buckling_modes=np.zeros((0, *places.shape)),
         buckling_at_points=len(factors) * (0.0,),
         path=path,
+        plate_stresses=stresses_in_plates(model, on_plates),
     )
+
+
+def _in_place(triangles: Corotational, moved: Moved) -> Array:
+    """What triangles are strained by: displacements and rotations (T, 18), where they were."""
+    strained = triangles.seen(moved)[2].reshape(-1, 6, 3)
+    return np.asarray(np.einsum("tji,tkj->tki", triangles.axes, strained).reshape(-1, 18))
 
 
 def _reactions(

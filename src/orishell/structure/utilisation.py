@@ -17,6 +17,7 @@ Limiting = Literal[
     "creases",
     "lines",
     "arms",
+    "gussets",
     "ties",
     "buckling",
 ]
@@ -31,6 +32,7 @@ GOVERNING: Mapping[Limiting, str] = {
     "creases": "the moment of creases",
     "lines": "the force along a crease line",
     "arms": "the stress in the arms of hinges",
+    "gussets": "the stress in gussets",
     "ties": "the force in a tie",
     "buckling": "buckling",
 }
@@ -70,6 +72,7 @@ class Utilisation:
     creases: float | None  # of the moments that they bear
     lines: float | None  # of the forces that creases bear as crease lines
     arms: float | None  # None, too, where hinges have none
+    gussets: float | None  # None, too, where there are none
     ties: float | None
     buckling: float | None  # of the load at which the shell buckles; None if it does not
 

@@ -45,7 +45,8 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     Raises
     ------
     InputError
-        If the shell was not analysed, or is of whole boards, or no unit of length is known.
+        If the shell was not analysed, is of whole boards, or has gussets, or no unit of length is
+        known.
     """
     shell = document.loaded
     if shell is None:
@@ -61,6 +62,13 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             keys=("panel.construction",),
             got='"hinged"',
             expected='"sandwich" or "bevel"',
+        )
+    if shell.stiffened:
+        raise InputError(
+            "gussets are not written for CalculiX: creases there are rigid, and would leave them "
+            "nothing to do",
+            keys=("stiffeners",),
+            remedy="leave inp out of --write, or remove the table",
         )
     unit = document.require_unit()
     deck = _deck_of(shell)

@@ -35,6 +35,8 @@ class Elements:
     # from the first corner to each of the others (T, c - 1, 3); None if they have no displacements
     arms: Array | None
     count: int  # number of all dofs D
+    # the triangle of a panel (T,) that each is beside, if it has dofs that no panel has
+    beside: Integers | None = None
 
     def assembled(self) -> csr_array:
         """The matrix (D, D) of all."""

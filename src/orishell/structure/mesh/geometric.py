@@ -37,6 +37,10 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
+STRAIGHT = 1e-9
+"""An angle whose sine is less than this is straight (radians)."""
+
+
 @record
 class Turned:
     """What forces add to the stiffness of a structure as it turns: symmetric, of free dofs (n, n).
@@ -165,8 +169,11 @@ def smooth_rotations(mesh: SheetMesh) -> csr_array:
         np.einsum("fijs,fijsx->fijx", weights, mesh.facets.points[those])
         for weights, those in ((down, below), (right, beside))
     )
-    # A slope s of w goes with the rotation s x normal. s by its components along two directions.
+    # A slope s of w goes with the rotation s x normal. s by its components along two directions; at
+    # a corner that is a straight angle there is one, and no rotation.
     volume = (np.cross(along, across) * normal).sum(axis=-1, keepdims=True)
+    sizes = np.linalg.norm(along, axis=-1) * np.linalg.norm(across, axis=-1)
+    volume[volume[..., 0] <= STRAIGHT * sizes] = np.inf
     rotations = (
         np.cross(np.cross(across, normal) / volume, normal),
         np.cross(np.cross(normal, along) / volume, normal),

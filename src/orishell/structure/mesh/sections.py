@@ -129,6 +129,28 @@ def panel_sections(
     )
 
 
+def whole_section(structure: Structure, build: PanelSpec | None) -> Section:
+    """The section of a plate that is made as panels are, where no crease is near."""
+    layup = structure.layup
+    if build is None or build.is_solid:
+        thickness = structure.thickness if build is None else build.thickness
+        assert thickness is not None
+        return Section.board(layup, thickness)
+    board = 0.5 * (build.thickness - build.membrane)
+    away = 0.5 * (board + build.membrane)
+    one, alone = (layup.plane * float(each(board)) for each in (layup.area, layup.inertia))
+    between = structure.membrane_modulus / (1 - layup.poisson**2) * build.membrane
+    return Section(
+        membrane=2 * one + between,
+        bending=2 * (alone + one * away**2) + between * build.membrane**2 / 12,
+        poisson=layup.poisson,
+        modulus=layup.modulus,
+        reach=0.5 * build.thickness,
+        depth=2 * float(layup.depth(board)),
+        shear=2 * float(layup.shear(board)),
+    )
+
+
 def _tapered(
     layup: Layup, thickness: float, boards: Boards, flat: Array, centres: Array
 ) -> Section:

@@ -22,9 +22,11 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.structure.mesh.added import Added
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.rotations import cross_matrices
 from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.stops import NO_STOPS, Stops
 from orishell.structure.mesh.triangle import Facets
 
 if TYPE_CHECKING:
@@ -66,6 +68,7 @@ class SheetMesh:
     # corners (T, 3) of every triangle, as places among all nodes of all panels one after the other
     places: Integers
     offsets: Offsets | None = None  # points that are no nodes; None if all are
+    added: Added | None = None  # what stiffens it, whose dofs are the last; None if nothing does
 
     @property
     def node_count(self) -> int:
@@ -74,8 +77,9 @@ class SheetMesh:
 
     @property
     def count(self) -> int:
-        """Number of dofs: translations of all nodes, then rotations."""
-        return 3 * self.node_count + 3 * self.nodes.size
+        """Number of dofs: translations of all nodes, then rotations, then those that are added."""
+        added = 0 if self.added is None else self.added.count
+        return 3 * self.node_count + 3 * self.nodes.size + added
 
     @property
     def seats(self) -> Integers:
@@ -192,18 +196,25 @@ def crease_places(grid: Grid, cells: int) -> tuple[Integers, Integers, Integers]
 
 
 def mesh_sheet(
-    positions: Array, grid: Grid, cells: int = CELLS, grading: float = GRADING
+    positions: Array,
+    grid: Grid,
+    cells: int = CELLS,
+    grading: float = GRADING,
+    stops: Stops = NO_STOPS,
 ) -> SheetMesh:
     """Mesh the panels of a folded state.
 
     positions: Vertices (rows, columns, 3).
     cells: Cells along every side of a panel, at least 1.
     grading: How much narrower cells at creases are; 0 for cells of one width.
+    stops: Where lines of nodes across columns have to be.
     """
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     nodes = _nodes(grid, faces, edges, cells)
     corners = positions.reshape(-1, 3)[faces]
-    down, right = (each.reshape(len(faces), -1, 1) for each in _places(positions, cells, grading))
+    down, right = (
+        each.reshape(len(faces), -1, 1) for each in _places(positions, cells, grading, stops)
+    )
     top = corners[:, None, 0] * (1 - right) + corners[:, None, 3] * right
     bottom = corners[:, None, 1] * (1 - right) + corners[:, None, 2] * right
     points = np.empty((int(nodes.max()) + 1, 3))
@@ -217,13 +228,13 @@ def mesh_sheet(
 
 
 def count_freedoms(grid: Grid, cells: int) -> int:
-    """Number of dofs of a mesh with so many cells along every side of a panel."""
+    """Number of dofs of a mesh with so many cells along a panel's sides."""
     inside, panels = cells - 1, len(grid.faces_vertices())
     nodes = grid.vertex_count + inside * len(grid.edges_vertices()) + panels * inside**2
     return int(3 * nodes + 3 * panels * (cells + 1) ** 2)
 
 
-def _places(positions: Array, cells: int, grading: float) -> tuple[Array, Array]:
+def _places(positions: Array, cells: int, grading: float, stops: Stops) -> tuple[Array, Array]:
     """Nodes of all panels (F, cells+1, cells+1), as shares of the way down, and across.
 
     Panels that share a crease have the same there, so shares down are those of a row of panels,
@@ -238,6 +249,7 @@ def _places(positions: Array, cells: int, grading: float) -> tuple[Array, Array]
         even - grading * np.minimum(1.0, other.mean() / own)[:, None] * wave
         for own, other in ((tall, wide), (wide, tall))
     )
+    down = stops.moved(down)
     shape = len(tall), len(wide), cells + 1, cells + 1
     both = (
         np.broadcast_to(down[:, None, :, None], shape),
@@ -247,9 +259,9 @@ def _places(positions: Array, cells: int, grading: float) -> tuple[Array, Array]
     return first, second
 
 
-def centres(positions: Array, cells: int) -> Array:
+def centres(positions: Array, cells: int, stops: Stops = NO_STOPS) -> Array:
     """Middles (F, 2 cells^2, 2) of the panels' triangles, as shares of the way down and across."""
-    places = np.stack(_places(positions, cells, GRADING), axis=-1)
+    places = np.stack(_places(positions, cells, GRADING, stops), axis=-1)
     corners = places.reshape(len(places), -1, 2)[:, triangle_corners(cells)]
     return np.asarray(corners.mean(axis=2))
 

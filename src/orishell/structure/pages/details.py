@@ -45,6 +45,10 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
         yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
     if found.arms is not None:
         yield "Largest stress of an arm", f"{said.stress(found.arms.size)} {_between(found.arms)}"
+    if found.gussets is not None:
+        row, column = found.gussets.at
+        where = f"by von Mises, in gusset {row},{column}, averaged over part of it"
+        yield "Largest stress of a gusset", f"{said.stress(found.gussets.size)} {where}"
     if found.beside is not None:
         yield (
             "Largest stress at a crease",
@@ -102,7 +106,12 @@ def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
 
 def _shares(found: Equilibrium) -> str:
     """Shares of what is borne, and of what that is not known."""
-    there = {"membrane": found.membrane, "arms": found.arms, **dict.fromkeys(NOT_EVERYWHERE)}
+    there = {
+        "membrane": found.membrane,
+        "arms": found.arms,
+        "gussets": found.gussets,
+        **dict.fromkeys(NOT_EVERYWHERE),
+    }
     words, unknown = [], []
     for part, share in found.utilisation.shares.items():
         name = NAMED.get(part, part)

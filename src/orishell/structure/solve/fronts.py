@@ -55,7 +55,7 @@ def condense(
     blocks = np.repeat(cut(grid.rows - 1, grid.columns - 1, cells).ravel(), 2)
     parts = [
         Part(panels.matrices, number[panels.dofs], blocks, _own(panels, axes)),
-        *(_touched(turned(each.matrices, _own(each, axes)), number[each.dofs]) for each in others),
+        *(_part(each, axes, number, blocks) for each in others),
         _spring_part(*sprung, number),
     ]
     return factorise_fronts(parts, len(free), _turn(axes, free))
@@ -85,6 +85,14 @@ def _unit(vectors: Array) -> Array:
 def _own(elements: Elements, axes: Array) -> Array:
     """Axes (T, k/3, 3, 3) of the dofs of elements."""
     return axes[elements.dofs[:, ::3] // 3]
+
+
+def _part(elements: Elements, axes: Array, number: Integers, blocks: Integers) -> Part:
+    """What joins panels, or, where it has dofs of its own, stands beside one of them."""
+    dofs, own = number[elements.dofs], _own(elements, axes)
+    if elements.beside is not None:
+        return Part(elements.matrices, dofs, blocks[elements.beside], own)
+    return _touched(turned(elements.matrices, own), dofs)
 
 
 def _touched(matrices: Array, dofs: Integers) -> Part:

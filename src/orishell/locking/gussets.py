@@ -1,0 +1,287 @@
+"""Gussets in the folds of a shell: where they are, and that they meet nothing at the target.
+
+Limit: gussets are examined at the target only, as clipped flaps are. How they are brought to their
+place is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.clash.bodies import Bodies
+from orishell.clash.separation import corners_of, nearest, overlaps
+from orishell.clash.state import deepest_between, near_panels
+from orishell.conventions.errors import DesignError, InputError, Remedy
+from orishell.conventions.formatting import rounded
+from orishell.conventions.record import record
+from orishell.design import Design
+from orishell.design.design import Fixing, warn_of_no_lock
+from orishell.design.stiffeners import Stiffeners
+from orishell.locking.result import Lock
+from orishell.locking.sheet import Sheet
+from orishell.motion import diagonal, find_assignment
+from orishell.motion.boards import join_boards
+from orishell.motion.convex import require_convex
+from orishell.motion.freedom import held_at
+from orishell.motion.layout import Layout, has_flaps, points_of
+from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.equals import first_largest
+from orishell.solids import build_panels
+from orishell.solids.gussets import Gussets, gusset_parts
+
+SHALLOW = 1e-3
+"""A crease that folds by an angle with a smaller sine has no fold for a gusset (radians)."""
+LEAST_LEFT = 0.5
+"""A gusset keeps at least this share of its way along edges when it stands off boards."""
+SMALLER = 0.9
+"""What is offered is smaller by this factor, or by a power of it."""
+TRIED, LARGEST = 24, 0.98
+"""So many smaller sizes are tried, and one that goes nearly to the end of edges."""
+
+
+def with_gussets(design: Design, lock: Lock, asked: Stiffeners | None, tolerance: float) -> Design:
+    """The design with the gussets that are asked for, proved to meet nothing at the target.
+
+    lock: How its motion ends, with its boards.
+    tolerance: By how much they may reach into others, relative to the flat sheet's diagonal.
+    Raises InputError: If there are no such rows or columns, or panels are whole boards.
+    Raises DesignError: If there is no room for them.
+    """
+    if asked is None or asked.kind != "gussets":
+        return design
+    _require_creases(design)
+    at = _places(design, asked)
+    _require_folds(design, at)
+    place = _Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
+    found = Gussets.of(design, at, asked.share)
+    fault = place.fault(found)
+    if fault is not None:
+        raise DesignError(
+            fault.what,
+            place="at the target",
+            keys=("stiffeners.share",),
+            size=fault.size,
+            candidates=list(_others(place, asked.share)),
+            excess=fault.excess,
+        )
+    parts = gusset_parts(design, found, place.levels)
+    fixed_by, bare = _fixed_by(design, at), warn_of_no_lock(0.0)
+    warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
+    return replace(
+        design, attached=(*design.attached, *parts), fixed_by=fixed_by, warnings=warnings
+    )
+
+
+def _fixed_by(design: Design, at: Integers) -> Fixing | None:
+    """Whether gussets at vertices (G, 2) keep the whole sheet still.
+
+    A gusset keeps the angle between two edges of the column. With it about its vertex there are two
+    triangles on a sphere whose three sides are fixed, so that no crease there turns: at a vertex on
+    the border there is one. They are no straight arcs, as creases of the row are neither flat nor
+    shut.
+    """
+    mechanism = design.mechanism
+    vertices = at[:, 0] * mechanism.grid.columns + at[:, 1]
+    if all(held_at(mechanism, each) for each in vertices[:, None]):
+        return "any"
+    return "all" if held_at(mechanism, vertices) else None
+
+
+def _require_creases(design: Design) -> None:
+    """Refuse whole boards, whose hinges are not in creases."""
+    if design.has_whole_boards:
+        raise InputError(
+            "gussets go along creases, and whole boards have their hinges beside these",
+            keys=("stiffeners", "panel.construction"),
+            got='"hinged"',
+            expected='"sandwich" or "bevel"',
+        )
+
+
+def _places(design: Design, asked: Stiffeners) -> Integers:
+    """Rows and columns (G, 2) of the vertices that gussets go from."""
+    mechanism = design.mechanism
+    signs, inner = find_assignment(mechanism).row, mechanism.inner_columns
+    between = signs[:, inner.start : inner.stop - 1]
+    # Flaps that are shut take the place of gussets beside them.
+    beside = int(has_flaps(mechanism) or design.clipped is not None)
+    columns = range(inner.start + beside, inner.stop - beside)
+    if isinstance(asked.rows, str):
+        sign = 1 if asked.rows == "valleys" else -1
+        rows = [1 + row for row in np.flatnonzero((between == sign).all(axis=1)).tolist()]
+        if not rows:
+            raise InputError(
+                f"there are no rows of {asked.rows}",
+                keys=("stiffeners.rows",),
+                got=f'"{asked.rows}"',
+                remedy="name rows of vertices, as in rows = [1, 3]",
+            )
+    else:
+        rows = _named("row", asked.rows, range(1, mechanism.grid.rows - 1))
+    if asked.columns == "all":
+        chosen = list(columns)
+    elif isinstance(asked.columns, int):
+        chosen = sorted({*columns[:: asked.columns], *columns[-1:]})
+    else:
+        chosen = _named("column", asked.columns, columns)
+    return np.array([(row, column) for row in rows for column in chosen], np.int64).reshape(-1, 2)
+
+
+def _named(what: str, numbers: tuple[int, ...], there: range) -> list[int]:
+    wrong = [each for each in numbers if each not in there]
+    if wrong or not numbers:
+        raise InputError(
+            f"no gusset can stand in this {what}" if numbers else f"no {what} is named",
+            keys=(f"stiffeners.{what}s",),
+            got=str(wrong[0]) if wrong else "[]",
+            expected=f"numbers from {there.start} to {there.stop - 1}",
+        )
+    return sorted(set(numbers))
+
+
+def _require_folds(design: Design, at: Integers) -> None:
+    """Refuse gussets at vertices where the creases of the row do not fold, or are shut."""
+    mechanism = design.mechanism
+    folds = np.sin(mechanism.fold_angles(mechanism.target_drive).row)
+    padded = np.pad(folds, ((0, 0), (1, 1)), constant_values=1.0)
+    row, column = at.T
+    least = np.minimum(np.abs(padded[row - 1, column]), np.abs(padded[row - 1, column + 1]))
+    if (least < SHALLOW).any():
+        worst = at[int(np.argmin(least))].tolist()
+        raise DesignError(
+            "there is no fold for a gusset",
+            place=f"at vertex {worst[0]}, {worst[1]}",
+            keys=("stiffeners.rows", "stiffeners.columns"),
+            size="creases of its row are flat there, or shut",
+        )
+
+
+@record
+class _Fault:
+    """Why gussets do not fit."""
+
+    what: str
+    size: str
+    excess: float | None
+
+
+class _Place:
+    """A shell at its target, into which gussets are put."""
+
+    def __init__(self, design: Design, lock: Lock, at: Integers, tolerance: float) -> None:
+        self.design, self.at, self.tolerance = design, at, tolerance
+        require_convex(design.flapped, "gussets")
+        sheet = Sheet.of(design)
+        self.sheet = sheet if design.clipped is None else sheet.with_flaps(design.clipped)
+        whole = design.flapped
+        self.faces = Layout.of(whole).faces
+        self.points = points_of(whole, whole.target_drive)
+        self.flat = points_of(whole, 0.0)
+        built = lock.built
+        if built is None and design.panel is not None:
+            built = build_panels(design, design.mechanism.target_drive)
+        self.boards = None
+        if built is not None:
+            self.boards = built.boards if design.clipped is None else built.with_flaps(whole)
+
+    @property
+    def levels(self) -> int:
+        """At how many heights boards have outlines."""
+        return 0 if self.boards is None else self.boards.outlines.shape[1]
+
+    def fault(self, found: Gussets) -> _Fault | None:
+        """Why gussets do not fit; None if they do."""
+        left = found.left()
+        least = int(np.argmin(left))
+        if left[least] < LEAST_LEFT:
+            kept = max(0.0, float(left[least]))
+            return _Fault(
+                f"{found.names[least]} has to stand too far off the panels beside it",
+                f"{100 * kept:.0f} % of its way along edges is left, and {100 * LEAST_LEFT:.0f} % "
+                "is the least",
+                LEAST_LEFT - kept,
+            )
+        met = self._met(found) if self.boards is None else self._met_by_boards(found)
+        if met is None:
+            return None
+        first, second, depth = met
+        return _Fault(
+            f"{self._name(found, first)} and {self._name(found, second)} meet",
+            f"one reaches {depth:.4g} into the other",
+            depth / float(np.linalg.norm(np.ptp(found.corners, axis=1), axis=1).min()),
+        )
+
+    def _name(self, found: Gussets, panel: int) -> str:
+        if panel >= len(self.faces):
+            return found.names[panel - len(self.faces)]
+        row, column = self.sheet.panel(panel)
+        return f"panel {row},{column}"
+
+    def _with(self, found: Gussets) -> tuple[Integers, Array, Array]:
+        """Faces, vertices at the target and in the flat sheet, those of gussets behind others."""
+        count = len(self.points)
+        more = count + np.arange(4 * len(found)).reshape(-1, 4)
+        lying = np.pad(found.lying(), ((0, 0), (0, 0), (0, 1))).reshape(-1, 3)
+        return (
+            np.concatenate([self.faces, more]),
+            np.concatenate([self.points, found.corners.reshape(-1, 3)]),
+            np.concatenate([self.flat, lying]),
+        )
+
+    def _met_by_boards(self, found: Gussets) -> tuple[int, int, float] | None:
+        """The two panels whose boards reach farthest into each other, one a gusset's."""
+        build = self.design.panel
+        assert self.boards is not None
+        assert build is not None
+        faces, points, flat = self._with(found)
+        own = found.boards(np.zeros((len(found), 2)), build, self.levels)
+        own = replace(own, panels=own.panels + len(self.faces))
+        boards = join_boards([self.boards, own])
+        bodies = Bodies(boards, faces, flat)
+        groups = np.maximum(boards.panels - len(self.faces) + 1, 0)
+        deepest = deepest_between(bodies, points, self.tolerance, groups)
+        if deepest is None or deepest[1] <= self.tolerance:
+            return None
+        first, second = sorted(boards.panels[list(deepest[0])].tolist(), reverse=True)
+        return first, second, deepest[1]
+
+    def _met(self, found: Gussets) -> tuple[int, int, float] | None:
+        """The two panels without a thickness that meet, one a gusset, but for those it stands in.
+
+        A gusset has edges in common with the panels about its vertex, and lies between them.
+        """
+        faces, points, _ = self._with(found)
+        own, grid = len(self.faces), self.design.flapped.grid
+        first, second = near_panels(points, faces, self.tolerance)
+        with_gusset = second >= own
+        first, second = first[with_gusset], second[with_gusset]
+        column = found.at[:, 1] + self.sheet.left
+        vertex = (found.at[:, 0] * grid.columns + column)[second - own]
+        around = (first < own) & (faces[first] == vertex[:, None]).any(axis=1)
+        first, second = first[~around], second[~around]
+        if not len(first):
+            return None
+        corners = corners_of(points, faces[first]), corners_of(points, faces[second])
+        touching = nearest(*corners)[0] <= self.tolerance
+        if not touching.any():
+            return None
+        depths = np.where(touching, overlaps(*corners), -1.0)
+        worst = first_largest(depths)
+        return int(second[worst]), int(first[worst]), float(max(depths[worst], 0.0))
+
+
+def _others(place: _Place, share: float) -> Iterator[Remedy]:
+    """Gussets that fit: that go less or more far along edges, or in some of the columns only."""
+    shares = (rounded(share * SMALLER**power, 3) for power in range(1, TRIED))
+    for each in (*shares, LARGEST):
+        if place.fault(Gussets.of(place.design, place.at, each)) is None:
+            yield Remedy({"stiffeners.share": each})
+            break
+    left, columns = Gussets.of(place.design, place.at, share).left(), place.at[:, 1]
+    able = np.setdiff1d(columns, columns[left < LEAST_LEFT])
+    some = place.at[np.isin(columns, able)]
+    if 0 < len(some) < len(place.at) and place.fault(Gussets.of(place.design, some, share)) is None:
+        yield Remedy({"stiffeners.columns": able.tolist()})

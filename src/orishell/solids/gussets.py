@@ -1,0 +1,215 @@
+"""Gussets: plane triangles in the folds of a shell that stands, and how far they stand off panels.
+
+At its vertex x a gusset goes along the edges u and v of the column, above and below, by a share a
+of each: its corners are x, x + a u and x + a v. It is in the plane of u and v, so it lies in one of
+the two angles between a panel beside u and the plane through u that it is in itself.
+
+A plate that is 2 h thick keeps off panels that are as thick, which reach h to either side. In the
+section square to u let alpha be the angle between gusset and panel. The edge of the gusset, cut
+square and d from u, has its corners d sin(alpha) -+ h cos(alpha) over the panel's plane: above the
+board if
+
+    d >= h (1 + abs(cos(alpha)))/sin(alpha).
+
+Boards end at their creases. So where alpha is more than a right angle the gusset is clear of the
+board, too, if it ends before the plane through u square to the panel,
+
+    d >= -h tan(alpha).
+
+The less of both will do, and the most of all panels beside u and v is taken for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.design import Design, PanelSpec
+from orishell.design.part import SHELL, DocumentState, Part
+from orishell.design.stiffeners import Plate
+from orishell.motion.boards import Boards
+from orishell.motion.grid import Vertex
+from orishell.motion.layout import points_of
+from orishell.motion.mesh import build_mesh
+from orishell.numerics.arrays import Array, Integers
+
+OFF_PLANE = 1e-6
+"""An angle with a smaller sine leaves a gusset no room (radians)."""
+
+
+@record
+class Gussets:
+    """Gussets at the target, in the frame of the sheet."""
+
+    at: Integers  # rows and columns (G, 2) of their vertices
+    share: float  # how far they go along edges
+    corners: Array  # x, x + a u, the middle of the outer side, and x + a v (G, 4, 3)
+    # how far they stand off the edges u and v (G, 2), infinite where there is no room
+    off: Array
+
+    @classmethod
+    def of(cls, design: Design, at: Integers, share: float) -> Gussets:
+        """Gussets at vertices.
+
+        at: Rows and columns (G, 2) of the sheet's vertices.
+        share: How far they go along edges.
+        """
+        points = design.mechanism.positions(design.mechanism.target_drive)
+        row, column = at.T
+        x = points[row, column]
+        up, down = points[row - 1, column] - x, points[row + 1, column] - x
+        ends = x + share * up, x + share * down
+        corners = np.stack([x, ends[0], 0.5 * (ends[0] + ends[1]), ends[1]], axis=1)
+        last, half = points.shape[1] - 1, 0.0 if design.panel is None else design.panel.height
+        off = np.zeros((len(at), 2))
+        for side in (-1, 1):
+            there = np.flatnonzero((column + side >= 0) & (column + side <= last))
+            across = points[row[there], column[there] + side] - x[there]
+            for number, (along, inwards) in enumerate(((up, down), (down, up))):
+                angle = angle_about(along[there], inwards[there], across)
+                needed = stand_off(angle, half)
+                off[there, number] = np.maximum(off[there, number], needed)
+        return cls(at, share, corners, off)
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What each is called."""
+        return tuple(f"gusset {row},{column}" for row, column in self.at.tolist())
+
+    def lying(self) -> Array:
+        """Corners (G, 4, 2) of each in its own plane, its vertex in the origin."""
+        away = self.corners - self.corners[:, :1]
+        along = _unit(away[:, 1])
+        upright = away[:, 3] - (away[:, 3] * along).sum(axis=1, keepdims=True) * along
+        axes = np.stack([along, _unit(upright)], axis=1)
+        return np.asarray(np.einsum("gcx,gkx->gck", away, axes))
+
+    def cut(self) -> Array:
+        """Corners (G, 3, 2) of plates in their own planes, off the edges that they stand beside.
+
+        With shares s of the first side and t of the second a point is s q + t r. It is as far off
+        the first side as t times the height of the triangle over that side.
+        """
+        _, q, _, r = np.moveaxis(self.lying(), 1, 0)
+        twice = q[:, 0] * r[:, 1] - q[:, 1] * r[:, 0]
+        lengths = np.linalg.norm(np.stack([q, r], axis=1), axis=-1)
+        t, s = (self.off * lengths / twice[:, None]).T
+        shares = np.stack(
+            [np.stack([s, t], -1), np.stack([1 - t, t], -1), np.stack([s, 1 - s], -1)], axis=1
+        )
+        return np.asarray(shares @ np.stack([q, r], axis=1))
+
+    def left(self) -> Array:
+        """The share (G,) of their length that plates have along their edges, after standing off."""
+        _, q, _, r = np.moveaxis(self.lying(), 1, 0)
+        twice = q[:, 0] * r[:, 1] - q[:, 1] * r[:, 0]
+        lengths = np.linalg.norm(np.stack([q, r], axis=1), axis=-1)
+        return np.asarray(1 - (self.off * lengths).sum(axis=1) / twice)
+
+    def boards(self, flat: Array, build: PanelSpec, levels: int) -> Boards:
+        """Their boards, as panels of their own whose first corners lie at places (G, 2).
+
+        build: What they are made of: one board, or two on a membrane.
+        levels: At how many heights boards have outlines.
+        """
+        half, inner = build.height, 0.5 * build.membrane
+        layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
+        low, high = np.transpose(list(layers.values()))
+        heights = np.linspace(low, high, levels, axis=1)
+        shape = len(self), len(layers), levels, 3
+        outline = (self.cut() + flat[:, None])[:, None, None]
+        outlines = np.concatenate(
+            [
+                np.broadcast_to(outline, (*shape, 2)),
+                np.broadcast_to(heights[..., None, None], (*shape, 1)),
+            ],
+            axis=-1,
+        )
+        return Boards(
+            np.repeat(np.arange(len(self)), len(layers)),
+            np.tile(np.array(list(layers)), len(self)),
+            outlines.reshape(-1, levels, 3, 3),
+        )
+
+
+def angle_about(along: Array, one: Array, other: Array) -> Array:
+    """Angles (N,) between two half planes at a line, which has the direction ``along`` (N, 3)."""
+    line = _unit(along)
+    first, second = (
+        _unit(each - (each * line).sum(axis=1, keepdims=True) * line) for each in (one, other)
+    )
+    sine = np.linalg.norm(np.cross(first, second), axis=1)
+    return np.asarray(np.arctan2(sine, (first * second).sum(axis=1)))
+
+
+def stand_off(angle: Array, half: float) -> Array:
+    """How far (N,) a plate stands off an edge, by its angle (N,) to a panel there.
+
+    half: Half the thickness of both.
+    """
+    sine, cosine = np.sin(angle), np.cos(angle)
+    room = sine > OFF_PLANE
+    above = np.full(len(angle), np.inf)
+    above[room] = half * (1 + np.abs(cosine[room])) / sine[room]
+    blunt = cosine < -OFF_PLANE
+    before = np.full(len(angle), np.inf)
+    before[blunt] = half * sine[blunt] / -cosine[blunt]
+    return np.asarray(np.maximum(np.minimum(above, before), 0.0))
+
+
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+LETTERS = ("B", "B", "B", "B")
+
+
+def gusset_parts(design: Design, gussets: Gussets, levels: int) -> Iterator[Part]:
+    """Gussets as parts, each beside the vertex of the flat sheet that it goes to.
+
+    levels: At how many heights boards have outlines.
+    """
+    mechanism, panel = design.mechanism, design.panel
+    across, drive = mechanism.grid.columns, float(np.rad2deg(mechanism.target_drive))
+    row, column = gussets.at.T
+    places = points_of(mechanism, 0.0)[row * across + column, :2]
+    flat = gussets.lying() + places[:, None]
+    boards = None if panel is None else gussets.boards(places, panel, levels)
+    mesh, shares = build_mesh(np.array([[0, 1, 2, 3]]), 4), _borne(gussets.share)
+    for number, name in enumerate(gussets.names):
+        at: Vertex = (int(row[number]), int(column[number]))
+        own = None
+        if boards is not None:
+            own = boards.chosen(boards.panels == number)
+            own = replace(own, panels=np.zeros(len(own), np.int64))
+        yield Part(
+            title=f"Gusset at {at[0]}, {at[1]}",
+            unit="unit",
+            mesh=mesh,
+            assignment=LETTERS,
+            flat=flat[number],
+            fold_angles_deg=np.zeros(4),
+            states=(DocumentState(gussets.corners[number], np.zeros(4), drive),),
+            named={SHELL: 0},
+            names=(name,),
+            panel=panel,
+            boards=own,
+            kind="gusset",
+            borne_at=np.array([at, (at[0] - 1, at[1]), (at[0] + 1, at[1])]),
+            borne_shares=shares,
+            plate=Plate(at, gussets.share),
+        )
+
+
+def _borne(share: float) -> Array:
+    """What the vertex of a gusset and those above and below bear of it (3,), each corner a third.
+
+    A corner at a share of an edge is borne by both of its ends.
+    """
+    return np.array([3 - 2 * share, share, share]) / 3

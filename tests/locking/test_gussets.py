@@ -1,0 +1,181 @@
+"""Gussets: where they are, that they fix the motion, and that they meet nothing at the target."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from documents import design_of
+from orishell.conventions.errors import DesignError, InputError
+from orishell.design import Design, PanelSpec
+from orishell.design.stiffeners import Stiffeners
+from orishell.families.flat_foldable import FlatFoldablePattern, design_flat_foldable
+from orishell.locking import find_lock
+from orishell.locking.gussets import with_gussets
+from orishell.locking.result import Lock
+from orishell.motion import diagonal, find_assignment
+from orishell.motion.layout import mesh_of, points_of
+from orishell.motion.mechanism import Mechanism
+from orishell.solids.gussets import stand_off
+from overlaps import solids
+from rigid_rank import freedoms
+
+TOLERANCE = 1e-9
+FAMILIES = ("orthodiagonal", "parallel-repeating", "flat-foldable")
+
+
+def bare(family: str) -> Design:
+    """A design without flaps and without a thickness."""
+    if family == "flat-foldable":
+        design = design_flat_foldable(FlatFoldablePattern(rows=5, columns=4))
+    else:
+        design = design_of(family, (5, 5)).with_clipped_flaps()
+    return replace(design, clipped=None)
+
+
+def thick(family: str, share: float, **build: Any) -> tuple[Design, Lock]:
+    """The same with panels of so much of the sheet's size, and how it folds to its target."""
+    design = bare(family)
+    size = float(diagonal(design.mechanism.positions(0.0)))
+    sizes = {key: each * share * size for key, each in build.items() if key != "construction"}
+    panel = PanelSpec(
+        thickness=share * size, construction=build.get("construction", "sandwich"), **sizes
+    )
+    design = replace(design, panel=panel)
+    return design, find_lock(design, beyond=False)
+
+
+def asked(**values: Any) -> Stiffeners:
+    return Stiffeners.model_validate({"kind": "gussets", **values})
+
+
+def put_in(design: Design, **values: Any) -> Design:
+    return with_gussets(design, find_lock(design, beyond=False), asked(**values), TOLERANCE)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_one_gusset_leaves_no_motion(family: str) -> None:
+    """Rank of rigid bodies on hinges, by the tests' own count: one motion less, whichever it is."""
+    design = put_in(bare(family))
+    mechanism = design.mechanism
+    assert freedoms_with(mechanism, []) == 1
+    assert design.fixed_by == "any"
+    for part in design.plates:
+        assert part.plate is not None
+        assert freedoms_with(mechanism, [part.plate.corner]) == 0
+
+
+def freedoms_with(mechanism: Mechanism, corners: list[tuple[int, int]]) -> int:
+    """How many motions panels have at the target with plates hinged along edges of columns."""
+    mesh, points = mesh_of(mechanism), points_of(mechanism, mechanism.target_drive)
+    ends, bodies = [points[mesh.edges[mesh.crease]]], [mesh.edge_faces[mesh.crease]]
+    for number, (row, column) in enumerate(corners):
+        vertices = mechanism.grid.vertices()[row - 1 : row + 2, column]
+        for pair in (vertices[:2], vertices[1:]):
+            (panel,) = np.flatnonzero(np.isin(mesh.faces, pair).sum(axis=1) == 2)[:1]
+            ends.append(points[pair][None])
+            bodies.append(np.array([[panel, len(mesh.faces) + number]]))
+    count = len(mesh.faces) + len(corners)
+    return freedoms(np.concatenate(ends), np.concatenate(bodies), count)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_they_go_along_edges_of_columns(family: str) -> None:
+    """Corners at the vertex and 0.6 of the way to those above and below; rows whose creases are
+    valleys."""
+    design = put_in(bare(family), share=0.6)
+    mechanism = design.mechanism
+    points = mechanism.positions(mechanism.target_drive)
+    valleys = (find_assignment(mechanism).row > 0).all(axis=1)
+    rows = 1 + np.flatnonzero(valleys)
+    assert [part.plate.corner for part in design.plates if part.plate is not None] == [
+        (row, column) for row in rows.tolist() for column in range(mechanism.grid.columns)
+    ]
+    for part in design.plates:
+        assert part.plate is not None
+        row, column = part.plate.corner
+        x, up, down = (points[row + step, column] for step in (0, -1, 1))
+        q, r = x + 0.6 * (up - x), x + 0.6 * (down - x)
+        wanted = np.stack([x, q, 0.5 * (q + r), r])
+        np.testing.assert_allclose(part.shell.positions, wanted, rtol=0, atol=1e-12)
+        flat, sides = part.require_flat(), [np.linalg.norm(each - x) for each in (q, r)]
+        np.testing.assert_allclose(
+            np.linalg.norm(flat - flat[0], axis=1)[[1, 3]], sides, rtol=1e-12
+        )
+
+
+@pytest.mark.parametrize(
+    "build",
+    [
+        {"construction": "bevel", "gap": 0.2},
+        {"construction": "sandwich", "membrane": 0.1},
+    ],
+    ids=["bevel", "sandwich"],
+)
+@pytest.mark.parametrize("family", FAMILIES)
+def test_boards_have_nothing_in_common(family: str, build: dict[str, Any]) -> None:
+    """Of gussets that are not refused, manifold3d finds no volume in others, or in panels."""
+    design, lock = thick(family, 5e-4, **build)
+    found = with_gussets(design, lock, asked(columns=2), TOLERANCE)
+    assert lock.built is not None
+    mechanism = design.mechanism
+    flat, points = points_of(mechanism, 0.0)[:, :2], points_of(mechanism, mechanism.target_drive)
+    boards = lock.built.boards
+    sheet = solids(boards.carried(mesh_of(mechanism).faces, flat, points), boards)
+    total = float(boards.volumes().sum())
+    others = list(sheet)
+    for part in found.plates:
+        assert part.boards is not None
+        own = solids(part.boards_in(part.shell), part.boards)
+        assert max((a ^ b).volume() for a in own for b in others) < 1e-12 * total
+        others += own
+
+
+@pytest.mark.parametrize("thickness", [2e-3, 6e-3])
+def test_what_has_no_room_is_refused_and_what_is_offered_fits(thickness: float) -> None:
+    """Boards so thick that gussets meet others, or have no way left along their edges."""
+    design, lock = thick("orthodiagonal", thickness, construction="sandwich", membrane=0.1)
+    with pytest.raises(DesignError) as refused:
+        with_gussets(design, lock, asked(), TOLERANCE)
+    assert refused.value.keys == ("stiffeners.share",)
+    for remedy in refused.value.candidates:
+        values = {key.split(".")[1]: value for key, value in remedy.changes.items()}
+        assert with_gussets(design, lock, asked(**values), TOLERANCE).plates
+
+
+def test_how_far_a_plate_stands_off() -> None:
+    """By hand: h (1 + |cos|)/sin off a board that stands across, h tan off one that ends before."""
+    sine, tangent = np.sin(np.pi / 3), np.tan(np.deg2rad(1.0))
+    wanted = [2.0, 2 * 1.5 / sine, 2 * 1.5 / sine, 2 * tangent]
+    found = stand_off(np.deg2rad([90.0, 60.0, 120.0, 179.0]), 2.0)
+    np.testing.assert_allclose(found, wanted, rtol=1e-12)
+    assert np.isinf(stand_off(np.zeros(1), 1.0)[0])
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"rows": [0]}, "numbers from 1 to 5"),
+        ({"rows": []}, "no row is named"),
+        ({"columns": [9]}, "numbers from 0 to 4"),
+    ],
+)
+def test_places_that_are_not_there_are_refused(values: dict[str, Any], said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        put_in(bare("orthodiagonal"), **values)
+
+
+def test_every_third_column_has_the_last_too() -> None:
+    design = put_in(bare("orthodiagonal"), columns=3)
+    columns = {part.plate.corner[1] for part in design.plates if part.plate is not None}
+    assert columns == {0, 3, 4}
+
+
+def test_whole_boards_have_none() -> None:
+    design = replace(bare("orthodiagonal"), panel=PanelSpec(thickness=0.01, construction="hinged"))
+    lock = find_lock(bare("orthodiagonal"), beyond=False)
+    with pytest.raises(InputError, match="beside"):
+        with_gussets(design, lock, asked(), TOLERANCE)
