@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from orishell.conventions.record import record
-from orishell.conventions.table import Knob, Number, Several, Table
+from orishell.conventions.table import Number, Several, Table
 from orishell.motion.grid import Vertex
 
 Index = Annotated[int, Field(ge=0)]
@@ -23,16 +23,9 @@ class Stiffeners(Table):
     """
 
     kind: Literal["gussets"]
-    rows: Annotated[
-        Literal["valleys", "crests"] | Several[Index],
-        Knob("Gussets in", "The row creases into whose folds gussets are clipped."),
-    ] = "valleys"
+    rows: Literal["valleys", "crests"] | Several[Index] = "valleys"
     columns: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
-    share: Annotated[
-        Number,
-        Field(gt=0, lt=1),
-        Knob("Reach", "How far gussets go along the edges beside a row.", slider=(0.2, 0.98)),
-    ] = 0.9
+    share: Annotated[Number, Field(gt=0, lt=1)] = 0.9
 
 
 @record

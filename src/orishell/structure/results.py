@@ -81,6 +81,10 @@ ECCENTRIC = (
     "how far the middle of what chamfers leave of a board is off its hinge plane: boards bend "
     "about their own middle everywhere, the least that they do"
 )
+CLIPPED_IN = (
+    "what holds gussets in their folds, what that does to edges of panels, and how far off the "
+    "creases gussets stand: they are hinged in these, and as flat as designed"
+)
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (
     "imperfections of fit, and of shape but of cases that are followed as they are moved, as these "
@@ -114,10 +118,11 @@ class Analysis:
         first = FOLLOWED if asked.nonlinear else LINEAR_BUT_SOFT if soft else LINEAR
         thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
+        clipped = CLIPPED_IN if self.model.plates is not None else ""
         known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
         grain = STIFFER if asked.has_grain else ONE_WAY
-        return (first, *(each for each in (thinned, bare) if each), built, grain, *NOT_COVERED)
+        return (first, *(each for each in (thinned, bare, clipped) if each), built, grain, *NOT_COVERED)
 
     @property
     def code_asks(self) -> tuple[str, ...]:
