@@ -30,13 +30,14 @@ from orishell.structure.analyse import analyse
 from orishell.structure.load_settings import LoadCase
 from orishell.structure.loads import Load, case_loads, sum_forces
 from orishell.structure.mesh.geometric import geometric_stiffness
+from orishell.structure.mesh.plane import tensors_along
 from orishell.structure.mesh.plates import Plates, mesh_plates
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
 from orishell.structure.mesh.stops import Stops
-from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.mesh.stresses import PanelStresses, facet_stresses
 from orishell.structure.model import Model
-from orishell.structure.plates import turned_plates
+from orishell.structure.plates import turned_plates, used_of_plates
 from orishell.structure.settings import Structure, Support
 from orishell.structure.solve.active_set import respond
 
@@ -284,6 +285,32 @@ def test_a_shell_with_gussets_is_solved_as_its_matrix_is() -> None:
     assert followed.at == straight.at
     mass = 0.01 * (area_of(design.mechanism) + sum(part.areas().sum() for part in design.plates))
     assert model.mass == pytest.approx(mass, rel=1e-12)
+
+
+def test_plywood_uses_no_less_than_by_its_grain() -> None:
+    """Random stresses of one patch, grain along its first axis, across it, or at 45 degrees."""
+    structure = Structure(
+        material="birch plywood",
+        modulus=8e9,
+        thickness=0.01,
+        supports=(Support(at="feet", kind="pinned"),),
+        cases=(LoadCase(name="dead", self_weight=True),),
+    )
+    grain = structure.grain_strength("permanent", "m")
+    assert grain is not None
+    random, none, one = np.random.default_rng(5), np.zeros((1, 2)), np.zeros(1, np.int64)
+    for _ in range(300):
+        direct, bent = random.normal(size=(2, 1, 3)) * 1e6 * random.uniform(0, 1, size=(2, 1, 1))
+        used = used_of_plates(
+            structure, PanelStresses(one, one, direct, bent, none), "permanent", "m"
+        )
+        assert used is not None
+        for turn in (0.0, 0.25 * np.pi, 0.5 * np.pi):
+            way = np.cos(turn), np.sin(turn)
+            along = [tensors_along(each, *map(np.array, way)) for each in (direct, bent)]
+            for solid in (True, False):
+                shares = grain.of_axes(*along, solid=solid)
+                assert used >= np.linalg.norm(shares, axis=-1).max() * (1 - 1e-12)
 
 
 def _dead(model: Model) -> tuple[Load, ...]:

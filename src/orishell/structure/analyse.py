@@ -249,7 +249,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
         buckling_at_points=tuple(share_at_points(model, structure, shapes).tolist()),
         frequencies=tuple(frequencies.tolist()),
         modes=_units(structure, swinging),
-        plate_stresses=stresses_in_plates(model, on_plates),
+        in_plates=stresses_in_plates(model, on_plates),
     )
 
 

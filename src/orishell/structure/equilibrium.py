@@ -33,7 +33,7 @@ from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
-from orishell.structure.plates import PlateStress, most_stressed
+from orishell.structure.plates import PlateStress, most_stressed, used_of_plates
 from orishell.structure.sandwich_shares import InSandwich, in_sandwich
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
 
@@ -86,8 +86,7 @@ class Equilibrium:
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
-    # von Mises' stress (T', 2) of plates that stiffen the sheet, at both faces (force per area)
-    plate_stresses: Array
+    in_plates: PanelStresses | None  # in plates that stiffen the sheet; None if there are none
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
@@ -185,7 +184,7 @@ class Equilibrium:
     @cached_property
     def gussets(self) -> PlateStress | None:
         """The largest stress of gussets; None if there are none."""
-        return most_stressed(self.model, self.plate_stresses)
+        return most_stressed(self.model, self.in_plates)
 
     @cached_property
     def stress(self) -> Stress:
@@ -264,7 +263,7 @@ class Equilibrium:
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
-            gussets=share_of(self.gussets.size, self.strength) if self.gussets else None,
+            gussets=used_of_plates(asked, self.in_plates, self.duration, self.model.site.unit),
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             buckling=None if self.buckling is None else 1 / self.buckling,
         )

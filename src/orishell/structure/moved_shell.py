@@ -87,7 +87,7 @@ def deformed(
         buckling_modes=np.zeros((0, *places.shape)),
         buckling_at_points=len(factors) * (0.0,),
         path=path,
-        plate_stresses=stresses_in_plates(model, on_plates),
+        in_plates=stresses_in_plates(model, on_plates),
     )
 
 

@@ -10,11 +10,20 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, first_largest
+from orishell.structure.materials import Duration
 from orishell.structure.mesh.corotational import Corotational
 from orishell.structure.mesh.geometric import geometric_stiffness
 from orishell.structure.mesh.plates import Plates
-from orishell.structure.mesh.stresses import FacetForces, facet_stresses, panel_stresses
+from orishell.structure.mesh.stresses import (
+    FacetForces,
+    PanelStresses,
+    facet_stresses,
+    panel_stresses,
+    von_mises,
+)
 from orishell.structure.model import Model
+from orishell.structure.settings import Structure
+from orishell.structure.utilisation import share_of
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -38,22 +47,46 @@ def plate_forces(model: Model, corners: Array | None) -> FacetForces | None:
     return facet_stresses(model.plates.own.facets, model.plate_section, corners)
 
 
-def stresses_in_plates(model: Model, borne: FacetForces | None) -> Array:
-    """Von Mises' stress (T', 2) of plates at both faces, by patches (force per area)."""
+def stresses_in_plates(model: Model, borne: FacetForces | None) -> PanelStresses | None:
+    """Stresses of plates by patches; None if there are no plates."""
     if model.plates is None or borne is None:
-        return np.zeros((0, 2))
-    return panel_stresses(model.plates.own, model.plate_section, borne).von_mises()
-
-
-def most_stressed(model: Model, stresses: Array) -> PlateStress | None:
-    """The plate with the largest of stresses (T', 2); None if there are no plates."""
-    if model.plates is None:
         return None
-    sizes = stresses.max(axis=1)
-    triangle = first_largest(sizes, SOLVED)
-    part = model.design.plates[int(model.plates.own.panels[triangle])]
+    return panel_stresses(model.plates.own, model.plate_section, borne)
+
+
+def most_stressed(model: Model, stresses: PanelStresses | None) -> PlateStress | None:
+    """The plate with the largest stress; None if there are no plates."""
+    if stresses is None:
+        return None
+    sizes = stresses.von_mises().max(axis=1)[np.unique(stresses.patches, return_index=True)[1]]
+    patch = first_largest(sizes, SOLVED)
+    number = int(stresses.panels[np.unique(stresses.patches)[patch]])
+    part = model.design.plates[number]
     assert part.plate is not None
-    return PlateStress(float(sizes[triangle]), part.plate.corner)
+    return PlateStress(float(sizes[patch]), part.plate.corner)
+
+
+def used_of_plates(
+    structure: Structure, stresses: PanelStresses | None, duration: Duration, unit: str
+) -> float | None:
+    """The share of their strength that plates use at most; None if it is not known, or without any.
+
+    Which way their grain runs, where they have one, is not known. With f the least strength of a
+    board along or across it, and f_v in panel shear, the share of both is the root of
+    (s_1^2 + s_2^2)/f^2 + t^2/f_v^2. The first sum is no more than 2 (s_1^2 - s_1 s_2 + s_2^2), so
+    the share is no more than von Mises' stress over the less of f/sqrt(2) and sqrt(3) f_v: of what
+    both faces have, and of what bending adds.
+    """
+    if stresses is None:
+        return None
+    grain = structure.grain_strength(duration, unit)
+    if grain is None:
+        return share_of(float(stresses.von_mises().max()), structure.bears(duration, unit))
+    weaker = grain.weaker()
+    least = min(*weaker.bending, *weaker.tension, *weaker.compression)
+    bears = min(least / np.sqrt(2), np.sqrt(3) * weaker.panel_shear)
+    together = von_mises(stresses.direct) + von_mises(stresses.bent)
+    return float(max((together / bears).max(), weaker.rolls(stresses.across).max()))
 
 
 def turned_plates(plates: Plates, borne: FacetForces, count: int) -> csr_array:

@@ -122,7 +122,13 @@ class Analysis:
         known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
         grain = STIFFER if asked.has_grain else ONE_WAY
-        return (first, *(each for each in (thinned, bare, clipped) if each), built, grain, *NOT_COVERED)
+        return (
+            first,
+            *(each for each in (thinned, bare, clipped) if each),
+            built,
+            grain,
+            *NOT_COVERED,
+        )
 
     @property
     def code_asks(self) -> tuple[str, ...]:

@@ -43,6 +43,12 @@ class FacetForces:
     at_corners: Array  # these moments at all corners (T, 3, 3), as they change linearly (force)
 
 
+def von_mises(stresses: Array) -> Array:
+    """Von Mises' stress (...) of stresses xx, yy, xy (..., 3)."""
+    x, y, xy = np.moveaxis(stresses, -1, 0)
+    return np.asarray(np.sqrt(x**2 - x * y + y**2 + 3 * xy**2))
+
+
 @record
 class PanelStresses:
     """Stresses of panels by patches, in the panels' axes."""
@@ -64,8 +70,7 @@ class PanelStresses:
 
     def von_mises(self) -> Array:
         """Von Mises' stress (T, 2) at both faces, that of its patch for every triangle."""
-        x, y, xy = np.moveaxis(self.faces, -1, 0)
-        return np.asarray(np.sqrt(x**2 - x * y + y**2 + 3 * xy**2)[self.patches])
+        return von_mises(self.faces)[self.patches]
 
     def principal(self) -> Array:
         """The largest and the least principal stress (T, 2), of both faces."""
