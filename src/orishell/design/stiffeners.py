@@ -23,7 +23,7 @@ class Stiffeners(Table):
     """
 
     kind: Literal["gussets"]
-    rows: Literal["valleys", "crests"] | Several[Index] = "valleys"
+    rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"
     columns: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
     share: Annotated[Number, Field(gt=0, lt=1)] = 0.9
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.clash.bodies import Bodies
-from orishell.clash.separation import corners_of, nearest, overlaps
+from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
 from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import rounded
@@ -109,7 +109,9 @@ def _places(design: Design, asked: Stiffeners) -> Integers:
     # Flaps that are shut take the place of gussets beside them.
     beside = int(has_flaps(mechanism) or design.clipped is not None)
     columns = range(inner.start + beside, inner.stop - beside)
-    if isinstance(asked.rows, str):
+    if asked.rows == "all":
+        rows = list(range(1, mechanism.grid.rows - 1))
+    elif isinstance(asked.rows, str):
         sign = 1 if asked.rows == "valleys" else -1
         rows = [1 + row for row in np.flatnonzero((between == sign).all(axis=1)).tolist()]
         if not rows:
@@ -117,7 +119,7 @@ def _places(design: Design, asked: Stiffeners) -> Integers:
                 f"there are no rows of {asked.rows}",
                 keys=("stiffeners.rows",),
                 got=f'"{asked.rows}"',
-                remedy="name rows of vertices, as in rows = [1, 3]",
+                remedy='rows = "all", or name rows of vertices, as in rows = [1, 3]',
             )
     else:
         rows = _named("row", asked.rows, range(1, mechanism.grid.rows - 1))
@@ -249,9 +251,10 @@ class _Place:
         return first, second, deepest[1]
 
     def _met(self, found: Gussets) -> tuple[int, int, float] | None:
-        """The two panels without a thickness that meet, one a gusset, but for those it stands in.
+        """The two panels without a thickness that pass farthest through each other, one a gusset.
 
-        A gusset has edges in common with the panels about its vertex, and lies between them.
+        They may touch: a gusset has edges in common with the panels about its vertex, between which
+        it lies, and with a gusset of the next row, which is on the other side of the sheet.
         """
         faces, points, _ = self._with(found)
         own, grid = len(self.faces), self.design.flapped.grid
@@ -265,12 +268,11 @@ class _Place:
         if not len(first):
             return None
         corners = corners_of(points, faces[first]), corners_of(points, faces[second])
-        touching = nearest(*corners)[0] <= self.tolerance
-        if not touching.any():
-            return None
-        depths = np.where(touching, overlaps(*corners), -1.0)
+        depths = overlaps(*corners)
         worst = first_largest(depths)
-        return int(second[worst]), int(first[worst]), float(max(depths[worst], 0.0))
+        if depths[worst] <= self.tolerance:
+            return None
+        return int(second[worst]), int(first[worst]), float(depths[worst])
 
 
 def _others(place: _Place, share: float) -> Iterator[Remedy]:
