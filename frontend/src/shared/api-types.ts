@@ -341,9 +341,13 @@ export interface DeploymentReport {
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
-  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | null;
+  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | "gussets" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
-  opening: "ties" | null;
+  opening: "ties" | "gussets" | null;
+  /** How many are clipped into its folds at the target. */
+  gussets: number;
+  /** Whether any one of them alone, or all together, keep it from both, in all of its motions; None if that is not known. */
+  fixed_by: "any" | "all" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */
   packed: Pack | null;
   /** Of each piece, where there are pieces. */
@@ -520,6 +524,8 @@ export interface Equilibrium {
   membrane: AtCrease | null;
   /** The largest stress of the arms of hinges beside creases; None if there are none. */
   arms: AtCrease | null;
+  /** The largest stress of gussets; None if there are none. */
+  gussets: PlateStress | null;
   /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
   panel_residual: number;
   /** Of panels, membrane, creases and ties. */
@@ -776,7 +782,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1346,6 +1352,14 @@ export interface PieceReport {
   longest_arm: number;
 }
 
+/** The largest stress in plates that stiffen a sheet. */
+export interface PlateStress {
+  /** Von Mises' stress, averaged over a patch of a fixed share of a plate. */
+  size: number;
+  /** The vertex that the plate goes from. */
+  at: [number, number];
+}
+
 /** How far boards are from fitting in a state, in errors of their hinges (root mean square). */
 export interface Play {
   /** How far the loop about a vertex is open, where that is most. */
@@ -1831,12 +1845,14 @@ export interface Utilisation {
   lines: number | null;
   /** None, too, where hinges have none. */
   arms: number | null;
+  /** None, too, where there are none. */
+  gussets: number | null;
   /**  */
   ties: number | null;
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "ties" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

@@ -83,7 +83,8 @@ ECCENTRIC = (
 )
 CLIPPED_IN = (
     "what holds gussets in their folds, what that does to edges of panels, and how far off the "
-    "creases gussets stand: they are hinged in these, and as flat as designed"
+    "creases gussets stand: they are hinged in these, and as flat as designed; where they "
+    "have a core, its shear and wrinkling of faces"
 )
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (
