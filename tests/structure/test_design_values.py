@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,12 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.record import as_table
 from orishell.structure.grain import grain_turns
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.materials import DURATIONS, materials
 from orishell.structure.mesh.plane import tensors_along
+from orishell.structure.pages.crease_tables import crease_csv
 from orishell.structure.plausibility import doubts_of_shell
 
 from .test_materials import read
@@ -170,3 +173,30 @@ def test_level_panels_are_named() -> None:
     vars(flat)["mesh"] = mesh
     said = list(doubts_of_shell(flat))
     assert any("water stands on them" in text for text in said)
+
+
+def test_a_plywood_shelter_under_snow_and_a_storm() -> None:
+    """Outdoors: strength by EN 1995-1-1, table 3.1 and 2.4.1, crease lines as written of them.
+
+    33.2 MPa k_mod/1.2, k_mod 0.65 for snow (medium) and 0.7 for a storm, which is short. Hinges are
+    free, and only their strength against pull is given: shares of all lines to three digits.
+    """
+    cases: list[dict[str, Any]] = [
+        {"name": "dead", "self_weight": True},
+        {"name": "snow", "snow": {"ground": 500, "shape": "cylinder", "arrangement": "undrifted"}},
+        {"name": "wind", "wind": {"speed": 20, "terrain": "II", "direction_deg": 90}},
+        {"name": "winter", "combine": {"dead": 1.35, "snow": 1.5}},
+        {"name": "storm", "combine": {"dead": 1.35, "snow": 0.75, "wind": 1.5}},
+    ]
+    keys = {**PLYWOOD, "thickness": 0.024, "line_strength": {"pull": 20e3}}
+    found = arch(without_values(keys), cases)
+    by_name = {each["name"]: each["equilibrium"] for each in as_table(found)["cases"]}
+    strengths = {name: each["strength"] for name, each in by_name.items()}
+    assert strengths == pytest.approx({"winter": 17.983e6, "storm": 19.367e6}, rel=5e-5)
+    head, *rows = csv.reader(crease_csv(found, "m").splitlines())
+    pull, used = head.index("pull (N/m)"), head.index("used of its line")
+    shares = [float(row[used] or 0) for row in rows]
+    assert shares == pytest.approx([float(row[pull]) / 20e3 for row in rows], rel=5e-4)
+    assert {row[pull + 1] for row in rows if float(row[pull])} == {"winter", "storm"}
+    lines = [by_name[name]["utilisation"]["lines"] for name in by_name]
+    assert max(shares) == pytest.approx(max(lines), rel=5e-4)

@@ -91,7 +91,7 @@ def misses(found: Analysis, stands: Equilibrium, mass: float, pressure: float) -
         force, moment = acts[..., :3], acts[..., 3:]
         arms = np.cross(at - centre[:, None], force)
         total += np.concatenate([force, moment + arms], axis=-1).sum(axis=1)
-    return total / np.linalg.norm(load, axis=1).mean()
+    return np.asarray(total / np.linalg.norm(load, axis=1).mean())
 
 
 @pytest.mark.parametrize("seed", led_by(range(100), 10))
