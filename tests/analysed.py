@@ -86,6 +86,7 @@ class Tent(Model):
     supported: Any = ((0, 1), (2, 1))
     grounded: Any = MappingProxyType({})
     supports: Any = SimpleNamespace(lost=(), share=0.0, ballast=np.zeros(2), rubs=np.zeros(2))
+    rails: Any = ()
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
 

@@ -41,6 +41,8 @@ from orishell.structure.largest import CreaseMoment, Displacement, PairForce, Re
 from orishell.structure.load_settings import LoadCase, Person, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
+from orishell.structure.rail import AtRail
+from orishell.structure.rail_settings import BaseRail
 from orishell.structure.results import Analysis
 from orishell.structure.sandwich import Sandwich
 from orishell.structure.settings import StructureTable, Support
@@ -258,15 +260,15 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
 
 
 PARTS_OF_STRUCTURE: tuple[type, ...] = (
-    AtCrease, CaseResult, CreaseForces, CreaseMoment, Displacement, Equilibrium, Governing, Load,
-    Model, PairForce, Reaction, Stress, Support, Utilisation,
+    AtCrease, AtRail, CaseResult, CreaseForces, CreaseMoment, Displacement, Equilibrium, Governing,
+    Load, Model, PairForce, Reaction, Stress, Support, Utilisation,
 )  # fmt: skip
 
 
 def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     assert fields_in_table("[structure]", "structure") == {
         *StructureTable.model_fields, *Support.model_fields, *LineStrength.model_fields,
-        *Sandwich.model_fields,
+        *Sandwich.model_fields, *BaseRail.model_fields,
     }  # fmt: skip
     keys = set(LoadCase.model_fields)
     for table in (Snow, Wind, Person):

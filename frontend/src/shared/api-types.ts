@@ -101,6 +101,14 @@ export interface AtCrease {
   panels: [[number, number], [number, number]];
 }
 
+/** Where the stress of a base rail is largest. */
+export interface AtRail {
+  /** How large it is. */
+  size: number;
+  /** The feet beside it. */
+  between: [[number, number], [number, number]];
+}
+
 /** The foot that uses most of what ballast holds. */
 export interface BallastedFoot {
   /** The vertex. */
@@ -119,6 +127,18 @@ export interface BallastedFoot {
   needed: number;
   /** Gamma, in these. */
   factor: number;
+}
+
+/** Bars of one section that join neighbouring feet of a row, stiffly where they meet. */
+export interface BaseRail {
+  /** What they are made of, by its name in materials.toml. */
+  material: string;
+  /** Across, level (length). */
+  width: number;
+  /** (length). */
+  height: number;
+  /** Thickness of the walls of a hollow section; None if it is solid. */
+  wall: number | null;
 }
 
 /** Number of boards by the face that they lie on. */
@@ -526,6 +546,8 @@ export interface Equilibrium {
   arms: AtCrease | null;
   /** The largest stress of gussets; None if there are none. */
   gussets: PlateStress | null;
+  /** The largest stress of base rails; None without them. */
+  rail: AtRail | null;
   /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
   panel_residual: number;
   /** Of panels, membrane, creases and ties. */
@@ -782,7 +804,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "rail" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1108,6 +1130,8 @@ export interface Model {
   imperfection: number;
   /** What holds it. */
   supports: Support[];
+  /** Bars that join neighbouring feet of a row; None without them. */
+  rail: BaseRail | null;
 }
 
 /** A load case: its name, whether the shell fails under it, and whether it is in balance. */
@@ -1133,7 +1157,7 @@ export interface Objective {
 
 /** One line of the order; lengths and areas in the document's unit, None where not known. */
 export interface OrderRow {
-  /** What it is for: "boards", "membrane", "sheet", "arms", "ties", or a kind of hinge. */
+  /** What it is for: "boards", "membrane", "sheet", "arms", "ties", "base rail", a hinge. */
   item: string;
   /** In words, with its thickness. */
   what: string;
@@ -1849,10 +1873,12 @@ export interface Utilisation {
   gussets: number | null;
   /**  */
   ties: number | null;
+  /** None, too, without base rails. */
+  rail: number | null;
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "rail" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

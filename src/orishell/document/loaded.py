@@ -59,4 +59,5 @@ class LoadedShell:
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
     stiffened: bool = False  # whether plates stand on it, which are none of its triangles
+    rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

@@ -15,6 +15,7 @@ from orishell.motion import FoldingMotion
 from orishell.motion.layout import LaidOut
 from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting
+from orishell.shell.rail_order import rail_order
 from orishell.shell.steps import CONTACT, CUTTING, STOCK, STRUCTURE, Work
 from orishell.structure.analyse import analyse
 from orishell.structure.anchors import with_anchors
@@ -71,6 +72,8 @@ def find_facts(found: Candidate, work: Work) -> Facts:
     if work.asks("structure") and file.structure is not None:
         analysis = analyse(design, file.structure, site, progress, built=lock.built)
         deployment = with_anchors(deployment, analysis.anchors)
+        order = (*quantities.order, *rail_order(analysis.model))
+        quantities = replace(quantities, order=order)
         clock.lap("structure")
     deviation = found.deviation
     unknown = {

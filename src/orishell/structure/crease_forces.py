@@ -113,8 +113,9 @@ def hold_moved_panels(
 
 
 def _restrained(model: Model) -> Integers:
-    """Nodes that supports hold, the ground included."""
-    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground])
+    """Nodes that supports and base rails hold, the ground included."""
+    rails = (rail.nodes for rail in model.rails)
+    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground, *rails])
 
 
 def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:

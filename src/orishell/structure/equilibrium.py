@@ -11,9 +11,8 @@ import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
-from orishell.numerics.equals import SOLVED, descending, first_largest, largest_of
+from orishell.numerics.equals import SOLVED, first_largest, largest_of
 from orishell.structure.crease_forces import (
     AtCrease,
     CreaseForces,
@@ -34,6 +33,7 @@ from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
 from orishell.structure.plates import PlateStress, most_stressed, used_of_plates
+from orishell.structure.rail import AtRail, used_rail, worst_rail
 from orishell.structure.sandwich_shares import InSandwich, in_sandwich
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
 
@@ -48,7 +48,7 @@ class Equilibrium:
     REPORTED = (
         "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
         "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
-        "membrane", "arms", "gussets", "panel_residual", "utilisation",
+        "membrane", "arms", "gussets", "rail", "panel_residual", "utilisation",
         "buckling", "buckling_factors", "frequencies", "path", "unfollowed", "duration", "strength",
     )  # fmt: skip
 
@@ -143,12 +143,12 @@ class Equilibrium:
     @cached_property
     def ties(self) -> tuple[PairForce, ...]:
         """Forces in ties, the largest first."""
-        return _pairs(self.model.site.ties, self.tie_forces)
+        return PairForce.ranked(self.model.site.ties, self.tie_forces)
 
     @cached_property
     def flaps(self) -> tuple[PairForce, ...]:
         """Forces of flaps that press on each other, the largest first."""
-        return _pairs(self.model.flaps, self.flap_forces)
+        return PairForce.ranked(self.model.flaps, self.flap_forces)
 
     @cached_property
     def crease(self) -> CreaseMoment | None:
@@ -185,6 +185,11 @@ class Equilibrium:
     def gussets(self) -> PlateStress | None:
         """The largest stress of gussets; None if there are none."""
         return most_stressed(self.model, self.in_plates)
+
+    @cached_property
+    def rail(self) -> AtRail | None:
+        """The largest stress of base rails; None without them."""
+        return worst_rail(self.model.rails, self.displacements)
 
     @cached_property
     def stress(self) -> Stress:
@@ -265,6 +270,7 @@ class Equilibrium:
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
             gussets=used_of_plates(asked, self.in_plates, self.duration, self.model.site.unit),
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
+            rail=used_rail(self.rail, asked, self.duration, self.model.site.unit),
             buckling=None if self.buckling is None else 1 / self.buckling,
         )
 
@@ -294,9 +300,3 @@ class Equilibrium:
         """The largest share of what is borne, and of a displacement that makes it another shell."""
         known = (share or 0.0 for share in self.utilisation.shares.values())
         return max(self.displacement.share / COLLAPSED, *known)
-
-
-def _pairs(ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:
-    """Forces between pairs of vertices, the largest first, none left out."""
-    order = descending(forces, SOLVED).tolist()
-    return tuple(PairForce(ends[number], float(forces[number])) for number in order)

@@ -9,6 +9,8 @@ from typing import Literal
 
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
+from orishell.numerics.arrays import Array
+from orishell.numerics.equals import SOLVED, descending
 from orishell.structure.loads import Vector
 
 
@@ -36,6 +38,12 @@ class PairForce:
 
     ends: VertexPair  # the vertices
     force: float  # how much a tie pulls, or flaps push
+
+    @classmethod
+    def ranked(cls, ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:
+        """Forces (K,) between pairs of vertices, the largest first, none left out."""
+        order = descending(forces, SOLVED).tolist()
+        return tuple(cls(ends[number], float(forces[number])) for number in order)
 
 
 @record

@@ -34,6 +34,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
         stiffened=model.plates is not None,
+        rails=bool(model.rails),
         cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
         creases=_creases(model, cases),
     )

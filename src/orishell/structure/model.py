@@ -12,23 +12,26 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
-from orishell.motion import Mechanism, area_of
+from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
-from orishell.structure.flaps import between_flaps, hung_area, kept_apart
+from orishell.structure.exposed import expose
+from orishell.structure.flaps import between_flaps, kept_apart
 from orishell.structure.loads import Exposure
 from orishell.structure.masses import point_masses
 from orishell.structure.mesh.arms import joint_elements
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.frames import Frame
 from orishell.structure.mesh.hinges import rigid_stiffness
 from orishell.structure.mesh.plates import LEAST_STANDING, Plates, mesh_plates
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.mesh.stops import Stops, stops_of
+from orishell.structure.rail import lay_rails, rail_masses
 from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
 from orishell.structure.solve.factorise import factorise
@@ -51,7 +54,7 @@ class Model:
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
         "structure.arm_strength", "displacement_limit", "structure.imperfection",
-        "structure.supports",
+        "structure.supports", "structure.rail",
     )  # fmt: skip
 
     design: Design  # the design
@@ -255,36 +258,19 @@ class Model:
     @cached_property
     def exposure(self) -> Exposure:
         """The mesh as loads see it."""
-        facets, mass = self.mesh.facets, self.site.areal_mass
-        if self.design.has_whole_boards:  # with nothing in the gaps between them
-            mass *= area_of(self.sheet) / float(facets.areas().sum())
-        points = self.mesh.facets.points[self.grid.vertices()[list(self.site.rows or (0, -1))]]
-        span = float(np.linalg.norm(np.diff(points.mean(axis=1), axis=0)))
-        standing = self.site.rows is not None
-        return Exposure(
-            mesh=facets,
-            panels=self.mesh.panels,
-            grid=self.grid,
-            before=self.before,
-            areal_mass=np.full(len(facets.triangles), mass),
-            hung=mass * hung_area(self.design.flapped, self.grid, len(facets.points))
-            + self._attached_masses(mass),
-            unit=self.site.unit,
-            ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
-            span=span if standing else None,
-            feet=self.site.rows,
-        )
+        asked, count = self.structure.rail, len(self.mesh.facets.points)
+        rails = rail_masses(asked, self.rails, count, self.site.unit)
+        return expose(self.design, self.site, self.mesh, (self.sheet, self.before), rails)
 
-    def _attached_masses(self, areal_mass: float) -> Array:
-        """Mass (N,) at nodes of the other parts that go with the sheet, where these are borne."""
-        found, metres = np.zeros(len(self.mesh.facets.points)), self.site.metres
-        for part in self.design.attached:
-            assert part.borne_at is not None, "what goes with a sheet is borne by it"
-            rows, columns = part.borne_at.T
-            nodes = self.grid.vertices()[rows, columns - self.before]
-            shares = 1 / len(nodes) if part.borne_shares is None else part.borne_shares
-            found[nodes] += part.mass(areal_mass, metres) * shares
-        return found
+    @cached_property
+    def rails(self) -> tuple[Frame, ...]:
+        """Base rails that join its feet.
+
+        Raises InputError: If one is asked for, and there are no feet that it could join.
+        """
+        asked, points = self.structure.rail, self.mesh.facets.points
+        sheet = self.grid, self.before
+        return lay_rails(asked, self.standing, points, sheet, self.site.unit)
 
     @cached_property
     def flaps(self) -> tuple[VertexPair, ...]:
@@ -315,22 +301,26 @@ class Model:
         at = zip(rows.tolist(), (columns + self.before).tolist(), strict=True)
         return dict(zip(at, self.supports.friction.tolist(), strict=True))
 
+    @property
+    def standing(self) -> Integers | None:
+        """Vertices (F,) that are its feet; None if it does not stand."""
+        feet = self.site.feet
+        if feet is None:
+            return None
+        if feet.points:
+            at = [(row, column - self.before) for row, column in feet.points]
+            return np.asarray(self.grid.vertices()[tuple(np.transpose(at))])
+        rows = self.grid.vertices()[list(feet.rows), self.sheet.inner_columns]
+        return np.asarray(rows.ravel())
+
     @cached_property
     def supports(self) -> Supports:
         """What holds it.
 
         Raises InputError: If vertices that are to be held are not there.
         """
-        inner, feet = self.sheet.inner_columns, self.site.feet
-        standing: Integers | None = None
-        if feet is not None and feet.points:
-            at = [(row, column - self.before) for row, column in feet.points]
-            standing = self.grid.vertices()[tuple(np.transpose(at))]
-        elif feet is not None:
-            standing = self.grid.vertices()[list(feet.rows), inner].ravel()
-        return find_supports(
-            self.structure.supports, self.mesh, self.grid, inner, standing, before=self.before
-        )
+        asked, inner = self.structure.supports, self.sheet.inner_columns
+        return find_supports(asked, self.mesh, self.grid, inner, self.standing, before=self.before)
 
     def conditions(self) -> Conditions:
         """Ties, flaps and feet on the ground, one after the other."""
@@ -357,6 +347,7 @@ class Model:
         elements = [self.elements, *joint_elements(mesh, self.grid, springs)]
         if self.plates is not None:
             elements.append(self.plates.elements(self.plate_section, mesh.count))
+        elements += [rail.elements(mesh.count) for rail in self.rails]
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.structure.mesh.corotational import Corotational
+from orishell.structure.mesh.frames import SlightlyMoved
 from orishell.structure.mesh.hinges import Folds, crease_springs, rigid_stiffness
 from orishell.structure.model import Model
 from orishell.structure.plates import movable_plates
@@ -26,10 +27,12 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
     mesh, points = model.mesh, model.mesh.facets.points
     translations, lever = mesh.translations(), float(np.sqrt(mesh.facets.areas().mean()))
     panels = Corotational.of(mesh.facets, model.section, mesh.dofs(), mesh.places)
-    parts: list[Corotational | Folds | Links | Feet] = [panels, *movable_plates(model)]
+    parts: list[Corotational | Folds | SlightlyMoved | Links | Feet]
+    parts = [panels, *movable_plates(model)]
     if stiffness:
         least = min(stiffness, rigid_stiffness(mesh, model.section))
         parts.append(Folds(*crease_springs(mesh, model.grid, least)))
+    parts.extend(rail.moving() for rail in model.rails)
     diagonal = np.einsum("tii->ti", panels.stiffness).reshape(-1, 3, 6)[..., :3]
     typical = float(diagonal.sum() / (3 * len(points)))
     ties, flaps = model.nodes_of(model.site.ties), model.nodes_of(model.flaps)

@@ -40,6 +40,7 @@ from orishell.structure.load_settings import (
 )
 from orishell.structure.materials import Duration, ServiceClass, materials
 from orishell.structure.mesh.layup import Layup
+from orishell.structure.rail_settings import BaseRail
 from orishell.structure.sandwich import Sandwich
 
 __all__ = [
@@ -201,6 +202,8 @@ class StructureTable(Table):
     # force by strain of a tie; infinite if it does not stretch (N)
     tie_stiffness: Positive = math.inf
     tie_strength: Positive | None = None  # what a tie bears; None if that is not known (N)
+    # bars that join neighbouring feet of a row; None without them
+    rail: BaseRail | None = None
     # code whose combinations of cases are made; then cases are combined and not analysed alone
     combinations: Literal["none", "EN 1990"] = "none"
     expression: Expression = "6.10"  # of strength, in EN 1990

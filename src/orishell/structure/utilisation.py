@@ -19,6 +19,7 @@ Limiting = Literal[
     "arms",
     "gussets",
     "ties",
+    "rail",
     "buckling",
 ]
 """What may be at the end of what it bears."""
@@ -34,11 +35,13 @@ GOVERNING: Mapping[Limiting, str] = {
     "arms": "the stress in the arms of hinges",
     "gussets": "the stress in gussets",
     "ties": "the force in a tie",
+    "rail": "the stress in the base rail",
     "buckling": "buckling",
 }
 """What governs, in the words of terminal, page and studio."""
 NAMED: Mapping[Limiting, str] = {
     "lines": "crease lines",
+    "rail": "base rail",
     "panel_shear": "panels against shear in their plane",
     "rolling_shear": "panels against rolling shear",
     "core_shear": "cores of panels in shear",
@@ -46,7 +49,7 @@ NAMED: Mapping[Limiting, str] = {
 }
 """What bears, where its name is not the word for it."""
 NOT_EVERYWHERE: frozenset[Limiting] = frozenset(
-    {"panel_shear", "rolling_shear", "core_shear", "wrinkling", "buckling"}
+    {"panel_shear", "rolling_shear", "core_shear", "wrinkling", "rail", "buckling"}
 )
 """What is not known only where there is nothing of the kind."""
 LEAST_LINE = 100.0
@@ -74,6 +77,7 @@ class Utilisation:
     arms: float | None  # None, too, where hinges have none
     gussets: float | None  # None, too, where there are none
     ties: float | None
+    rail: float | None  # None, too, without base rails
     buckling: float | None  # of the load at which the shell buckles; None if it does not
 
     @property

@@ -29,7 +29,7 @@ from orishell.workshop.sheets import Waste, measure_waste
 class OrderRow:
     """One line of the order; lengths and areas in the document's unit, None where not known."""
 
-    item: str  # what it is for: "boards", "membrane", "sheet", "arms", "ties", or a kind of hinge
+    item: str  # what it is for: "boards", "membrane", "sheet", "arms", "ties", "base rail", a hinge
     what: str  # in words, with its thickness
     count: int | None  # how many sheets, rolls, bars or coils; None if nobody says how it is sold
     least: int | None  # how few would do at least, where it is proved that fewer cannot

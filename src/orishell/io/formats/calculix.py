@@ -45,8 +45,8 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     Raises
     ------
     InputError
-        If the shell was not analysed, is of whole boards, or has gussets, or no unit of length is
-        known.
+        If the shell was not analysed, is of whole boards, has gussets or base rails, or no unit of
+        length is known.
     """
     shell = document.loaded
     if shell is None:
@@ -69,6 +69,12 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             "nothing to do",
             keys=("stiffeners",),
             remedy="leave inp out of --write, or remove the table",
+        )
+    if shell.rails:
+        raise InputError(
+            "base rails are not written for CalculiX",
+            keys=("structure.rail",),
+            expected="no rail: its feet then stand by themselves",
         )
     unit = document.require_unit()
     deck = _deck_of(shell)

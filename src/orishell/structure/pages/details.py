@@ -61,6 +61,10 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
     )
     if found.ties:
         yield "Ties", _pressing(found.ties, "pull")
+    if found.rail is not None:
+        one, other = map(vertex, found.rail.between)
+        size = said.stress(found.rail.size)
+        yield "Base rail", f"{size} at most, between feet {one} and {other}"
     if found.flaps:
         yield "Flaps", _pressing(found.flaps, "press on each other")
     if found.crease is not None and case.creases != "free":

@@ -81,6 +81,17 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         "Strength of ties",
         _known(asked.tie_strength, lambda force: quantity(force, "N")),
     )
+    if asked.rail is not None:
+        of = model.rails
+        length, count = (
+            sum(rail.lengths.sum() for rail in of),
+            sum(len(rail.lengths) for rail in of),
+        )
+        yield (
+            "Base rail",
+            f"{asked.rail.in_words(said.unit)}: {count} bars between neighbouring feet, "
+            f"{said.length(length)} in all",
+        )
     yield (
         "Mesh",
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} degrees of freedom",
