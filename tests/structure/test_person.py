@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,8 @@ from orishell.structure.combinations import Factors, action_of, combine
 from orishell.structure.equilibrium import COLLAPSED
 from orishell.structure.load_settings import LoadCase, Person, Side, Snow, Wind
 from orishell.structure.loads.person import force_at, place_in_words
+from orishell.structure.mesh.sheet import mesh_sheet
+from orishell.structure.mesh.stops import Stops
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.plausibility import doubts
 from orishell.structure.results import Analysis
@@ -60,6 +63,18 @@ def test_a_force_is_in_the_middle_of_a_panel_or_of_a_side(cells: int, side: Any)
 
 
 PLAIN = arch(KEYS).model
+
+
+def test_a_force_is_in_the_middle_where_lines_of_nodes_are_moved() -> None:
+    """As gussets move them: four nodes share it, in the panel's middle all the same."""
+    stops = Stops(frozenset({1}), 0.8)
+    mesh = mesh_sheet(PLAIN.positions, PLAIN.grid, 4, stops=stops)
+    exposure = replace(PLAIN.exposure, mesh=mesh.facets, panels=mesh.panels)
+    corners = PLAIN.positions.reshape(-1, 3)[PLAIN.grid.faces_vertices()[1]]
+    forces = force_at(exposure, 1, "middle")
+    assert np.count_nonzero(forces[:, 2]) > 1
+    moment = np.cross(mesh.facets.points, forces).sum(axis=0)
+    assert moment == pytest.approx(np.cross(corners.mean(axis=0), [0, 0, -1]), abs=1e-12)
 
 
 def test_the_place_that_is_found_is_the_worst() -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array
 from orishell.structure.load_settings import Person, Side, WorstPlace
 from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import UP, Exposure
@@ -46,13 +46,11 @@ def person(exposure: Exposure, asked: Person) -> Effect:
             got=f"[{row}, {column}]",
             expected=f"a row from 0 to {rows - 1}, a column from {first} to {first + columns - 1}",
         )
-    nodes = place_nodes(exposure, row * columns + column - first, asked.side)
-    forces = np.zeros_like(exposure.mesh.points)
-    np.add.at(forces, nodes, -asked.force / len(nodes) * UP)
+    one = force_at(exposure, row * columns + column - first, asked.side)
     rule = f"down {place_in_words(asked.at, asked.side)} (EN 1991-1-1, 6.3.4, category H)"
     if isinstance(asked, WorstPlace):
         rule += f": {asked.found}"
-    return Effect(forces, None, rule)
+    return Effect(asked.force * one, None, rule)
 
 
 def place_in_words(at: Panel, side: Side) -> str:
@@ -61,29 +59,35 @@ def place_in_words(at: Panel, side: Side) -> str:
     return f"{on} of panel {at[0]}, {at[1]}"
 
 
-def place_nodes(exposure: Exposure, panel: int, side: Side) -> Integers:
-    """The node in the middle of a panel or of a side, or the 2 or 4 nodes around it (n,).
+def force_at(exposure: Exposure, panel: int, side: Side) -> Array:
+    """A force of 1 N down at a place (N, 3): at the node there, or shared by the nodes around it.
 
     panel: As the grid counts it.
     """
-    count = len(exposure.mesh.triangles) // exposure.grid.panel_count
+    mesh = exposure.mesh
+    count = len(mesh.triangles) // exposure.grid.panel_count
     cells = round((count / 2) ** 0.5)
     nodes = np.empty((cells + 1) ** 2, np.int64)
-    own = exposure.mesh.triangles[panel * count : (panel + 1) * count]
+    own = mesh.triangles[panel * count : (panel + 1) * count]
     nodes[triangle_corners(cells).ravel()] = own.ravel()
-    middle = slice(cells // 2, (cells + 1) // 2 + 1)
+    nodes = nodes.reshape(cells + 1, cells + 1)
+    ends = np.eye(cells + 1)[[0, -1]]
+    down, right = (_in_the_middle(mesh.points[each]) for each in (nodes[:, 0], nodes[0]))
     down, right = {
-        "middle": (middle, middle),
-        "left": (middle, slice(0, 1)),
-        "right": (middle, slice(-1, None)),
-        "top": (slice(0, 1), middle),
-        "bottom": (slice(-1, None), middle),
+        "middle": (down, right),
+        "left": (down, ends[0]),
+        "right": (down, ends[1]),
+        "top": (ends[0], right),
+        "bottom": (ends[1], right),
     }[side]
-    return np.asarray(nodes.reshape(cells + 1, cells + 1)[down, right].ravel())
-
-
-def force_at(exposure: Exposure, panel: int, side: Side) -> Array:
-    """A force of 1 N down at a place (N, 3)."""
-    forces, nodes = np.zeros_like(exposure.mesh.points), place_nodes(exposure, panel, side)
-    forces[nodes] = -UP / len(nodes)
+    forces = np.zeros_like(mesh.points)
+    forces[nodes] = -np.outer(down, right)[..., None] * UP
     return forces
+
+
+def _in_the_middle(points: Array) -> Array:
+    """Shares (k,) by which points (k, 3) of a straight line have a force in the middle of it."""
+    along = np.linalg.norm(points - points[0], axis=1)
+    places = along / along[-1]
+    every = np.eye(len(places))
+    return np.array([float(np.interp(0.5, places, each)) for each in every])
