@@ -59,6 +59,20 @@ def test_every_kind_says_where_it_comes_from(name: str) -> None:
     assert all(100 < each < 1e5 for each in known)
 
 
+def test_a_bolted_hinge_by_hand() -> None:
+    """Bolts of 5 mm every 40 through 9 mm: they bear less than knuckles and edge do."""
+    made, design = hinge_lines()["bolted hinge"], 0.6 / 1.3
+    bolt = 0.4 * 0.11 * (1 - 0.01 * 5) * 640 * 9 * 5 * design  # N; EN 1995-1-1, 8.36 and 8.11a
+    leaf = 235 * 1.5**2 / 6
+    assert 2 * 10 * 9 * 9.5 * design > bolt
+    assert leaf / (2 + 0.75) / 2 > bolt / 40
+    for value in (made.pull, made.push, made.along):
+        assert value is not None
+        assert 0.98 < value / 1e3 / (bolt / 40) <= 1
+    assert made.across is not None
+    assert 0.98 < made.across / 1e3 / (leaf / 12) <= 1
+
+
 def test_calculated_kinds() -> None:
     """By the formulas that their sources name, rounded down by less than 6 %."""
     piano, wooden = hinge_lines()["piano hinge"], hinge_lines()["wooden knuckles"]

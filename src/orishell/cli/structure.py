@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from orishell.cli.carry import make_it_carry
 from orishell.cli.files import (
     CHECK_HELP,
     FORCE_HELP,
@@ -50,6 +51,14 @@ def structure(
         ),
     ] = None,
     *,
+    carry: Annotated[
+        bool,
+        typer.Option(
+            "--make-it-carry",
+            help="Find designs that carry all load cases instead, the lightest first; --out writes "
+            "them as design files. Status 1 if there is none.",
+        ),
+    ] = False,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
@@ -76,6 +85,9 @@ def structure(
             keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
+    if carry:
+        make_it_carry(asked, out, json_report=json_report, force=force)
+        return
     if out is not None:
         OutputDirectory(out, inputs=asked.inputs, force=force).require_usable(FILES)
     with bar() as progress:

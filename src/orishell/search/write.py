@@ -6,7 +6,6 @@ import json
 import os
 import re
 import threading
-import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file.inputs import input_files
+from orishell.design_file.rewritten import rewritten
 from orishell.design_file.tables import Values, with_values
 from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
@@ -34,28 +34,8 @@ def variant_text(problem: Problem, values: Values, directory: Path) -> str:
 
     In ``directory``, where it will be, it names the files of curves as seen from there.
     """
-    import tomlkit
-
     values = {**values, **_moved(problem, values, directory)}
-    tables = with_values(problem.tables, values)
-    try:
-        document = tomlkit.parse(problem.text)
-        document.pop("search", None)
-        for key, value in values.items():
-            _set(document, key.split("."), value)
-        text = tomlkit.dumps(document)
-    except tomlkit.exceptions.TOMLKitError:  # its comments cannot be kept
-        text = ""
-    return text if text and tomllib.loads(text) == tables else tomlkit.dumps(tables)
-
-
-def _set(document: Any, keys: list[str], value: Any) -> None:
-    *outer, last = keys
-    for key in outer:
-        document = (
-            document[int(key)] if isinstance(document, list) else document.setdefault(key, {})
-        )
-    document[int(last) if isinstance(document, list) else last] = value
+    return rewritten(problem.text, problem.tables, values, without=("search",))
 
 
 def _moved(problem: Problem, values: Values, directory: Path) -> Values:

@@ -9,25 +9,16 @@ that the same file has the same answer on any machine.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import Any
 
-from orishell.conventions.errors import DesignError, InputError, Remedy
-from orishell.conventions.formatting import rounded
+from orishell.conventions.errors import Remedy
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
 from orishell.design_file import DesignFile
-from orishell.shell.instead import shell_of, trying
-from orishell.shell.steps import MEASURES, Step
-from orishell.structure.case import CaseResult
-from orishell.structure.refine import seconds
+from orishell.shell.carry_steps import FOLDS, stiffer, thicker
+from orishell.shell.load_trials import LoadTrials
 from orishell.structure.results import Analysis
-from orishell.structure.verdict import LARGE_DISPLACEMENT, LEAST_BUCKLING
 
-SOFT = 3.0
-"""A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
-MARGIN = 1.02
-"""Panels are tried by so much thicker than the figures of the last trial ask for."""
 TRIALS = 3
 """Thicknesses that are tried, with and without ties across the folds."""
 WORK = 2.5
@@ -35,12 +26,6 @@ WORK = 2.5
 minute or two at most, which the studio waits for."""
 CONFIRMED = 2
 """So many of the changes with which no case fails are tried as a whole, the best first."""
-FEW_CELLS = 2
-"""Cells with which is tried first what is offered, where panels can have so few."""
-FOLDS = {"deployment.ties": "folds"}
-
-LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification")
-"""All that does not tell what a shell bears."""
 
 
 def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> Remedy | None:
@@ -57,7 +42,7 @@ def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> R
         return None  # the case says which ballast would hold
     trials = _Trials(file, analysis, progress)
     for changes in trials.proposed():
-        if trials.work > WORK:
+        if trials.trials.work > WORK:
             trials.ended = True
             break
         if trials.settles(changes):
@@ -73,11 +58,7 @@ class _Trials:
         self.first = self.last = analysis
         self.key = "structure.thickness" if file.panel is None else "panel.thickness"
         self.said = Quantities(file.unit)
-        model = analysis.model
-        few = min(max(FEW_CELLS, model.least_cells), model.cells)
-        self.few = {"structure.cells": few, "structure.refine": 0.0}
-        self.takes = {True: seconds(model, few), False: seconds(model, model.cells)}
-        self.work, self.ended = 0.0, False
+        self.trials, self.ended = LoadTrials(file, analysis, progress), False
         self.tried: list[str] = []
         self.promise: list[tuple[float, dict[str, Any]]] = []  # with which no case fails so far
 
@@ -95,19 +76,18 @@ class _Trials:
     def _may_be_tied(self) -> bool:
         """Whether ties across the folds may help: with hinges that bear little, it is too soft."""
         soft = any(
-            case.sign == "fails" and (case.equilibrium is None or _stiffer(case) > 1)
+            case.sign == "fails" and (case.equilibrium is None or stiffer(case) > 1)
             for case in self.first.cases
         )
         return soft and self.file.deployment.ties in ("none", "feet")
 
     def _thicker(self, others: dict[str, Any]) -> Iterator[dict[str, Any]]:
         for _ in range(TRIALS):
-            times = max(_times(case) for case in self.last.cases)
-            thickness = rounded(MARGIN * times * self.last.model.thickness, 2)
-            if thickness <= self.last.model.thickness:
+            change = next(thicker(self.file, self.last), None)
+            if change is None:
                 return
             before = self.last
-            yield {**others, self.key: thickness}
+            yield {**others, **change.values}
             if self.last is before:  # boards so thick cannot be made
                 return
 
@@ -126,18 +106,9 @@ class _Trials:
     def _analysed(self, changes: dict[str, Any], *, quick: bool) -> Analysis | None:
         """What is found of a changed shell; None if it cannot be made."""
         words = self._in_words(changes)
-        work = trying(self.progress, f"trying {words}", LOADED)
-        if quick:  # whether its boards reach its target is left open
-            work = replace(work, clash="unexamined")
-        self.work += self.takes[quick]
-        tried = {**changes, **self.few} if quick else changes
-        try:
-            made = shell_of(self.file.tried(tried), work)
-        except (DesignError, InputError):
-            self.tried.append(f"{words} (cannot be made)")
-            return None
-        if made.analysis is None or any(tie.slack is False for tie in made.deployment.ties):
-            self.tried.append(f"{words} (ties that are not slack on the way)")
+        made = self.trials.made(changes, words, quick=quick)
+        if isinstance(made, str):
+            self.tried.append(f"{words} ({made})")
             return None
         return made.analysis
 
@@ -170,20 +141,3 @@ class _Trials:
 def _open(found: Analysis) -> float:
     """How far figures are beyond what is known to be carried; up to 1 none is."""
     return max(case.used for case in found.cases)
-
-
-def _stiffer(case: CaseResult) -> float:
-    """How many times stiffer a shell in equilibrium should be."""
-    found = case.equilibrium
-    assert found is not None
-    buckles = found.utilisation.buckling or 0.0
-    return float(max(found.displacement.share / LARGE_DISPLACEMENT, LEAST_BUCKLING * buckles))
-
-
-def _times(case: CaseResult) -> float:
-    """By what thickness is to grow: moments are borne by its square, stiffness is its cube."""
-    found = case.equilibrium
-    if found is None:
-        return SOFT
-    bears = found.utilisation.panels or 0.0
-    return float(max(1.0, bears**0.5, _stiffer(case) ** (1 / 3)))

@@ -1,0 +1,144 @@
+"""``orishell structure --make-it-carry``: designs that carry, as a table and as design files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from orishell.cli.files import bar, lines_of, say
+from orishell.conventions.errors import InputError
+
+if TYPE_CHECKING:
+    from orishell.design_file import DesignFile
+    from orishell.shell.carry import Carrying, CarrySearch
+
+HEAD = ("design", "what is changed", "kg", "parts", "pack", "used", "governs")
+NAME = "carries-{}.toml"
+
+
+def make_it_carry(asked: DesignFile, out: Path | None, *, json_report: bool, force: bool) -> None:
+    """Find designs that carry, print them, and write those that are asked for.
+
+    Ends with status 1 if there is none.
+    """
+    from orishell.io import OutputDirectory
+    from orishell.shell.carry import OFFERED, find_carrying
+
+    output = None
+    if out is not None:
+        _require_writer()
+        output = OutputDirectory(out, inputs=asked.inputs, force=force)
+        output.require_usable([NAME.format(number) for number in range(1, OFFERED + 1)])
+    with bar() as progress:
+        found = find_carrying(asked, progress)
+    written = [] if output is None else _write(asked, found, output)
+    if json_report:
+        import json
+
+        say(json.dumps(_as_json(found), indent=2, allow_nan=False))
+    else:
+        say("\n".join(_summary(found, written, asked.unit)))
+    if not found.found and not found.begun.carries:
+        raise typer.Exit(1)
+
+
+def _require_writer() -> None:
+    from importlib.util import find_spec
+
+    if find_spec("tomlkit") is None:
+        raise InputError(
+            "tomlkit must be installed to write design files",
+            where="--out",
+            remedy="pip install orishell[search]",
+        )
+
+
+def _write(asked: DesignFile, found: CarrySearch, output: Any) -> list[Path]:
+    """Design files of what was found, in the order of the table."""
+    from orishell.design_file.rewritten import rewritten
+    from orishell.search.problem import files_named
+
+    moved = {
+        key: Path(os.path.relpath(asked.path.parent / name, output.path)).as_posix()
+        for key, name in files_named(asked.tables, asked.path.parent).items()
+        if not Path(name).is_absolute()
+    }
+    text = asked.path.read_text(encoding="utf-8")
+    written = []
+    with output.adding() as draft:
+        for number, each in enumerate(found.found, start=1):
+            name = NAME.format(number)
+            content = rewritten(text, asked.tables, {**each.change.values, **moved})
+            (draft / name).write_text(content, encoding="utf-8")
+            written.append(output.path / name)
+    return written
+
+
+def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str]:
+    from orishell.conventions.row import Row
+    from orishell.io.sections import Bullets, Paragraph, Section, Table, section_lines
+
+    begun = found.begun
+    yield from lines_of(Row(begun.sign, "stands", begun.in_words()))
+    if begun.carries:
+        yield "It carries as it is: nothing is to be changed."
+        return
+    if found.found:
+        rows = [
+            (str(number), *_cells(each, unit)) for number, each in enumerate(found.found, start=1)
+        ]
+        parts: list[Any] = [Table(HEAD, rows, numbers=0)]
+    elif found.nearest is not None:
+        change, analysis = found.nearest
+        said = change.words or "the file as it is"
+        parts = [
+            Paragraph("No design was found that carries."),
+            Paragraph(f"Nearest came {said}: {analysis.in_words()}"),
+        ]
+    else:
+        parts = [Paragraph("No design was found that carries.")]
+    yield from section_lines([Section("Designs that carry, the lightest first", tuple(parts))])
+    tried = list(found.tried)
+    if found.ended:
+        tried.append("more would have taken too long")
+    yield from section_lines([Section("What was tried, with few cells", (Bullets(tried),))])
+    yield from (f"wrote     {each}" for each in written)
+
+
+def _cells(each: Carrying, unit: str) -> tuple[str, ...]:
+    from orishell.conventions.quantities import plain
+
+    pack = "-" if each.pack is None else " x ".join(plain(side, 3) for side in each.pack)
+    governs = each.analysis.governs
+    used = "-" if governs is None else f"{plain(100 * governs.utilisation, 3)} %"
+    return (
+        each.change.words,
+        plain(each.mass, 3) if each.mass else "-",
+        str(each.parts),
+        f"{pack} {unit}" if each.pack else pack,
+        used,
+        "-" if governs is None else each.analysis.governing_in_words().partition(" governs")[0],
+    )
+
+
+def _as_json(found: CarrySearch) -> dict[str, Any]:
+    return {
+        "carries": found.begun.carries,
+        "found": [
+            {
+                "changes": dict(each.change.values),
+                "words": each.change.words,
+                "mass": each.mass or None,
+                "parts": each.parts,
+                "pack": None if each.pack is None else list(each.pack),
+                "governs": each.analysis.governing_in_words(),
+            }
+            for each in found.found
+        ],
+        "tried": list(found.tried),
+        "ended": found.ended,
+    }

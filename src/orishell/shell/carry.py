@@ -1,0 +1,222 @@
+"""A design that carries its loads, found from one that does not, or is not known to.
+
+Changes are made one after the other in the order of a builder, and in that of a designer who may
+choose the shape first. One stays if with it the shell is nearer to what it bears; where a shell
+carries, what it does not need is taken away again. All trials are made of whole shells with few
+cells; what is offered is then made and analysed as the file asks, contact and pack included. The
+search ends after so much predicted work: no clock decides, and what was tried is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import chain, repeat
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.record import record
+from orishell.design_file import DesignFile
+from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER, NOTHING, Change, Step
+from orishell.shell.facts import Facts
+from orishell.shell.instead import shell_of, trying
+from orishell.shell.load_trials import LOADED, LoadTrials
+from orishell.structure.results import Analysis
+
+ROUNDS = 3
+"""So many times all steps of an order are taken, as one may help after another."""
+GAIN = 0.95
+"""A change stays that brings a shell to this share of what it uses, or nearer."""
+MOVES, OPEN = 1e6, 1e3
+"""What counts for a case under which a shell moves, and for one of which something is not known."""
+WORK = 40.0
+"""Beyond so many predicted seconds nothing more is tried."""
+PER_PANEL = 0.012
+"""Predicted seconds in which a panel is designed, beside its analysis."""
+OFFERED, CONFIRMED = 3, 6
+"""So many designs are offered at most, and so many tried as the file asks in search of them."""
+PACKED = tuple(each for each in LOADED if each != "pack")
+
+
+@record
+class Carrying:
+    """A design that carries all its cases, made and analysed as its file asks."""
+
+    change: Change  # of the file
+    analysis: Analysis
+    parts: int  # on the site: pieces, flaps, ties and locks
+    pack: tuple[float, float, float] | None  # sides of its pack (length); None without one
+
+    @property
+    def mass(self) -> float:
+        """Of its panels (kg); 0 where that is not known."""
+        return self.analysis.model.mass or 0.0
+
+
+@record
+class CarrySearch:
+    """What was found: designs that carry, and what was tried in vain."""
+
+    begun: Analysis  # of the file as it is
+    found: tuple[Carrying, ...]  # the lightest first
+    tried: tuple[str, ...]  # every change, in words, and how it ended
+    nearest: tuple[Change, Analysis] | None  # what came nearest, with few cells, if none carries
+    ended: bool  # whether more would have taken too long
+
+
+@record
+class _State:
+    """A shell with some changes, as analysed with few cells."""
+
+    change: Change
+    file: DesignFile
+    facts: Facts
+    analysis: Analysis
+
+    @property
+    def carries(self) -> bool:
+        return self.analysis.carries is True
+
+    @property
+    def lacks(self) -> float:
+        """How far it is from carrying: what its worst case uses, and what is not known."""
+        used = [case.used for case in self.analysis.cases]
+        known = [each for each in used if np.isfinite(each)]
+        moves, largest = len(used) - len(known), max(known, default=0.0)
+        doubts = any(
+            each.kind == "unknown" and each.excess is None
+            for case in self.analysis.cases
+            for each in case.findings
+        )
+        return MOVES * moves + OPEN * doubts + largest
+
+    @property
+    def weight(self) -> tuple[float, int]:
+        """By which designs that carry are ranked: mass, then parts on the site."""
+        return round(self.analysis.model.mass or 0.0, 3), parts_on_site(self.facts)
+
+
+def find_carrying(file: DesignFile, progress: Progress = no_progress) -> CarrySearch:
+    """Designs that carry all cases of a file, the lightest first, or what was tried in vain.
+
+    Raises InputError, DesignError or VerificationError if the file itself cannot be made.
+    """
+    made = shell_of(file, trying(stretch(progress, 0.0, 0.1), "analysing the file", LOADED))
+    assert made.analysis is not None
+    if made.analysis.carries:
+        return CarrySearch(made.analysis, (), (), None, ended=False)
+    return _Search(file, made.analysis, progress).run()
+
+
+def parts_on_site(facts: Facts) -> int:
+    """What is handled on the site: pieces of the sheet, flaps that are clipped on, ties, locks."""
+    design, deployment = facts.found.design, facts.deployment
+    grid = design.mechanism.grid
+    clipped = 0 if design.clipped is None else 2 * (grid.rows - 1)
+    file, locks = facts.found.file, 0
+    if file.structure is not None and file.structure.crease_stiffness[0] > 0:
+        rows, columns = grid.rows - 1, grid.columns - 1
+        locks = (rows - 1) * columns + rows * (columns - 1)
+    return max(1, len(deployment.pieces)) + clipped + len(deployment.ties) + locks
+
+
+class _Search:
+    def __init__(self, file: DesignFile, begun: Analysis, progress: Progress) -> None:
+        self.file, self.begun, self.progress = file, begun, progress
+        self.trials = LoadTrials(file, begun, self._tell)
+        self.known: dict[str, _State | None] = {}
+        self.tried: list[str] = []
+        self.carrying: list[_State] = []
+        self.nearest: _State | None = None
+        self.panels, self.ended = 0.0, False
+
+    @property
+    def work(self) -> float:
+        """Predicted seconds of all trials so far."""
+        return self.trials.work + PER_PANEL * self.panels
+
+    def _tell(self, _share: float, what: str) -> None:
+        self.progress(min(0.99, 0.1 + 0.7 * self.work / WORK), what)
+
+    def run(self) -> CarrySearch:
+        first = self._state(NOTHING)
+        if first is not None:
+            for order in (BUILDER, DESIGNER):
+                self._walk(first, order)
+        found = self._confirmed()
+        near = None if self.nearest is None else (self.nearest.change, self.nearest.analysis)
+        return CarrySearch(
+            self.begun, found, tuple(self.tried), None if found else near, self.ended
+        )
+
+    def _walk(self, at: _State, order: Sequence[Step]) -> None:
+        """Take every step that brings the shell nearer to carrying, until it does."""
+        for step in chain.from_iterable(repeat(order, ROUNDS)):
+            better = self._best(at, step, lambda new, old: new.lacks <= GAIN * old.lacks)
+            at = better or at
+            if at.carries or self.ended:
+                break
+        if not at.carries:
+            return
+        self.carrying.append(at)
+        for step in LIGHTER:
+            lighter = self._best(at, step, lambda new, old: new.carries and new.weight < old.weight)
+            if lighter is not None:
+                at = lighter
+                self.carrying.append(at)
+
+    def _best(
+        self, at: _State, step: Step, better: Callable[[_State, _State], bool]
+    ) -> _State | None:
+        """The best of what a step proposes; None if nothing is better than what there is."""
+        found = []
+        for change in step(at.file, at.analysis):
+            if self.work > WORK:
+                self.ended = True
+                break
+            state = self._state(at.change | change)
+            if state is not None and better(state, at):
+                found.append(state)
+        return min(found, key=lambda each: (not each.carries, each.lacks), default=None)
+
+    def _state(self, change: Change) -> _State | None:
+        """A changed shell with few cells; None if it cannot be made. No change is tried twice."""
+        key = repr(sorted(change.values.items()))
+        if key in self.known:
+            return self.known[key]
+        self.known[key] = None
+        made = self.trials.made(change.values, change.words or "the file", quick=True)
+        self.panels += self.file.panel_count
+        if isinstance(made, str):
+            self.tried.append(f"{change.words or 'the file'}: {made}")
+            return None
+        assert made.analysis is not None
+        state = _State(change, self.file.tried(change.values), made, made.analysis)
+        self.known[key] = state
+        if change.words:
+            self.tried.append(f"{change.words}: {state.analysis.in_words()}")
+        if self.nearest is None or state.lacks < self.nearest.lacks:
+            self.nearest = state
+        return state
+
+    def _confirmed(self) -> tuple[Carrying, ...]:
+        """Those that carry as the file asks, too, the lightest first."""
+        found: list[Carrying] = []
+        ranked = sorted(self.carrying, key=lambda each: each.weight)
+        for state in ranked[:CONFIRMED]:
+            words = state.change.words or "the file"
+            made = self.trials.made(state.change.values, words, quick=False, skip=PACKED)
+            if isinstance(made, str):
+                self.tried.append(f"{words}, as the file asks: {made}")
+                continue
+            assert made.analysis is not None
+            if not made.analysis.carries:
+                said = made.analysis.in_words()
+                self.tried.append(f"{words}, with cells as the file asks: {said}")
+                continue
+            packed = made.deployment.packed
+            box = None if packed is None else (packed.length, packed.width, packed.height)
+            found.append(Carrying(state.change, made.analysis, parts_on_site(made), box))
+            if len(found) == OFFERED:
+                break
+        return tuple(found)

@@ -1,0 +1,262 @@
+"""What a builder tries, step by step, to have a shell carry its loads: changes of its design file.
+
+Every step looks at the file as changed so far and at what was found of it, and proposes changes of
+its own kind, none where it has nothing to add. Strengths come from tables with their sources or
+from the file: where neither has one, no step makes one up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from orishell.conventions.formatting import rounded
+from orishell.conventions.quantities import Quantities
+from orishell.conventions.record import record
+from orishell.design_file import DesignFile
+from orishell.design_file.tables import value_at
+from orishell.structure.case import CaseResult
+from orishell.structure.hinge_lines import DIRECTIONS, hinge_lines
+from orishell.structure.materials import Material, materials
+from orishell.structure.results import Analysis
+from orishell.structure.verdict import LARGE_DISPLACEMENT, LEAST_BUCKLING
+
+SOFT = 3.0
+"""A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
+MARGIN = 1.02
+"""Panels are tried by so much thicker than the figures of the last trial ask for."""
+DEEPER = 1.5
+"""The zigzag and the waves of g become so many times as deep at a time."""
+FOLDS = {"deployment.ties": "folds"}
+
+
+@record
+class Change:
+    """Other values at keys of a design file, and what that is in words."""
+
+    values: Mapping[str, Any]
+    said: Mapping[str, str]  # what is done, by the kind of change
+
+    @property
+    def words(self) -> str:
+        """What is done, one change after the other."""
+        return ", ".join(self.said.values())
+
+    def __or__(self, other: Change) -> Change:
+        """Both; what the other one changes again is said once, as it is then."""
+        return Change({**self.values, **other.values}, {**self.said, **other.said})
+
+
+NOTHING = Change({}, {})
+Step = Callable[[DesignFile, Analysis], Iterator[Change]]
+"""A kind of change, as it may be made to a file of which something was found."""
+
+
+def held_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Feet are held along their edges, and not at points."""
+    yield from _other_supports(
+        file,
+        lambda each: each["kind"] != "friction" and not (each.get("edges") or each.get("patch")),
+        {"edges": True},
+        {"edges": "feet held along their edges"},
+    )
+
+
+def clamped(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Panels cannot turn where they stand, as on a base that they are screwed to."""
+    yield from _other_supports(
+        file,
+        lambda each: each["kind"] == "pinned",
+        {"kind": "fixed"},
+        {"clamped": "panels that cannot turn at their feet"},
+    )
+
+
+def _other_supports(
+    file: DesignFile,
+    which: Callable[[Any], bool],
+    values: Mapping[str, Any],
+    said: Mapping[str, str],
+) -> Iterator[Change]:
+    supports = value_at(file.tables, "structure.supports")
+    changed = [
+        {**each, **values} if each["at"] == "feet" and which(each) else each for each in supports
+    ]
+    if changed != supports:
+        yield Change({"structure.supports": changed}, said)
+
+
+def stronger_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Crease lines of a kind that bears more in a direction, and of which all is known."""
+    assert file.structure is not None
+    asked = file.structure.filled(file.unit).line_strength
+    for name, made in hinge_lines().items():
+        known = [getattr(made, each) for each in DIRECTIONS]
+        has = [None if asked is None else getattr(asked, each) for each in DIRECTIONS]
+        if None not in known and None in has:
+            yield Change(
+                {"structure.line_strength": {"kind": name}}, {"lines": f"a {name} in every crease"}
+            )
+
+
+def ties_across_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Ties between feet, and across the folds of every inner vertex."""
+    if file.deployment.ties in ("none", "feet"):
+        yield Change(FOLDS, {"ties": 'ties across the folds (ties = "folds")'})
+
+
+def fewer_ties(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Ties across the folds of fewer rows: every second one, then every third; feet alone."""
+    if file.deployment.ties != "folds" or file.tolerance is not None:
+        return
+    rows = range(1, file.pattern.rows + 1)
+    yield Change({"deployment.ties": "feet"}, {"ties": 'ties between feet (ties = "feet")'})
+    for each in (3, 2):
+        chosen = list(rows[each // 2 :: each])
+        if chosen:
+            yield Change(
+                {"deployment.ties": {"folds": chosen}},
+                {"ties": f"ties across the folds of rows {', '.join(map(str, chosen))}"},
+            )
+
+
+def flaps(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Flaps as wide as they may be, where there are none."""
+    if getattr(file.pattern, "flap", None) == 0:
+        yield Change({"pattern.flap": "auto"}, {"flaps": 'flaps (flap = "auto")'})
+
+
+def thicker(file: DesignFile, found: Analysis) -> Iterator[Change]:
+    """Panels as thick as figures ask for."""
+    times = max(_times(case) for case in found.cases)
+    thickness = rounded(MARGIN * times * found.model.thickness, 2)
+    if thickness > found.model.thickness:
+        yield _thickness(file, thickness)
+
+
+def thinner(file: DesignFile, found: Analysis) -> Iterator[Change]:
+    """Panels as thin as they may be if stress is as the square of thickness, buckling as its cube.
+
+    Only where both are known: of crease lines thickness says little.
+    """
+    shares = [case.equilibrium.utilisation for case in found.cases if case.equilibrium is not None]
+    panels = max((each.panels or 0.0) for each in shares) ** 0.5
+    buckles = (LEAST_BUCKLING * max((each.buckling or 0.0) for each in shares)) ** (1 / 3)
+    moved = max(
+        case.equilibrium.displacement.share / LARGE_DISPLACEMENT
+        for case in found.cases
+        if case.equilibrium is not None
+    ) ** (1 / 3)
+    times = max(panels, buckles, moved, 0.5)
+    thickness = rounded(MARGIN * times * found.model.thickness, 2)
+    if thickness < 0.95 * found.model.thickness:
+        yield _thickness(file, thickness)
+
+
+def _thickness(file: DesignFile, thickness: float) -> Change:
+    key = "structure.thickness" if file.panel is None else "panel.thickness"
+    said = f"panels {Quantities(file.unit).displacement(thickness)} thick"
+    return Change({key: thickness}, {"thickness": said})
+
+
+def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
+    """Panels as heavy of a material that bends less: E t^3 with t as 1/rho is E/rho^3."""
+    asked = file.structure
+    assert asked is not None
+    named = value_at(file.tables, "structure") or {}
+    if asked.material is None or {"modulus", "strength"} & named.keys():
+        return
+    present = materials()[asked.material]
+    lighter = {
+        name: made for name, made in materials().items() if _stiffness(made) > _stiffness(present)
+    }
+    for name, made in lighter.items():
+        thickness = rounded(found.model.thickness * present.density / made.density, 2)
+        change = _thickness(file, thickness)
+        dropped = {
+            key: None
+            for key in ("structure.grain", "panel.density")
+            if value_at(file.tables, key) is not None
+        }
+        said = {"material": name, **change.said}
+        yield Change({"structure.material": name, **change.values, **dropped}, said)
+
+
+def _stiffness(made: Material) -> float:
+    return made.modulus / made.density**3
+
+
+def whole_boards(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Whole boards on hinges beside them."""
+    if file.panel is not None and file.panel.construction != "hinged":
+        dropped = {
+            key: None
+            for key in ("panel.membrane", "panel.membrane_density", "panel.gap")
+            if value_at(file.tables, key) is not None
+        }
+        values = {"panel.construction": "hinged", **dropped}
+        yield Change(values, {"boards": 'whole boards (construction = "hinged")'})
+
+
+def more_rows(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Two rows more: as they are odd, or even."""
+    if file.tolerance is None and file.drawing is None:
+        rows = file.pattern.rows + 2
+        yield Change({"pattern.rows": rows}, {"rows": f"{rows} rows"})
+
+
+def deeper_waves(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """The waves of g deeper, so that panels stand steeper to each other: its y is enlarged."""
+    if value_at(file.tables, "target.g") is None or file.fit is not None:
+        return
+    scale = value_at(file.tables, "target.g.scale") or 1.0
+    x, y = scale if isinstance(scale, list) else (scale, scale)
+    deeper = rounded(DEEPER * y, 3)
+    yield Change({"target.g.scale": [x, deeper]}, {"waves": f"g {deeper:g} times as deep"})
+
+
+def deeper_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """A deeper zigzag about f."""
+    depth = getattr(file.pattern, "depth", None)
+    if isinstance(depth, float):
+        deeper = rounded(DEEPER * depth, 2)
+        yield Change({"pattern.depth": deeper}, {"folds": f"folds {deeper:g} {file.unit} deep"})
+
+
+def locked_creases(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Every crease locked once the shell stands."""
+    assert file.structure is not None
+    if file.structure.crease_stiffness[0] != float("inf"):
+        yield Change({"structure.crease_stiffness": "rigid"}, {"locks": "every crease locked"})
+
+
+BUILDER: tuple[Step, ...] = (
+    held_edges, clamped, stronger_lines, ties_across_folds, flaps, thicker, thicker,
+    other_materials, whole_boards, more_rows, deeper_waves, deeper_waves, deeper_folds,
+    locked_creases,
+)  # fmt: skip
+"""In the order in which somebody would who has the sheet already."""
+DESIGNER: tuple[Step, ...] = (
+    held_edges, stronger_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
+    ties_across_folds, clamped, thicker, thicker, locked_creases,
+)  # fmt: skip
+"""In the order of somebody who may choose its shape first."""
+LIGHTER: tuple[Step, ...] = (thinner, fewer_ties, thinner)
+"""What is taken away again where a shell carries."""
+
+
+def stiffer(case: CaseResult) -> float:
+    """How many times stiffer a shell in equilibrium should be."""
+    found = case.equilibrium
+    assert found is not None
+    buckles = found.utilisation.buckling or 0.0
+    return float(max(found.displacement.share / LARGE_DISPLACEMENT, LEAST_BUCKLING * buckles))
+
+
+def _times(case: CaseResult) -> float:
+    """By what thickness is to grow: moments are borne by its square, stiffness is its cube."""
+    found = case.equilibrium
+    if found is None:
+        return SOFT
+    bears = found.utilisation.panels or 0.0
+    return float(max(1.0, bears**0.5, stiffer(case) ** (1 / 3)))
