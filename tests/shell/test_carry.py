@@ -75,7 +75,12 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[DesignFile, CarrySe
         for clock in ("thread_time", "process_time", "monotonic"):
             patched.setattr(f"time.{clock}", no_clock)
         # Some steps of one order, so that it does not take long.
-        some = (carry_steps.ties_across_folds, carry_steps.flaps, carry_steps.thicker, carry_steps.more_rows)
+        some = (
+            carry_steps.ties_across_folds,
+            carry_steps.flaps,
+            carry_steps.thicker,
+            carry_steps.more_rows,
+        )
         patched.setattr(carry, "BUILDER", some)
         patched.setattr(carry, "DESIGNER", ())
         return file, find_carrying(file)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from orishell.conventions.formatting import rounded
-from orishell.conventions.quantities import Quantities
+from orishell.conventions.quantities import Quantities, conversion
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
@@ -160,30 +160,39 @@ def _thickness(file: DesignFile, thickness: float) -> Change:
 
 
 def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
-    """Panels as heavy of a material that bends less: E t^3 with t as 1/rho is E/rho^3."""
+    """Panels as heavy of a material that bends less."""
     asked = file.structure
     assert asked is not None
     named = value_at(file.tables, "structure") or {}
-    if asked.material is None or {"modulus", "strength"} & named.keys():
+    if asked.material is None or {"modulus", "strength", "sandwich"} & named.keys():
         return
-    present = materials()[asked.material]
-    lighter = {
-        name: made for name, made in materials().items() if _stiffness(made) > _stiffness(present)
-    }
-    for name, made in lighter.items():
-        thickness = rounded(found.model.thickness * present.density / made.density, 2)
-        change = _thickness(file, thickness)
-        dropped = {
-            key: None
-            for key in ("structure.grain", "panel.density")
-            if value_at(file.tables, key) is not None
-        }
-        said = {"material": name, **change.said}
-        yield Change({"structure.material": name, **change.values, **dropped}, said)
+    metres, present = conversion(file.unit, "m"), materials()[asked.material]
+    thick = found.model.thickness * metres
+    areal = present.density_of(thick) * thick
+    keys = ("structure.grain", "panel.density")
+    dropped = {key: None for key in keys if value_at(file.tables, key) is not None}
+    for name, made in materials().items():
+        other = _thickness_of(made, areal)
+        if _bending(made, other) > _bending(present, thick):
+            change = _thickness(file, rounded(other / metres, 2))
+            said = {"material": name, **change.said}
+            yield Change({"structure.material": name, **change.values, **dropped}, said)
 
 
-def _stiffness(made: Material) -> float:
-    return made.modulus / made.density**3
+def _thickness_of(made: Material, areal: float) -> float:
+    """How thick (m) boards of a material are that weigh so much by their area (kg/m2)."""
+    if made.sandwich is None:
+        return areal / made.density
+    faces, core = 2 * made.sandwich.face * made.sandwich.face_density, made.sandwich.core_density
+    return 2 * made.sandwich.face + max(0.0, areal - faces) / core
+
+
+def _bending(made: Material, thickness: float) -> float:
+    """Bending stiffness (N m), of a sandwich that of its faces."""
+    if made.sandwich is None:
+        return made.modulus * thickness**3 / 12
+    face = made.sandwich.face
+    return made.modulus * face * (thickness - face) ** 2 / 2
 
 
 def whole_boards(file: DesignFile, _: Analysis) -> Iterator[Change]:
