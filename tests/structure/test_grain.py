@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -11,15 +12,18 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import InputError
-from orishell.structure.grain import BOTH_WAYS, Grain, GrainStrength, grain_turns
+from orishell.structure.grain import BOTH_WAYS, Grain, GrainModuli, GrainStrength, grain_turns
 from orishell.structure.grain_shares import grain_shares
 from orishell.structure.materials import materials
 from orishell.structure.mesh.edge_forces import find_edge_forces
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
-from orishell.structure.mesh.plane import tensors_along
+from orishell.structure.mesh.plane import strains_along, tensors_along
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
 
 from .test_design_values import PLYWOOD, without_values
+from .test_elements import lattice, solve, spread
 from .test_materials import read
 from .test_stresses import GRID, SECTION, THICK, WIDE, stresses, strip
 from .test_verdicts import arch
@@ -29,6 +33,7 @@ BIRCH = GrainStrength(
     rolling_shear=(2.78, 2.22), panel_shear=9.5,
 )  # fmt: skip
 """12 mm of birch plywood (Handbook of Finnish Plywood), MPa."""
+MODULI = GrainModuli(bending=(10.7e9, 6.7e9), tension=(9.3e9, 8.1e9), shear=0.62e9)
 SQUARE = np.array([[[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]])
 
 
@@ -152,6 +157,81 @@ def test_a_shell_of_plywood() -> None:
     assert given is not None
     assert given.utilisation.rolling_shear is None
     assert given.utilisation.panels == pytest.approx(given.in_panels[0] / 5e6)
+
+
+def oriented(facets: Facets, turn: float) -> Section:
+    """A section whose grain runs at an angle to the x axis (radians)."""
+    axes = facets.axes()
+    angle = turn - np.arctan2(axes[:, 0, 1], axes[:, 0, 0])
+    seen = strains_along(np.cos(angle), np.sin(angle))
+    plane, bending = (
+        seen.swapaxes(1, 2) @ each @ seen for each in MODULI.in_axes("along rows", 0.1)
+    )
+    solid = Section.solid(6.7e9, 0.012, 0.1)
+    return replace(solid, grain_in_plane=plane, grain_in_bending=bending)
+
+
+def test_stiffness_of_the_handbook() -> None:
+    found = materials()["birch plywood"]
+    assert found.grain_moduli is not None
+    assert found.modulus == min(found.grain_moduli.bending)
+    plane, bending = MODULI.in_axes("along rows", 0.0)
+    np.testing.assert_allclose(6.7e9 * np.diag(plane), [9.3e9, 8.1e9, 0.62e9])
+    np.testing.assert_allclose(6.7e9 * np.diag(bending), [10.7e9, 6.7e9, 0.62e9])
+    plane, bending = MODULI.in_axes(None, 0.0)
+    np.testing.assert_allclose(6.7e9 * np.diag(plane), [8.1e9, 8.1e9, 0.62e9])
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.4])
+def test_a_plate_with_a_grain(turn: float) -> None:
+    """Navier's series of a simply supported orthotropic plate, turned as a whole in the plane.
+
+    16 q/(pi^6 m n (D_1 m^4 + 2 (D_12 + 2 D_66) m^2 n^2 + D_2 n^4)) (Timoshenko, Theory of plates
+    and shells, section 85).
+    """
+    c, s = np.cos(turn), np.sin(turn)
+    facets, nodes = lattice(16, 16, lambda u, v: [c * u - s * v, s * u + c * v, 0 * u])
+    section = oriented(facets, turn)
+    rim = np.concatenate([nodes[0], nodes[-1], nodes[:, 0], nodes[:, -1]])
+    found = solve(facets, section, spread(facets, [0, 0, -1]), [(rim, (2,)), (nodes, (0, 1, 5))])
+    matrix = float(np.max(section.bending)) * MODULI.in_axes("along rows", 0.1)[1]
+    odd = np.arange(1, 60, 2)
+    m, n = odd[:, None], odd
+    stiff = matrix[0, 0] * m**4 + matrix[1, 1] * n**4
+    stiff = stiff + 2 * (matrix[0, 1] + 2 * matrix[2, 2]) * m**2 * n**2
+    waves = 16 / np.pi**6 / (m * n * stiff) * np.sin(0.5 * np.pi * m) * np.sin(0.5 * np.pi * n)
+    assert -found[nodes[8, 8], 2] == pytest.approx(float(waves.sum()), rel=5e-3)
+
+
+@pytest.mark.parametrize(("turn", "modulus"), [(0.0, 9.3e9), (np.pi / 2, 8.1e9), (0.6, None)])
+def test_a_sheet_that_is_pulled(turn: float, modulus: float | None) -> None:
+    """At an angle 1/E is c^4/E_1 + s^4/E_2 + (1/G - 2 nu_12/E_1) s^2 c^2 (R. M. Jones, Mechanics
+    of composite materials, 1975, section 2.6), along the first side of a triangle."""
+    facets, _ = lattice(1, 1, lambda u, v: [u, v, 0 * u])
+    section = oriented(facets, turn)
+    c, s = np.cos(turn), np.sin(turn)
+    nu = 0.1 * np.sqrt(9.3 / 8.1)
+    soft = c**4 / 9.3e9 + s**4 / 8.1e9 + (1 / 0.62e9 - 2 * nu / 9.3e9) * s**2 * c**2
+    assert facets.axes()[0, 0] == pytest.approx([1, 0, 0])
+    found = np.linalg.inv(section.in_plane[0])[0, 0]
+    assert found == pytest.approx(soft / 0.012, rel=1e-9)
+    assert modulus is None or soft == pytest.approx(1 / modulus)
+
+
+def test_the_grain_of_a_model_runs_as_it_is_said() -> None:
+    """A triangle's matrices are those of the grain, turned by where its panel's row creases run."""
+    found = arch(without_values({**PLYWOOD, "line_strength": 1e6, "grain": "along rows"}))
+    model, section = found.model, found.model.section
+    assert section.grain_in_plane is not None
+    plane, _ = MODULI.in_axes("along rows", 0.3)
+    corners = model.mesh.facets.points[model.mesh.nodes[:, [0, -1, -1, 0], [0, 0, -1, -1]]]
+    rows = (corners[:, 3] - corners[:, 0]) + (corners[:, 2] - corners[:, 1])
+    axes = model.mesh.facets.axes()
+    along = np.einsum("tkx,tx->tk", axes[:, :2], rows[model.mesh.panels])
+    strain = np.stack([along[:, 0] ** 2, along[:, 1] ** 2, 2 * along[:, 0] * along[:, 1]], axis=1)
+    strain /= (along**2).sum(axis=1)[:, None]
+    energy = np.einsum("ti,tij,tj->t", strain, section.grain_in_plane, strain)
+    np.testing.assert_allclose(energy, plane[0, 0], rtol=1e-9)
 
 
 @pytest.mark.parametrize(

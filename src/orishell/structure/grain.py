@@ -76,6 +76,30 @@ class GrainStrength:
         return np.asarray(np.linalg.norm(rolls, axis=-1))
 
 
+@record
+class GrainModuli:
+    """How stiff a board is along and across the grain of its faces (force per area)."""
+
+    bending: Sequence[float]
+    tension: Sequence[float]
+    shear: float  # in its plane
+
+    def in_axes(self, grain: Grain | None, poisson: float) -> tuple[Array, Array]:
+        """Matrices (3, 3) in the grain's axes, for forces and for moments.
+
+        They are times E/(1 - nu^2) of the weaker way in bending, and nu^2 is the product of both
+        Poisson's ratios. The weaker way is taken either way where the grain is not known.
+        """
+        unit = min(self.bending)
+        found = []
+        for both in (self.tension, self.bending):
+            first, second = (each / unit for each in (both if grain else 2 * [min(both)]))
+            across = poisson * np.sqrt(first * second)
+            sheared = (1 - poisson**2) * self.shear / unit
+            found.append(np.array([[first, across, 0], [across, second, 0], [0, 0, sheared]]))
+        return found[0], found[1]
+
+
 BOTH_WAYS = ("bending", "tension", "compression", "rolling_shear")
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from orishell.conventions.record import record
-from orishell.structure.grain import GrainStrength
+from orishell.structure.grain import GrainModuli, GrainStrength
 from orishell.structure.sandwich import MadeSandwich
 
 FILE = Path(__file__).with_suffix(".toml")
@@ -42,6 +42,8 @@ class Material:
     # of what is a sandwich: then modulus and strength are those of its faces
     sandwich: MadeSandwich | None = None
     grain: GrainStrength | None = None  # what it bears by its grain, characteristic values (N/m2)
+    # how stiff it is by its grain, where it bears by that, too (N/m2)
+    grain_moduli: GrainModuli | None = None
 
     def bears(self, duration: Duration, service: ServiceClass) -> float:
         """Design value of its strength under loads of a duration (N/m2)."""
@@ -72,11 +74,13 @@ def materials() -> dict[str, Material]:
 def _material(
     *,
     grain: Mapping[str, Any] | None = None,
+    grain_moduli: Mapping[str, Any] | None = None,
     sandwich: Mapping[str, Any] | None = None,
     **values: Any,
 ) -> Material:
     return Material(
         grain=None if grain is None else GrainStrength(**grain),
+        grain_moduli=None if grain_moduli is None else GrainModuli(**grain_moduli),
         sandwich=None if sandwich is None else MadeSandwich(**sandwich),
         **values,
     )

@@ -20,6 +20,7 @@ from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.exposed import expose
 from orishell.structure.flaps import between_flaps, kept_apart
+from orishell.structure.grain import grain_turns
 from orishell.structure.loads import Exposure
 from orishell.structure.masses import point_masses
 from orishell.structure.mesh.arms import joint_elements
@@ -27,10 +28,12 @@ from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_board
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.frames import Frame
 from orishell.structure.mesh.hinges import rigid_stiffness
+from orishell.structure.mesh.plane import strains_along
 from orishell.structure.mesh.plates import LEAST_STANDING, Plates, mesh_plates
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.mesh.stops import Stops, stops_of
+from orishell.structure.mesh.stresses import turns_in_panels
 from orishell.structure.rail import lay_rails, rail_masses
 from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
@@ -234,7 +237,19 @@ class Model:
     def section(self) -> Section:
         """Sections of the triangles."""
         middles = centres(self.positions, self.cells, self.stops)
-        return panel_sections(self.structure, self.design.panel, self.boards, self.flat, middles)
+        asked = self.structure
+        found = panel_sections(asked, self.design.panel, self.boards, self.flat, middles)
+        if asked.grain_moduli is None:
+            return found
+        cosine, sine = turns_in_panels(self.mesh)
+        inside = grain_turns(self.flat, asked.grain)[0][self.mesh.panels]
+        angle = np.arctan2(sine, cosine) + inside
+        seen = strains_along(np.cos(angle), np.sin(angle))
+        plane, bending = (
+            seen.swapaxes(1, 2) @ each @ seen
+            for each in asked.grain_moduli.in_axes(asked.grain, found.poisson)
+        )
+        return replace(found, grain_in_plane=plane, grain_in_bending=bending)
 
     @cached_property
     def flat(self) -> Array:

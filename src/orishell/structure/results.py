@@ -76,7 +76,6 @@ FOLDED = (
     "without one, as [panel] gives them none"
 )
 ONE_WAY = "boards that are stiffer or stronger in one direction than in the other"
-STIFFER = "boards that are stiffer along their grain than across it: only their strengths know it"
 ECCENTRIC = (
     "how far the middle of what chamfers leave of a board is off its hinge plane: boards bend "
     "about their own middle everywhere, the least that they do"
@@ -122,14 +121,9 @@ class Analysis:
         clipped = CLIPPED_IN if self.model.plates is not None else ""
         known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
-        grain = STIFFER if asked.has_grain else ONE_WAY
-        return (
-            first,
-            *(each for each in (thinned, bare, clipped) if each),
-            built,
-            grain,
-            *NOT_COVERED,
-        )
+        ways = "" if asked.has_grain else ONE_WAY
+        parts = (thinned, bare, clipped, built, ways)
+        return (first, *(each for each in parts if each), *NOT_COVERED)
 
     @property
     def code_asks(self) -> tuple[str, ...]:

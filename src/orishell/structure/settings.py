@@ -23,7 +23,7 @@ from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table, misfit
 from orishell.structure.combinations import Expression, Factors, arranged, combine
-from orishell.structure.grain import Grain, GrainStrength
+from orishell.structure.grain import Grain, GrainModuli, GrainStrength
 from orishell.structure.hinge_lines import LineStrengths
 from orishell.structure.load_settings import (
     LOADS,
@@ -291,6 +291,11 @@ class StructureTable(Table):
             return self.strength
         made = materials()[self.material]
         return made.bears(duration, self.service_class) * conversion(unit, "m") ** 2
+
+    @property
+    def grain_moduli(self) -> GrainModuli | None:
+        """How stiff its boards are by their grain; None if they have none."""
+        return None if self.material is None else materials()[self.material].grain_moduli
 
     @property
     def has_grain(self) -> bool:

@@ -176,6 +176,7 @@ def _head(document: Document, unit: str, names: Sequence[str], ties: Integers) -
             f"- ties that do not stretch are {STIFF:g} times as stiff as a square of panel;",
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
+            "- boards with a grain are as stiff one way as the other, and stiffer in shear;",
             "- cores of sandwich boards do not shear: where there are some, this shell is stiffer;",
             "- frequencies are those of the shell without loads, and with every tie.",
             *TIED * bool(len(ties)),

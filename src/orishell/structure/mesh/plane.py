@@ -14,6 +14,12 @@ def tensors_along(tensors: Array, c: Array, s: Array) -> Array:
     return np.stack([*turned, s * c * (y - x) + (c * c - s * s) * xy], axis=-1)
 
 
+def strains_along(c: Array, s: Array) -> Array:
+    """What makes strains xx, yy and twice xy (..., 3, 3) those in turned axes."""
+    rows = [[c * c, s * s, s * c], [s * s, c * c, -s * c], [-2 * s * c, 2 * s * c, c * c - s * s]]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
 def vectors_along(vectors: Array, c: Array, s: Array) -> Array:
     """Vectors x, y (..., 2) in axes turned by angles of cosine c and sine s."""
     x, y = np.moveaxis(vectors, -1, 0)

@@ -24,7 +24,7 @@ from orishell.structure.settings import Structure
 
 @record
 class Section:
-    """Sections of triangles (T,), or one for all, isotropic."""
+    """Sections of triangles (T,), or one for all, isotropic unless they have a grain."""
 
     # force per length by strain (T,), E t/(1 - nu^2) of a solid plate (force per length)
     membrane: ArrayLike
@@ -36,6 +36,10 @@ class Section:
     depth: ArrayLike  # over how much shear across the plane is spread (T,) (length)
     # force per length by shear strain across the plane (T,); infinite where it does not count
     shear: ArrayLike = np.inf
+    # how forces and moments go with strains and curvatures (T, 3, 3), in the axes of triangles, of
+    # boards with a grain; times membrane and bending
+    grain_in_plane: Array | None = None
+    grain_in_bending: Array | None = None
 
     @property
     def softness(self) -> Array:
@@ -65,11 +69,22 @@ class Section:
         values = ((each.name, getattr(self, each.name)) for each in fields(self))
         return replace(self, **{name: each[triangles] for name, each in values if np.ndim(each)})
 
-    def matrix(self, stiffness: ArrayLike) -> Array:
-        """The matrices (..., 3, 3) of plane stress with one of its two, a stiffness (...)."""
+    @property
+    def in_plane(self) -> Array:
+        """Forces per length by strains xx, yy, xy (T, 3, 3), or (3, 3)."""
+        return self.matrix(self.membrane, self.grain_in_plane)
+
+    @property
+    def in_bending(self) -> Array:
+        """Moments per length by curvatures xx, yy and twice xy (T, 3, 3), or (3, 3)."""
+        return self.matrix(self.bending, self.grain_in_bending)
+
+    def matrix(self, stiffness: ArrayLike, grain: Array | None = None) -> Array:
+        """The matrices (..., 3, 3) of plane stress with a stiffness (...), or those of a grain."""
         nu = self.poisson
         plane = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
-        return np.asarray(np.asarray(stiffness, np.float64)[..., None, None] * plane)
+        own = plane if grain is None else grain
+        return np.asarray(np.asarray(stiffness, np.float64)[..., None, None] * own)
 
 
 LEAST_BENDING = 1e-3

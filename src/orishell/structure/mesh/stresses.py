@@ -100,14 +100,11 @@ def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetForce
         ],
         axis=1,
     )
-    plane = section.matrix(1.0)
-    membrane, bending = (
-        np.broadcast_to(np.asarray(each, np.float64), len(flat))[:, None]
-        for each in (section.membrane, section.bending)
-    )
-    at_corners = bending[..., None] * (bend @ plane)
+    # Both matrices are symmetric.
+    forces = (stretch[:, None] @ section.in_plane)[:, 0]
+    at_corners = bend @ section.in_bending
     # They are linear, so their mean is that in the middle.
-    return FacetForces(membrane * (stretch @ plane), at_corners.mean(axis=1), at_corners)
+    return FacetForces(forces, at_corners.mean(axis=1), at_corners)
 
 
 def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> PanelStresses:
@@ -115,7 +112,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
     count, cells = len(mesh.nodes), mesh.nodes.shape[1] - 1
     areas = mesh.facets.areas()
     down, right = (_overlaps(_places(mesh, side)) for side in (np.s_[:, :, 0], np.s_[:, 0]))
-    turns = _turns(mesh)
+    turns = turns_in_panels(mesh)
     amounts = np.concatenate(
         [
             tensors_along(found.forces, *turns),
@@ -171,7 +168,7 @@ def _shears(mesh: SheetMesh, at_corners: Array) -> Array:
     Where moments m are in balance, Q_x = m_xx,x + m_xy,y and Q_y = m_xy,x + m_yy,y. Within a
     triangle slopes of m do not converge: at nodes m is averaged over the triangles of a panel.
     """
-    cosines, sines = (each[:, None] for each in _turns(mesh))
+    cosines, sines = (each[:, None] for each in turns_in_panels(mesh))
     moments = tensors_along(at_corners, cosines, sines)
     areas = np.broadcast_to(mesh.facets.areas()[:, None], mesh.places.shape)
     size = mesh.nodes.size
@@ -191,7 +188,7 @@ def _shears(mesh: SheetMesh, at_corners: Array) -> Array:
     return np.stack([xx[:, 0] + xy[:, 1], xy[:, 0] + yy[:, 1]], axis=1)
 
 
-def _turns(mesh: SheetMesh) -> tuple[Array, Array]:
+def turns_in_panels(mesh: SheetMesh) -> tuple[Array, Array]:
     """Cosines and sines (T,) of the turn from triangles' axes to those of their panels' first."""
     axes = mesh.facets.axes()
     own = axes[:: len(axes) // len(mesh.nodes), 0][mesh.panels]

@@ -72,8 +72,8 @@ class Facets:
         """Stiffness (T, 18, 18) of every triangle in the world's axes."""
         found = np.empty((len(self.triangles), 18, 18))
         plane, bending = (
-            np.broadcast_to(section.matrix(each), (len(found), 3, 3))
-            for each in (section.membrane, section.bending)
+            np.broadcast_to(each, (len(found), 3, 3))
+            for each in (section.in_plane, section.in_bending)
         )
         softness, shear = (
             np.broadcast_to(np.asarray(each, np.float64), len(found))
