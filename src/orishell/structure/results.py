@@ -121,7 +121,8 @@ class Analysis:
         clipped = CLIPPED_IN if self.model.plates is not None else ""
         known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
-        ways = "" if asked.has_grain else ONE_WAY
+        # Of plates that stiffen the sheet no grain is known.
+        ways = "" if asked.has_grain and self.model.plates is None else ONE_WAY
         parts = (thinned, bare, clipped, built, ways)
         return (first, *(each for each in parts if each), *NOT_COVERED)
 
