@@ -174,6 +174,16 @@ def test_every_third_column_has_the_last_too() -> None:
     assert columns == {0, 3, 4}
 
 
+def test_flaps_take_the_place_of_gussets_at_their_sides() -> None:
+    """Folded or clipped on: the first and the last column between flaps have none."""
+    design = design_of("orthodiagonal", (5, 5))
+    inner = design.mechanism.inner_columns
+    for each in (design, design.with_clipped_flaps()):
+        columns = {part.plate.corner[1] for part in put_in(each).plates if part.plate is not None}
+        start = each.mechanism.inner_columns.start
+        assert columns == set(range(start + 1, start + inner.stop - inner.start - 1))
+
+
 def test_whole_boards_have_none() -> None:
     design = replace(bare("orthodiagonal"), panel=PanelSpec(thickness=0.01, construction="hinged"))
     lock = find_lock(bare("orthodiagonal"), beyond=False)

@@ -109,6 +109,12 @@ def _places(design: Design, asked: Stiffeners) -> Integers:
     # Flaps that are shut take the place of gussets beside them.
     beside = int(has_flaps(mechanism) or design.clipped is not None)
     columns = range(inner.start + beside, inner.stop - beside)
+    if not columns:
+        raise InputError(
+            "flaps take the place of gussets at their sides, and there are no columns between",
+            keys=("stiffeners", "pattern.flap"),
+            remedy="flap = 0, or more columns",
+        )
     if asked.rows == "all":
         rows = list(range(1, mechanism.grid.rows - 1))
     elif isinstance(asked.rows, str):
