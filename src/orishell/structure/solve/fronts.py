@@ -146,14 +146,20 @@ class Fronts:
             given = self.turn @ given
         work = given[self.order]
         width = work.shape[1]
-        up: list[Array] = []
-        for batch in self.batches:
+        up: list[Array | None] = []
+        last = {below.group: k for k, batch in enumerate(self.batches) for below in batch.below}
+        for number, batch in enumerate(self.batches):
             count, own, shared = batch.across.shape
             mine = slice(batch.first, batch.first + count * own)
             front = np.zeros((count, own + shared, width))
             front[:, :own] = work[mine].reshape(count, own, width)
             for below in batch.below:
-                front[below.into[:, None], below.places] += up[below.group][below.fronts]
+                passed = up[below.group]
+                assert passed is not None
+                front[below.into[:, None], below.places] += passed[below.fronts]
+            for below in batch.below:
+                if last[below.group] == number:
+                    up[below.group] = None
             solved = batch.inverse @ front[:, :own]
             work[mine] = solved.reshape(-1, width)
             up.append(front[:, own:] - batch.across.swapaxes(1, 2) @ solved)
