@@ -158,7 +158,7 @@ def test_a_converted_sheet_has_the_words_of_its_panels(doors: Any) -> None:
     else:
         assert converted == first
     assert bool(clipped) == bool(report["quantities"]["clipped"])
-    assert all(text.endswith(" with clipped flaps") for text in clipped)
+    assert all(text.endswith(" with clipped parts") for text in clipped)
 
 
 def test_sizes_are_those_of_the_written_shell(doors: Any) -> None:
@@ -196,7 +196,7 @@ def test_kit_and_booklet_have_the_words_and_figures_of_the_verdict(doors: Any) -
     pages = PdfReader(folder / "kit" / "booklet" / "booklet.pdf").pages
     text = " ".join(" ".join(page.extract_text().split()) for page in pages)
     outside = box(report["outside"].values(), unit)
-    opened = "Opened, with clipped flaps" if report["quantities"]["clipped"] else "Opened"
+    opened = "Opened, with clipped parts" if report["quantities"]["clipped"] else "Opened"
     assert f"{opened}: {outside} (" in text
     assert f"measures {box(report['deployed'].values(), unit)}" in text
     assert all(f"Packed: {each}" in text for each in packs)

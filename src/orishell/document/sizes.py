@@ -53,7 +53,7 @@ def deployed_in_words(
     Parameters are those of :func:`size_rows`.
     """
     of = "of its boards" if boards else "of panels without a thickness"
-    clipped = "" if outside is None else f"; {sides_in_words(outside, unit)} with clipped flaps"
+    clipped = "" if outside is None else f"; {sides_in_words(outside, unit)} with clipped parts"
     return f"{sides_in_words(deployed, unit)} {of}{clipped}"
 
 

@@ -99,7 +99,7 @@ class _Book:
         if self.document.model_scale is not None:
             ratio = f"1:{plain(1 / self.document.model_scale)}"
             lines.append(say("cover.model", scale=ratio))
-        key = "cover.opened_clipped" if facts.flaps else "cover.opened"
+        key = "cover.opened_clipped" if facts.attached else "cover.opened"
         lines += ["", say(key, size=box(facts.whole, self.unit))]
         lines += carried(facts, self.unit, self.words)
         lines.append(say("cover.panels", count=len(self.document.mesh.faces) + facts.flap_panels))

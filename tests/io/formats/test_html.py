@@ -347,7 +347,7 @@ def test_figures(browser: Browser, tmp_path: Path) -> None:
     rows = (
         Row("warns", "held", "at 90 degrees: by its ties"),
         Row("holds", "folds", "in one motion"),
-        Row("says", "deployed", "4 x 3 x 2 m of its boards; 5 x 3.1 x 2 m with clipped flaps"),
+        Row("says", "deployed", "4 x 3 x 2 m of its boards; 5 x 3.1 x 2 m with clipped parts"),
         Row("says", "sheet", "6 x 4 m, area 24 m2"),
     )
     sizes = box(np.ptp(document.shell.positions, axis=0), "m")

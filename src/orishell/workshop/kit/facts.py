@@ -41,7 +41,7 @@ class KitFacts:
     pieces: tuple[Booleans, ...]  # panels (F,) of each piece
     diagonals: tuple[tuple[float, float], ...]  # of the flat sheet of each piece, corner to corner
     shuts: bool  # whether flaps of the sheet are folded flat at the target
-    flaps: int  # parts that go with the sheet
+    attached: int  # parts that go with the sheet
     flap_panels: int  # their panels
     model: bool  # whether it is a model
     # how its sheet folds where that is not one motion: "known", "nearly" or "unknown", and how many
@@ -50,7 +50,7 @@ class KitFacts:
 
     def opened_in_words(self, unit: str) -> str:
         """Its sizes at the target, as its verdict says them."""
-        outside = BoxReport(*self.whole) if self.flaps else None
+        outside = BoxReport(*self.whole) if self.attached else None
         boards = bool(self.construction)
         return deployed_in_words(BoxReport(*self.opened), outside, unit, boards=boards)
 
@@ -90,7 +90,7 @@ def find_facts(document: Document) -> KitFacts:
         pieces=pieces,
         diagonals=tuple(_diagonals(document, pieces)),
         shuts=known is not None and known.shuts,
-        flaps=len(document.attached),
+        attached=len(document.attached),
         flap_panels=sum(len(each.mesh.faces) for each in document.attached),
         model=model,
         freedoms=None if known is None else _freedoms(known.freedom),

@@ -53,7 +53,7 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
             "panels": str(len(document.mesh.faces)),
         }
         rims = tuple(map(_closed, whole_sheet(document).outlines))
-        note = "membrane_plain_note" if name == "membrane" and not facts.flaps else ""
+        note = "membrane_plain_note" if name == "membrane" and not facts.attached else ""
         parts.append(KitPart(name, cut.sheet, values, rims, note))
     if cut.strips:
         parts.append(KitPart("strip", cut.strips, {}, (_rectangle(-1.0, -0.2, 1.0, 0.2),)))
