@@ -123,7 +123,7 @@ def test_sizes_of_a_model_are_those_of_the_shell_to_scale() -> None:
         of = known if name == "apart" else whole
         large, little = np.array(getattr(of, name)), np.array(getattr(small, name))
         assert np.abs(little - model.scale * large).max() < 1e-9 * large.max()
-    assert small.attached == whole.flaps
+    assert small.attached == whole.attached
     assert small.mass is None
     assert not small.packs
 

@@ -7,10 +7,11 @@ from orishell.deployment.cutting import (
     Scatter,
     measure_cutting,
 )
+from orishell.deployment.growth import ColumnDistances
 from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
 from orishell.deployment.site import Site, find_site
-from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
+from orishell.deployment.ties import Tie, feet_ties, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 
 __all__ = [

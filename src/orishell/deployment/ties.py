@@ -2,65 +2,32 @@
 
 Flaps stop the motion from the flat sheet, ties stop it from the pack: a tie as long as its two
 vertices are apart at the target is slack before it and taut there, if their distance grows strictly
-from the pack over the target to the flat sheet. That is proved here: its square is enclosed with
-its derivatives by the drive, over ranges that are halved until in each of them
-
-- the first derivative is negative (by its own bounds or by those of the second), or
-- the second one is, in a range that begins with the flat sheet, or
-- the second one is positive, in a range that ends at a drive of pi.
+from the pack over the target to the flat sheet. That is proved by enclosing it
+(:mod:`~orishell.deployment.growth`).
 
 Where it does not grow all the way, a tie may still be slack: the same is then asked beyond the
 target only, where a square that is proved to be less than at the target will do as well. Families
 that do not enclose distances, and ties of whole boards, are asked that alone
 (:mod:`~orishell.deployment.slack`).
-
-At both of these drives the first derivative vanishes, for the motion goes back as it came.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import Angle, record
 from orishell.deployment.fixings import Fixings
+from orishell.deployment.growth import ColumnDistances, examine_growth
 from orishell.deployment.slack import find_slack
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex, VertexPair
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
-from orishell.numerics import Enclosure
-from orishell.numerics.arrays import Array, Booleans, Integers
-
-NARROWEST_RANGE = 2.0**-44
-"""No range is halved that is a smaller part than this of the way from flat to pack."""
-MOST_RANGES = 4096
-"""No ranges are halved when there are more than this of one size that leave something open."""
-BATCH = 64
-"""Ranges that are enclosed together: memory grows with it."""
-DERIVATIVE_ROUNDING = 1e-13
-"""Rounding of a derivative relative to the square of the length: what is smaller has no sign."""
-
-
-@runtime_checkable
-class ColumnDistances(Protocol):
-    """A mechanism that encloses the distances of vertices of one column.
-
-    Its motion goes back as it came at a drive of 0, and at one of pi if it gets there.
-    """
-
-    def column_distances(
-        self, rows: Integers, columns: Integers, start: Array, stop: Array
-    ) -> Enclosure:
-        """Squared distances (S, P) of pairs of vertices as functions of the drive.
-
-        The pairs have ``rows`` (P, 2) and inner ``columns`` (P,), as the grid counts them; ranges
-        of the drive go from ``start`` (S,) to ``stop`` (S,) (radians).
-        """
-        ...
+from orishell.numerics.arrays import Array
 
 
 @record
@@ -174,7 +141,7 @@ def find_ties(
             for tie, proved, drive in zip(ties, found.proved, found.fails_at, strict=True)
         )
     target = mechanism.target_drive
-    shrinking, undecided = _examine(mechanism, rows, columns, (0.0, limit))
+    shrinking, undecided = examine_growth(mechanism, rows, columns, (0.0, limit))
     verdicts = [
         _verdict(shrinking.of(pair), undecided.of(pair), target) for pair in range(len(ties))
     ]
@@ -182,7 +149,9 @@ def find_ties(
     doubtful = np.flatnonzero(~slack)
     if len(doubtful):
         ceiling = np.array([ties[pair].length for pair in doubtful]) ** 2
-        failing = _examine(mechanism, rows[doubtful], columns[doubtful], (target, limit), ceiling)
+        failing = examine_growth(
+            mechanism, rows[doubtful], columns[doubtful], (target, limit), ceiling
+        )
         slack[doubtful] = ~np.any([part.pairs.any(axis=0) for part in failing], axis=0)
     return tuple(
         replace(tie, slack=bool(loose), **verdict)
@@ -213,90 +182,6 @@ def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> Vertex
             remedy="take two vertices of one column between the flaps, such as its feet",
         )
     return first, second
-
-
-@record
-class _Ranges:
-    """Ranges of the drive, and the pairs of which something holds there."""
-
-    start: Array  # (S,)
-    stop: Array  # (S,)
-    pairs: Booleans  # (S, P)
-
-    def of(self, pair: int) -> Array:
-        """Ends (2, K) of the ranges of one pair."""
-        return np.stack([self.start, self.stop])[:, self.pairs[:, pair]]
-
-    def halved(self) -> _Ranges:
-        middle = 0.5 * (self.start + self.stop)
-        return _joined(
-            [_Ranges(self.start, middle, self.pairs), _Ranges(middle, self.stop, self.pairs)]
-        )
-
-
-def _joined(ranges: Sequence[_Ranges]) -> _Ranges:
-    return _Ranges(
-        np.concatenate([each.start for each in ranges]),
-        np.concatenate([each.stop for each in ranges]),
-        np.concatenate([each.pairs for each in ranges]),
-    )
-
-
-def _examine(
-    mechanism: ColumnDistances,
-    rows: Integers,
-    columns: Integers,
-    ends: tuple[float, float],
-    ceiling: Array | float = 0.0,
-) -> tuple[_Ranges, _Ranges]:
-    """Ranges in which distances do not grow towards the flat sheet, and those left undecided.
-
-    Ranges between two drives, without those in which squares are below a ceiling (P,).
-    """
-    cuts = np.linspace(*ends, BATCH + 1)
-    left = _Ranges(cuts[:-1], cuts[1:], np.ones((BATCH, len(rows)), np.bool_))
-    limit = ends[1] - ends[0]
-    shrinking, size = [], limit / BATCH
-    while True:
-        parts = [slice(first, first + BATCH) for first in range(0, len(left.start), BATCH)]
-        found = [
-            _growth(mechanism, (rows, columns), (left.start[part], left.stop[part]), ceiling)
-            for part in parts
-        ]
-        grows, shrinks = (np.concatenate(each) for each in zip(*found, strict=True))
-        shrinking.append(_Ranges(left.start, left.stop, left.pairs & shrinks))
-        open_pairs = left.pairs & ~grows & ~shrinks
-        some = open_pairs.any(axis=1)
-        left = _Ranges(left.start[some], left.stop[some], open_pairs[some])
-        size *= 0.5
-        if not 0 < len(left.start) <= MOST_RANGES or size < NARROWEST_RANGE * limit:
-            return _joined(shrinking), left
-        left = left.halved()
-
-
-def _growth(
-    mechanism: ColumnDistances,
-    pairs: tuple[Integers, Integers],
-    ranges: tuple[Array, Array],
-    ceiling: Array | float,
-) -> tuple[Booleans, Booleans]:
-    """Whether distances grow towards the flat sheet all over ranges (S,), or nowhere: (S, P)."""
-    start, stop = ranges
-    square = mechanism.column_distances(*pairs, start, stop)
-    second = square.second
-    # The first derivative is near its value halfway, too: within half a range times the second.
-    halfway = 0.5 * (start + stop)
-    middle = mechanism.column_distances(*pairs, halfway, halfway).first
-    swing = (0.5 * (stop - start))[:, None] * second.magnitude()
-    low = np.maximum(square.first.low, middle.low - swing)
-    high = np.minimum(square.first.high, middle.high + swing)
-
-    margin = DERIVATIVE_ROUNDING * square.value.high
-    flat, closed = (start == 0.0)[:, None], (stop == np.pi)[:, None]
-    grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
-    shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
-    below = square.value.high < ceiling - margin
-    return grows | below, shrinks & ~below
 
 
 def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any]:
