@@ -117,7 +117,7 @@ nitpick_ignore_regex = [
     (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan|[0-9.]+"),
     (
         r"py:class",
-        r"orishell\.(conventions\.table|structure\.settings)\..*(_no_trace|unchangeable|_as_range)",
+        r"orishell\.(conventions\.table|structure\.value_types)\..*(_no_trace|unchangeable|_as_range)",
     ),
     # What classes of a family have in common.
     (r"py:class", r"orishell\.families\.[\w.]+\.(Lists|SheetRequest|Row|Profile)"),

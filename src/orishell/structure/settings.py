@@ -7,11 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import (
-    AfterValidator,
-    BeforeValidator,
     Field,
     ValidationInfo,
     field_validator,
@@ -21,7 +19,7 @@ from pydantic_core import PydanticCustomError
 
 from orishell.conventions.asked import PLACE
 from orishell.conventions.quantities import conversion
-from orishell.conventions.table import Number, Pair, Several, Table, misfit
+from orishell.conventions.table import Number, Several, Table, misfit
 from orishell.structure.combinations import Expression, Factors, arranged, combine
 from orishell.structure.grain import Grain, GrainModuli, GrainStrength
 from orishell.structure.hinge_lines import LineStrengths
@@ -29,7 +27,6 @@ from orishell.structure.load_settings import (
     LOADS,
     NO_CODE,
     OWN_WEIGHT,
-    GridVertex,
     LoadCase,
     Person,
     PointLoad,
@@ -42,6 +39,8 @@ from orishell.structure.materials import Duration, ServiceClass, materials
 from orishell.structure.mesh.layup import Layup
 from orishell.structure.rail_settings import BaseRail
 from orishell.structure.sandwich import Sandwich
+from orishell.structure.support_settings import Place, Support, SupportKind
+from orishell.structure.value_types import DisplacementLimit, Positive, StiffnessRange
 
 __all__ = [
     "LOADS",
@@ -61,101 +60,6 @@ __all__ = [
     "Zone",
     "not_combined",
 ]
-
-SupportKind = Literal["pinned", "fixed", "sliding", "friction"]
-"""Held in place; and all panels there clamped; held up only; on the ground, which pushes only."""
-Place = Literal["feet", "ends"]
-"""The rows that are the shell's feet, or its first and last columns between flaps."""
-Positive = Annotated[Number, Field(ge=1e-12, le=1e15)]
-"""Numbers beyond these are refused: what is computed from them would overflow in the end."""
-
-
-def _as_range(given: Any) -> tuple[float, float]:
-    """The least and the largest stiffness of creases."""
-    words = {"free": 0.0, "rigid": math.inf}
-    both = given if isinstance(given, tuple) else (given, given)
-    least, most = (words[each] if isinstance(each, str) else each for each in both)
-    if least > most:
-        raise PydanticCustomError(
-            "stiffness_range", "the least stiffness first, then the largest", {"got": given}
-        )
-    return least, most
-
-
-if TYPE_CHECKING:
-    StiffnessRange = tuple[float, float]
-else:
-    Stiffness = Annotated[Number, Field(ge=0, le=1e15)] | Literal["free", "rigid"]
-    StiffnessRange = Annotated[Stiffness | Pair[Stiffness], AfterValidator(_as_range)]
-
-
-def _as_limit(given: Any) -> Any:
-    """A length, or a part of the span or the height of a shell."""
-    if not isinstance(given, str):
-        return given
-    of, _, parts = given.partition("/")
-    if of not in {"span", "height"} or not parts.isdigit() or not 1 <= int(parts) <= 100_000:
-        raise misfit('a length, or "span/100" or "height/100" with any whole number', given)
-    return given
-
-
-if TYPE_CHECKING:
-    DisplacementLimit = float | str
-else:
-    DisplacementLimit = Annotated[Positive | str, BeforeValidator(_as_limit)]
-
-
-class Support(Table):
-    """What holds some vertices."""
-
-    REPORTED: ClassVar = ("at", "kind", "friction", "edges", "patch", "ballast")
-
-    # the rows that are feet, the first and last columns, or vertices
-    at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
-    kind: SupportKind  # how they are held
-    # coefficient of friction of the ground, under ballast where that holds them
-    friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
-    # whether edges of panels are held, too, whose ends are both among these vertices
-    edges: bool = False
-    # radius of what is held around each vertex, as a base plate does; 0 for points (length)
-    patch: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
-    # mass of the ballast that holds each of these vertices down; 0 where it is held otherwise (kg)
-    ballast: Annotated[Number, Field(ge=0, le=1e12)] = 0.0
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if self.edges and self.patch:
-            raise PydanticCustomError(
-                "edges_and_patch", "either edges or patch", {"key": "patch", "got": self.patch}
-            )
-        for key in ("edges", "patch"):
-            if self.kind == "friction" and getattr(self, key):
-                raise PydanticCustomError(
-                    "broad_friction",
-                    "no {key} where kind = friction: on the ground feet stand on points",
-                    {"key": key, "got": getattr(self, key)},
-                )
-        if self.kind == "friction" and self.ballast:
-            raise PydanticCustomError(
-                "ballast_on_ground",
-                "no ballast where kind = friction: with kind = pinned it is judged whether ballast "
-                "and friction hold",
-                {"key": "ballast", "got": self.ballast},
-            )
-        if self.kind == "friction" and not self.friction:
-            raise PydanticCustomError(
-                "no_friction",
-                "a value above 0; ground without friction holds like kind = sliding",
-                {"key": "friction", "got": self.friction},
-            )
-        rubs = self.kind == "friction" or (self.ballast and self.kind in {"pinned", "fixed"})
-        if self.friction and not rubs:
-            raise PydanticCustomError(
-                "friction",
-                'no friction, or kind = "friction", or "pinned" with ballast',
-                {"key": "friction", "got": self.friction},
-            )
-        return self
 
 
 class StructureTable(Table):
