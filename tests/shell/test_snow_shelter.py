@@ -34,22 +34,21 @@ def test_its_hinges_by_hand() -> None:
 @thorough
 @pytest.mark.slow
 def test_it_carries_all_combinations_with_free_hinges() -> None:
-    """In two meshes; hinges and ties are weighed, and ties are proved slack on the way."""
+    """Hinges and ties are weighed, and ties are proved slack on the way."""
     file = read_design_file(FILE)
     assert file.structure is not None
     assert file.structure.crease_stiffness == (0.0, 0.0)
-    for cells in (2, 3):
-        work = Work(clash="unexamined", skip=(*MEASURES, "stock", "verification"))
-        found = shell_of(file.tried({"structure.cells": cells}), work)
-        analysis = found.analysis
-        assert analysis is not None
-        assert len(analysis.cases) == 95
-        assert analysis.carries is True
-        assert analysis.governs is not None
-        assert analysis.governs.part == "lines"
-        assert 0.85 < analysis.governs.utilisation < 1
-        assert analysis.model.mass is not None
-        ties = found.deployment.ties
-        assert all(tie.slack for tie in ties)
-        rope = 0.0154 * sum(tie.length for tie in ties)
-        assert 19 < (analysis.model.mass + rope) / PLAN < 20
+    work = Work(clash="unexamined", skip=(*MEASURES, "stock", "verification"))
+    found = shell_of(file, work)
+    analysis = found.analysis
+    assert analysis is not None
+    assert len(analysis.cases) == 95
+    assert analysis.carries is True
+    assert analysis.governs is not None
+    assert analysis.governs.part == "lines"
+    assert analysis.governs.utilisation == pytest.approx(0.91, abs=0.02)
+    ties = found.deployment.ties
+    assert all(tie.slack for tie in ties)
+    rope = 0.0154 * sum(tie.length for tie in ties)
+    assert analysis.model.mass is not None
+    assert 19 < (analysis.model.mass + rope) / PLAN < 20

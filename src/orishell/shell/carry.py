@@ -29,8 +29,8 @@ GAIN = 0.95
 """A change stays that brings a shell to this share of what it uses, or nearer."""
 MOVES, OPEN = 1e6, 1e3
 """What counts for a case under which a shell moves, and for one of which something is not known."""
-WORK = 40.0
-"""Beyond so many predicted seconds nothing more is tried."""
+WORK = 100.0
+"""Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
 PER_PANEL = 0.012
 """Predicted seconds in which a panel is designed, beside its analysis."""
 OFFERED, CONFIRMED = 3, 6
@@ -128,7 +128,7 @@ class _Search:
         self.tried: list[str] = []
         self.carrying: list[_State] = []
         self.nearest: _State | None = None
-        self.panels, self.ended = 0.0, False
+        self.panels, self.until, self.ended = 0.0, WORK, False
 
     @property
     def work(self) -> float:
@@ -136,12 +136,13 @@ class _Search:
         return self.trials.work + PER_PANEL * self.panels
 
     def _tell(self, _share: float, what: str) -> None:
-        self.progress(min(0.99, 0.1 + 0.7 * self.work / WORK), what)
+        self.progress(min(0.99, 0.1 + 0.8 * self.work / WORK), what)
 
     def run(self) -> CarrySearch:
         first = self._state(NOTHING)
         if first is not None:
-            for order in (BUILDER, DESIGNER):
+            for order, share in ((BUILDER, 0.5), (DESIGNER, 1.0)):
+                self.until = share * WORK
                 self._walk(first, order)
         found = self._confirmed()
         near = None if self.nearest is None else (self.nearest.change, self.nearest.analysis)
@@ -154,7 +155,7 @@ class _Search:
         for step in chain.from_iterable(repeat(order, ROUNDS)):
             better = self._best(at, step, lambda new, old: new.lacks <= GAIN * old.lacks)
             at = better or at
-            if at.carries or self.ended:
+            if at.carries or self.work > self.until:
                 break
         if not at.carries:
             return
@@ -171,7 +172,7 @@ class _Search:
         """The best of what a step proposes; None if nothing is better than what there is."""
         found = []
         for change in step(at.file, at.analysis):
-            if self.work > WORK:
+            if self.work > self.until:
                 self.ended = True
                 break
             state = self._state(at.change | change)
