@@ -140,6 +140,7 @@ def test_a_shell_that_buckles_and_holds() -> None:
         thickness=0.003,
         cells=6,
         nonlinear=True,
+        imperfection=0.0,
         supports=(Support(at="feet", kind="pinned"),),
         cases=(LoadCase(name="own weight", self_weight=True),),
     ).replace_unchecked(crease_stiffness=(np.inf, np.inf))

@@ -39,7 +39,7 @@ from orishell.structure.plates import plate_forces, stresses_in_plates
 from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure, not_combined
-from orishell.structure.soft_cases import Loaded, follow_soft, is_soft
+from orishell.structure.soft_cases import Loaded, assumed_imperfection, follow_soft, is_soft
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
@@ -181,7 +181,8 @@ def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equi
     if linear is None or not model.structure.nonlinear:
         return linear
     on_panels = panel_loads(model, solved.case, solved.known)
-    off = model.structure.imperfection
+    asked = model.structure.imperfection
+    off = assumed_imperfection(linear) if asked is None else asked
     return follow(linear, solved.forces, on_panels, solved.response, imperfection=off)
 
 

@@ -65,7 +65,7 @@ ASKS: tuple[tuple[Left, str], ...] = (
         "limits of displacements (EN 1990, A1.4): no displacement_limit is given",
     ),
     (
-        lambda asked: not asked.imperfection,
+        lambda asked: not asked.nonlinear or asked.imperfection == 0,
         "imperfections of shape (EN 1993-1-1, 5.3; EN 1995-1-1, 5.4.4): imperfection, with "
         "nonlinear = true, has one",
     ),

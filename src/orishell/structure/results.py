@@ -87,7 +87,7 @@ CLIPPED_IN = (
 )
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (
-    "imperfections of fit, and of shape but of cases that are followed as they are moved, as these "
+    "imperfections of fit, and of shape but of cases that buckle soon and are followed, as these "
     "first buckle"
 )
 IMPERFECT_FIT = "imperfections of fit, and of shape in other ways than it first buckles"
@@ -119,7 +119,8 @@ class Analysis:
         thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
         clipped = CLIPPED_IN if self.model.plates is not None else ""
-        known = IMPERFECT_BUT_SOFT if soft and not asked.nonlinear else IMPERFECT
+        off = any(found.path is not None and found.path.imperfection for found, _ in self.balanced)
+        known = IMPERFECT_BUT_SOFT if off else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
         # Of plates that stiffen the sheet no grain is known.
         ways = "" if asked.has_grain and self.model.plates is None else ONE_WAY

@@ -121,8 +121,9 @@ class StructureTable(Table):
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     nonlinear: bool = False  # whether large displacements are followed
     # how far the shape is off as built: so much at most, as the first way in which it buckles; only
-    # where large displacements are followed (length)
-    imperfection: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # where large displacements are followed; None for what codes allow there where it buckles under
+    # less than three times its loads (length)
+    imperfection: Annotated[Number, Field(ge=0, le=1e15)] | None = None
 
     @field_validator("sandwich")
     @classmethod

@@ -53,6 +53,12 @@ def is_soft(case: CaseResult) -> bool:
     return found.buckling is not None and 1 <= found.buckling < LEAST_BUCKLING
 
 
+def assumed_imperfection(linear: Equilibrium) -> float:
+    """How far a shell that is followed is off its shape where nobody says so, at most (length)."""
+    factor = linear.buckling
+    return usual_imperfection(linear) if factor is not None and factor < LEAST_BUCKLING else 0.0
+
+
 def follow_soft(
     model: Model,
     cases: Sequence[CaseResult],
