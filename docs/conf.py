@@ -114,11 +114,16 @@ nitpick_ignore_regex = [
     # Short names of array and choice types; docs/api/index.md says what they stand for.
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.
-    (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan|[0-9.]+"),
+    (
+        r"py:class",
+        r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan|[0-9.e-]+",
+    ),
     (
         r"py:class",
         r"orishell\.(conventions\.table|structure\.value_types)\..*(_no_trace|unchangeable|_as_range)",
     ),
+    # What large displacements are followed by: it stands in the sources.
+    (r"py:class", r"orishell\.structure\.mesh\.frames\.SlightlyMoved"),
     # What classes of a family have in common.
     (r"py:class", r"orishell\.families\.[\w.]+\.(Lists|SheetRequest|Row|Profile)"),
     # Type variables.

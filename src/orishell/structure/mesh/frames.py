@@ -160,7 +160,7 @@ class Frame:
         return np.asarray(np.einsum("tij,tj->ti", self.bars, own))
 
     def stresses(self, moved: Array) -> Array:
-        """The largest stress (m-1,) along bars, |N|/A + |M_up|/W_up + |M_side|/W_side."""
+        """The largest stress (m-1,) along bars, abs(N)/A + abs(M_up)/W_up + abs(M_side)/W_side."""
         forces, bar = np.abs(self.end_forces(moved)).reshape(-1, 2, 6), self.bar
         up, sideways = bar.inertia
         moments = forces[..., 4] * bar.height / (2 * up) + forces[..., 5] * bar.width / (
