@@ -4,8 +4,10 @@ import { changed } from "../src/studio/state/changed.ts";
 import type { Design } from "../src/studio/state/types.ts";
 import { type Changes, kilonewtons, millimetres, supportOf, withCombinations, withLoad, withMaterial, withPanel, withSupport } from "../src/studio/structure/table.ts";
 
+const facts = { modulus: 1e10, strength: 1e7, density: 700, conservative: "", grain: false, sandwich: false };
+const MATERIALS = [{ ...facts, name: "steel" }, { ...facts, name: "birch plywood", grain: true }, { ...facts, name: "skins on foam", sandwich: true }];
 const arch: Design = { shell: { family: "parallel-repeating", unit: "m" }, pattern: { rows: 5 } };
-const plywood = after(arch, withMaterial(arch, "birch plywood"));
+const plywood = after(arch, withMaterial(arch, "birch plywood", MATERIALS));
 
 function after(design: Design, changes: Changes): Design {
   return changed(design, changes);
@@ -17,16 +19,27 @@ test("a material makes a structure: pinned feet, own weight, panels of 15 mm in 
   });
   expect(plywood.load_case).toEqual([{ name: "own weight", self_weight: true }]);
   const inMillimetres: Design = { ...arch, shell: { ...arch.shell, unit: "mm" } };
-  expect(after(inMillimetres, withMaterial(inMillimetres, "steel")).structure!["thickness"]).toBe(15);
+  expect(after(inMillimetres, withMaterial(inMillimetres, "steel", MATERIALS)).structure!["thickness"]).toBe(15);
   // Panels that have a thickness keep it.
   const thick: Design = { ...arch, panel: { thickness: 0.01 } };
-  expect(after(thick, withMaterial(thick, "steel")).structure).not.toHaveProperty("thickness");
-  expect(after(plywood, withMaterial(plywood, null))).toEqual(arch);
+  expect(after(thick, withMaterial(thick, "steel", MATERIALS)).structure).not.toHaveProperty("thickness");
+  expect(after(plywood, withMaterial(plywood, null, MATERIALS))).toEqual(arch);
 });
 
 test("another material takes the place of values that the file gives", () => {
   const own: Design = { ...plywood, structure: { modulus: 3e9, strength: 1e7, poisson: 0.2, thickness: 0.02, supports: [] } };
-  expect(after(own, withMaterial(own, "steel")).structure).toEqual({ material: "steel", thickness: 0.02, supports: [] });
+  expect(after(own, withMaterial(own, "steel", MATERIALS)).structure).toEqual({ material: "steel", thickness: 0.02, supports: [] });
+});
+
+test("grain and core stay with materials that can have them", () => {
+  const of = (design: Design, material: string): unknown => after(design, withMaterial(design, material, MATERIALS)).structure;
+  const grained: Design = { ...arch, structure: { material: "birch plywood", grain: "along rows" } };
+  expect(of(grained, "steel")).toEqual({ material: "steel" });
+  const faced = { ...arch, structure: { material: "steel", sandwich: { core_shear_modulus: 5e6 } } } as unknown as Design;
+  expect(of(faced, "birch plywood")).toEqual({ material: "birch plywood" });
+  expect(of(faced, "skins on foam")).toEqual({ ...faced.structure, material: "skins on foam" });
+  const foam: Design = { ...faced, structure: { ...faced.structure, material: "skins on foam" } };
+  expect(of(foam, "steel")).toEqual({ material: "steel" });
 });
 
 test("loads are those of the file: kilonewtons per square metre in its unit, a case for each", () => {
@@ -43,6 +56,12 @@ test("loads are those of the file: kilonewtons per square metre in its unit, a c
   ]);
   const turned = after(blown, withLoad(blown, "wind", "direction_deg", 90));
   expect(turned.load_case![2]).toMatchObject({ wind: { terrain: "II", direction_deg: 90, speed: 26 } });
+  const worked = after(plywood, withLoad(plywood, "person", "force", 1000));
+  expect(worked.load_case![1]).toEqual({ name: "person", person: { force: 1000 }, self_weight: true });
+  const coming = { ...plywood, load_case: [{ name: "a", person: {}, duration: "short" }] } as unknown as Design;
+  expect(after(coming, withLoad(coming, "person", "force", 900)).load_case![0]).toMatchObject({ person: { force: 900 } });
+  // How long it lasts is no load.
+  expect(after(coming, withLoad(coming, "person", "", undefined)).load_case).toEqual([]);
   // A code combines loads that are alone; without own weight none has it.
   const coded = after(snowed, withCombinations(snowed, "EN 1990"));
   expect(coded.load_case).toEqual([{ name: "own weight", self_weight: true }, { name: "snow", snow: { ground: 400 } }]);
@@ -58,11 +77,19 @@ test("a load that goes leaves the cases that combine it, and what else is in its
   expect(after(design, withLoad(design, "self_weight", "", undefined)).load_case).toEqual([cases[0], { name: "c", combine: { a: 1.5 } }]);
 });
 
-test("only feet on the ground have friction", () => {
+test("feet have friction on the ground, or under ballast that holds them in place", () => {
   const rough = after(plywood, withSupport(plywood, "kind", "friction"));
   expect(supportOf(rough)).toEqual({ at: "feet", kind: "friction", friction: 0.5 });
   const held = after(rough, withSupport(rough, "kind", "fixed"));
   expect(supportOf(held)).toEqual({ at: "feet", kind: "fixed" });
+  // Ballast is judged with its friction; sliding feet have none, and the ground pushes without ballast.
+  const heavy = after(held, withSupport(held, "ballast", 50));
+  expect(supportOf(heavy)).toEqual({ at: "feet", kind: "fixed", ballast: 50 });
+  const rubbed = after(heavy, withSupport(heavy, "friction", 0.3));
+  expect(supportOf(after(rubbed, withSupport(rubbed, "kind", "pinned")))).toEqual({ at: "feet", kind: "pinned", ballast: 50, friction: 0.3 });
+  expect(supportOf(after(rubbed, withSupport(rubbed, "kind", "sliding")))).toEqual({ at: "feet", kind: "sliding", ballast: 50 });
+  expect(supportOf(after(rubbed, withSupport(rubbed, "kind", "friction")))).toEqual({ at: "feet", kind: "friction", friction: 0.3 });
+  expect(supportOf(after(rubbed, withSupport(rubbed, "ballast", 0)))).toEqual({ at: "feet", kind: "fixed" });
   // Supports at single vertices are not what the controls show.
   expect(supportOf({ ...plywood, structure: { supports: [{ at: [[0, 1]], kind: "pinned" }] as never } })).toBeNull();
 });

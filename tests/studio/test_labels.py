@@ -25,8 +25,16 @@ from orishell.studio.labels import (
 FAMILY = "parallel-repeating"
 THICK = {"thickness": 0.02, "membrane": 0.001}
 SOLID = {"thickness": 0.02, "gap": 0.001}
-FRICTION = {"friction": 0.5}
-HINGES = {"sandwich": THICK, "bevel": SOLID, "hinged": {"thickness": 0.02}, "friction": FRICTION}
+GRAIN = {"material": "birch plywood"}
+BESIDE: dict[str, dict[str, Any]] = {
+    "sandwich": THICK,
+    "bevel": SOLID,
+    "hinged": {"thickness": 0.02},
+    "friction": {"friction": 0.5},
+    "along rows": GRAIN,
+    "along columns": GRAIN,
+}
+"""What else a table says that has a choice."""
 LOADED: dict[str, Any] = {
     "structure": {
         "material": "steel",
@@ -68,7 +76,7 @@ def test_choices_are_values_of_the_file(table: str, key: str, choice: str) -> No
             at = next(each for each in at if name in each)
         at = at.setdefault(name, {})
     at = at[0] if isinstance(at, list) else at
-    at |= HINGES.get(choice, {}) | {key: choice}
+    at |= BESIDE.get(choice, {}) | {key: choice}
     check_design(design, Path("shell.toml"))
 
 

@@ -1048,6 +1048,10 @@ export interface MaterialFacts {
   strength: number;
   /** Mass by volume (kg/m3). */
   density: number;
+  /** Whether it bears by its grain. */
+  grain: boolean;
+  /** Whether it is faces on a core. */
+  sandwich: boolean;
   /** What is on the safe side in these values, and what is not. */
   conservative: string;
 }
@@ -1126,8 +1130,8 @@ export interface Model {
   arm_strength: number | null;
   /** How far it may be displaced (length); None if nobody says so. */
   displacement_limit: number | null;
-  /** How far the shape is off as built: so much at most, as the first way in which it buckles; only where large displacements are followed (length). */
-  imperfection: number;
+  /** How far the shape is off as built: so much at most, as the first way in which it buckles; only where large displacements are followed; None for what codes allow there where it buckles under less than three times its loads (length). */
+  imperfection: number | null;
   /** What holds it. */
   supports: Support[];
   /** Bars that join neighbouring feet of a row; None without them. */

@@ -61,6 +61,8 @@ class MaterialFacts(TypedDict):
     modulus: float  # Young's modulus (N/m2)
     strength: float  # what it bears (N/m2)
     density: float  # mass by volume (kg/m3)
+    grain: bool  # whether it bears by its grain
+    sandwich: bool  # whether it is faces on a core
     conservative: str  # what is on the safe side in these values, and what is not
 
 

@@ -122,6 +122,8 @@ def describe_materials() -> list[MaterialFacts]:
             "modulus": each.modulus,
             "strength": each.strength,
             "density": each.density,
+            "grain": each.grain is not None,
+            "sandwich": each.sandwich is not None,
             "conservative": each.conservative,
         }
         for name, each in materials().items()

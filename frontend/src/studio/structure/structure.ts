@@ -9,7 +9,7 @@ import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
 import type { Store } from "../state/store.ts";
-import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
+import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
 
 const NONE = "", OWN = "own";
 const FREE = "free", RIGID = "rigid", BOTH = "both";
@@ -18,15 +18,16 @@ export class StructureControls {
   readonly element: HTMLElement;
   private readonly material: HTMLSelectElement;
   private readonly facts = h("p", { class: "note", "data-testid": "structure-facts" });
-  private readonly boxes: Record<"thickness" | "friction" | "snow" | "wind" | "direction", HTMLInputElement>;
+  private readonly boxes: Record<"thickness" | "friction" | "ballast" | "snow" | "wind" | "direction" | "person", HTMLInputElement>;
   private readonly kind: Segmented<string>;
   private readonly at: Segmented<string>;
+  private readonly grain: Segmented<string>;
   private readonly creases: HTMLSelectElement;
   private readonly combinations: Segmented<string>;
   private readonly weight: HTMLInputElement;
   private readonly roof: HTMLSelectElement;
   private readonly terrain: HTMLSelectElement;
-  private readonly rows: Record<"thickness" | "friction" | "roof" | "terrain" | "direction", HTMLElement>;
+  private readonly rows: Record<"thickness" | "friction" | "ballast" | "grain" | "roof" | "terrain" | "direction", HTMLElement>;
   private readonly rest: HTMLElement;
   private readonly listed = h("p", { class: "note" });
   private readonly work: WorkBar;
@@ -38,21 +39,24 @@ export class StructureControls {
     const words = (table: string): Record<string, KeyWords> => info.tables[table]!.keys;
     const structure = words("structure"), supports = words("structure.supports"), loads = words("load_case");
     const snow = words("load_case.snow"), wind = words("load_case.wind");
-    const { material, thickness, combinations, crease_stiffness: creases } = structure;
+    const { material, thickness, grain, combinations, crease_stiffness: creases } = structure;
 
     this.material = choice("material", material!, [
       [NONE, "Not analysed"],
       [OWN, "Its own values"],
       ...info.materials.map(({ name }): [string, string] => [name, capital(name)]),
-    ], (name) => this.change(withMaterial(store.design.value, name === NONE ? null : name), "material"));
+    ], (name) => this.change(withMaterial(store.design.value, name === NONE ? null : name, info.materials), "material"));
     this.material.options[1]!.disabled = true;
     this.boxes = {
       thickness: this.box("thickness", (mm) => this.change({ "structure.thickness": mm > 0 ? Number(short(mm / millimetres(store.design.value))) : undefined }, "thickness")),
       friction: this.box("friction", (value) => this.change(withSupport(store.design.value, "friction", value), "friction")),
+      ballast: this.box("ballast", (mass) => this.change(withSupport(store.design.value, "ballast", mass), "ballast", "type-ballast"), "none"),
       snow: this.box("snow", (load) => this.load("snow", "ground", load > 0 ? Number(short(load * kilonewtons(store.design.value))) : undefined), "none"),
       wind: this.box("wind", (speed) => this.load("wind", "speed", speed > 0 ? speed : undefined), "none"),
       direction: this.box("direction", (angle) => this.load("wind", "direction_deg", angle), "", -360),
+      person: this.box("person", (weight) => this.load("person", "force", weight > 0 ? Number(short(1000 * weight)) : undefined), "none"),
     };
+    this.grain = this.segments("grain", { ...grain!, choices: { [NONE]: "Not known", ...grain!.choices } }, (way) => this.change({ "structure.grain": way || undefined }, "grain"));
     this.kind = this.segments("kind", supports["kind"]!, (kind) => this.change(withSupport(store.design.value, "kind", kind), "supports"));
     this.at = this.segments("at", supports["at"]!, (at) => this.change(withSupport(store.design.value, "at", at), "supports"));
     this.creases = choice("creases", creases!, [
@@ -68,7 +72,9 @@ export class StructureControls {
     this.terrain = choice("terrain", wind["terrain"]!, Object.entries(wind["terrain"]!.choices), (each) => this.load("wind", "terrain", each));
     this.rows = {
       thickness: row("thickness", thickness!, this.boxes.thickness, "mm"),
+      grain: named(grain!, this.grain),
       friction: row("friction", supports["friction"]!, this.boxes.friction, ""),
+      ballast: row("ballast", supports["ballast"]!, this.boxes.ballast, "kg"),
       roof: row("roof", snow["shape"]!, this.roof),
       terrain: row("terrain", wind["terrain"]!, this.terrain),
       direction: row("direction", wind["direction_deg"]!, this.boxes.direction, "\u00b0"),
@@ -80,7 +86,9 @@ export class StructureControls {
       { class: "parameter-list" },
       this.rows.thickness,
       this.facts,
+      this.rows.grain,
       named(supports["kind"]!, this.kind),
+      this.rows.ballast,
       this.rows.friction,
       named(supports["at"]!, this.at),
       row("creases", creases!, this.creases),
@@ -90,6 +98,7 @@ export class StructureControls {
       row("wind", loads["wind"]!, this.boxes.wind, "m/s"),
       this.rows.terrain,
       this.rows.direction,
+      row("person", loads["person"]!, this.boxes.person, "kN"),
       named(combinations!, this.combinations),
       this.listed,
       this.work.element,
@@ -117,8 +126,9 @@ export class StructureControls {
 
   private box(key: string, changed: (value: number) => void, placeholder = "", min = 0): HTMLInputElement {
     const input = numberBox({ min, step: "any", placeholder, id: `structure-${key}`, "data-testid": `structure-${key}` }, changed);
-    // An emptied box takes its load away.
-    input.addEventListener("change", () => input.value === "" && placeholder && changed(0));
+    // An emptied box takes its load away, also one that was empty when it was entered: that is no "change".
+    const empty = (): void => void (input.classList.contains("unfinished") && input.value === "" && input.placeholder && changed(0));
+    for (const left of ["change", "blur"]) input.addEventListener(left, empty);
     return input;
   }
 
@@ -144,25 +154,33 @@ export class StructureControls {
     setNumber(this.boxes.thickness, thickness === undefined ? "" : short(Number(thickness) * millimetres(design)));
     this.kind.set(String(support?.["kind"] ?? NONE));
     this.at.set(String(support?.["at"] ?? NONE));
-    this.rows.friction.hidden = support?.["kind"] !== "friction";
-    setNumber(this.boxes.friction, short(Number(support?.["friction"] ?? 0)));
+    this.rows.grain.hidden = !known?.grain || table?.["strength"] !== undefined;
+    this.grain.set(String(table?.["grain"] ?? NONE));
+    const onGround = support?.["kind"] === "friction";
+    this.rows.friction.hidden = !support || !rubs(support);
+    this.boxes.friction.placeholder = onGround ? "" : "not asked";
+    setNumber(this.boxes.friction, onGround || support?.["friction"] ? short(Number(support?.["friction"] ?? 0)) : "");
+    this.rows.ballast.hidden = onGround;
+    setNumber(this.boxes.ballast, support?.["ballast"] ? short(Number(support["ballast"])) : "");
     this.creases.value = stiffnessOf(creases);
     this.combinations.set(String(combinations));
     this.weight.checked = caseWith(design, "self_weight") >= 0;
     const loaded = (load: Load): Record<string, unknown> | undefined => cases[caseWith(design, load)]?.[load] as Record<string, unknown> | undefined;
-    const snow = loaded("snow"), wind = loaded("wind");
+    const snow = loaded("snow"), wind = loaded("wind"), person = loaded("person");
     setNumber(this.boxes.snow, snow ? short(Number(snow["ground"]) / kilonewtons(design)) : "");
     setNumber(this.boxes.wind, wind ? short(Number(wind["speed"])) : "");
     setNumber(this.boxes.direction, short(Number(wind?.["direction_deg"] ?? 0)));
+    setNumber(this.boxes.person, person ? short(Number(person["force"] ?? PERSON) / 1000) : "");
     this.rows.roof.hidden = !snow;
     this.rows.terrain.hidden = this.rows.direction.hidden = !wind;
     this.roof.value = String(snow?.["shape"] ?? "slope");
     this.terrain.value = String(wind?.["terrain"] ?? "II");
     // What these controls do not show.
-    const shown = (["self_weight", "snow", "wind"] as const).map((load) => caseWith(design, load));
+    const shown = LOADS.map((load) => caseWith(design, load));
     const others = cases.filter((_, k) => !shown.includes(k)).map(({ name }) => String(name));
     const words = [
       table && !support ? "Supports: several are listed in the file; a choice here takes their place." : "",
+      person?.["at"] ? `Person: on panel ${String(person["at"]).replace(",", ", ")}, as in the file.` : "",
       others.length ? `Also in the file: ${others.join(", ")}.` : "",
     ].filter(Boolean);
     this.listed.textContent = words.join(" ");

@@ -1,5 +1,6 @@
 // What the tables [structure] and [load_case] of a design say, as the page shows and changes it.
 
+import type { MaterialFacts } from "../../shared/api-types.ts";
 import { METRES } from "../../shared/person.ts";
 import { short } from "../parts/numbers.ts";
 import type { Design } from "../state/types.ts";
@@ -7,7 +8,7 @@ import type { Design } from "../state/types.ts";
 type Table = Record<string, unknown>;
 /** Values by key, the tables in front of them; undefined removes a key. */
 export type Changes = Record<string, unknown>;
-export type Load = "self_weight" | "snow" | "wind";
+export type Load = "self_weight" | "snow" | "wind" | "person";
 
 /** Panels are made so thick until another thickness is asked for (mm). */
 const THICKNESS = 15;
@@ -15,7 +16,16 @@ const THICKNESS = 15;
 const FRICTION = 0.5;
 /** Where a new wind blows. */
 const OPEN = { terrain: "II", direction_deg: 0 };
-const NAMES: Record<Load, string> = { self_weight: "own weight", snow: "snow", wind: "wind" };
+const NAMES: Record<Load, string> = { self_weight: "own weight", snow: "snow", wind: "wind", person: "person" };
+/** The loads that have controls, and those of them that come and go. */
+export const LOADS = Object.keys(NAMES) as Load[];
+const VARIABLE = LOADS.filter((load) => load !== "self_weight");
+/** What says of a case how it acts, and loads nothing. */
+const BESIDE = ["name", "action", "duration", "self_weight"];
+/** Who works on a shell weighs so much where a file does not say it (N). */
+export const PERSON = 1000;
+/** Supports that rub where ballast holds them down. */
+const BALLASTED = ["pinned", "fixed"];
 
 export function structureOf({ structure }: Design): Table | null {
   return structure ?? null;
@@ -41,11 +51,16 @@ export function caseWith(design: Design, load: Load): number {
 }
 
 /** Of a material; null: without a structure. What the file gives itself of another one is left out. */
-export function withMaterial(design: Design, material: string | null): Changes {
+export function withMaterial(design: Design, material: string | null, materials: readonly MaterialFacts[]): Changes {
   if (material === null) return { structure: undefined, load_case: undefined };
   const before = structureOf(design);
   if (before) {
     const { modulus: _, poisson: __, strength: ___, ...rest } = before;
+    const named = (name: unknown): MaterialFacts | undefined => materials.find((each) => each.name === name);
+    const [old, now] = [named(before["material"]), named(material)];
+    // What has no grain has no direction of it; boards with a grain have no core, and a core is its material's.
+    if (!now?.grain) delete rest["grain"];
+    if (now?.grain || old?.sandwich) delete rest["sandwich"];
     return { structure: { ...rest, material } };
   }
   const thickness = design.panel?.["thickness"] ? {} : { thickness: Number(short(THICKNESS / millimetres(design))) };
@@ -64,16 +79,21 @@ export function supportOf(design: Design): Table | null {
 }
 
 export function withSupport(design: Design, key: string, value: unknown): Changes {
-  const { friction, ...before } = supportOf(design) ?? { at: "feet", kind: "pinned" };
-  const support: Table = { ...before, [key]: value };
-  // On the ground feet stand on points; elsewhere there is no friction.
-  if (support["kind"] !== "friction") delete support["friction"];
-  else {
-    support["friction"] ??= friction ?? FRICTION;
-    delete support["edges"];
-    delete support["patch"];
+  const support: Table = { ...(supportOf(design) ?? { at: "feet", kind: "pinned" }), [key]: value };
+  // On the ground feet stand on points, and nothing holds them down.
+  if (support["kind"] === "friction") {
+    support["friction"] ??= FRICTION;
+    for (const each of ["edges", "patch", "ballast"]) delete support[each];
+  } else {
+    if (!support["ballast"]) delete support["ballast"];
+    if (!support["friction"] || !rubs(support)) delete support["friction"];
   }
   return { "structure.supports": [support] };
+}
+
+/** Whether a support may have friction: on the ground, or under ballast that is to hold it in place. */
+export function rubs(support: Table): boolean {
+  return support["kind"] === "friction" || (Boolean(support["ballast"]) && BALLASTED.includes(String(support["kind"])));
 }
 
 /** With a key of a load, or without the load: its case goes, too, if nothing else is in it. */
@@ -86,7 +106,7 @@ export function withLoad(design: Design, load: Load, key: string, value: unknown
   }
   if (number < 0) return {};
   const { [load]: _, ...rest } = cases[number]!;
-  const kept = Object.keys(rest).some((each) => !["name", "action", "self_weight"].includes(each));
+  const kept = Object.keys(rest).some((each) => !BESIDE.includes(each));
   if (kept) return { [`load_case.${number}`]: rest };
   const others = cases.filter((__, k) => k !== number).flatMap((each) => without(each, String(rest["name"])));
   return { load_case: load === "self_weight" ? weighed(others, true) : others };
@@ -102,11 +122,11 @@ function isCombined(design: Design): boolean {
   return (structureOf(design)?.["combinations"] ?? "none") !== "none";
 }
 
-/** Cases of snow and wind with own weight, if that is a load; alone, where a code combines them. */
+/** Cases of loads that come and go with own weight, if that is a load; alone, where a code combines them. */
 function weighed(cases: Table[], alone: boolean): Table[] {
   const weighs = !alone && cases.some((each) => each["self_weight"]);
   return cases.map((each) => {
-    if (!each["snow"] && !each["wind"]) return each;
+    if (!VARIABLE.some((load) => each[load])) return each;
     const { self_weight: _, ...rest } = each;
     return weighs ? { ...rest, self_weight: true } : rest;
   });
