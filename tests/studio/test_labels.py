@@ -70,6 +70,8 @@ def test_choices_are_values_of_the_file(table: str, key: str, choice: str) -> No
         design |= copy.deepcopy(LOADED)
     if table == "target.fit":
         design["target"]["fit"] = {"width": 4}
+    if table == "stiffeners":
+        design["stiffeners"] = {"kind": "gussets"}
     at: Any = design
     for name in table.split("."):
         if isinstance(at, list):

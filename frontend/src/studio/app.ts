@@ -18,6 +18,7 @@ import { Help } from "./page/help.ts";
 import { addInspection } from "./shell/inspection.ts";
 import { Live } from "./server/live.ts";
 import { PanelControls } from "./design/panel.ts";
+import { StiffenerControls } from "./design/stiffeners.ts";
 import { Parameters } from "./design/parameters.ts";
 import { publishProbe } from "./probe.ts";
 import { Results } from "./shell/results.ts";
@@ -122,6 +123,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,
+        new StiffenerControls(store).element,
         new StructureControls(store, { stop: () => live.stopProof(), again: () => live.proveAgain() }).element,
         new SearchCard(store).element,
       ),

@@ -106,6 +106,7 @@ export interface Design {
   tolerance?: Tolerance;
   deployment?: Record<string, Value>;
   panel?: Record<string, Value>;
+  stiffeners?: Record<string, Value>;
   motion?: Record<string, Value>;
   workshop?: Record<string, Value>;
   structure?: Record<string, Value>;

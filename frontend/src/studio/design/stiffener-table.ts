@@ -1,0 +1,21 @@
+// What the table [stiffeners] of a design says, as the page shows and changes it.
+
+type Table = Record<string, unknown>;
+
+export const NONE = "";
+/** What a file means that says nothing. */
+export const ROWS = "valleys", SHARE = 0.9;
+const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE };
+
+/** The table with another value; none without a kind. What says nothing new is left out. */
+export function stiffened(table: Table | undefined, key: string, value: unknown): Table | undefined {
+  const { [key]: _, ...rest } = table ?? {};
+  const made = value === USUAL[key] ? rest : { ...rest, [key]: value };
+  return made["kind"] ? made : undefined;
+}
+
+/** Every so many columns have them; null where they are listed. */
+export function stepOf(columns: unknown): number | null {
+  if (columns === undefined || columns === "all") return 1;
+  return typeof columns === "number" ? columns : null;
+}

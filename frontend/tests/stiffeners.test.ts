@@ -1,0 +1,26 @@
+import { expect, test } from "vitest";
+
+import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
+import { NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+
+test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
+  expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
+  expect(rowsIn(" ")).toEqual([]);
+  for (const wrong of ["2, -4", "1.5", "two", "3, 3"]) expect(rowsIn(wrong)).toBeNull();
+  expect(rowsIn(listed([2, 4]))).toEqual([2, 4]);
+});
+
+test("ties across folds are at all rows unless some are named", () => {
+  expect(tiesAt([])).toBe("folds");
+  expect(tiesAt([2, 4])).toEqual({ folds: [2, 4] });
+});
+
+test("a table of stiffeners says what is not usual, and is gone without a kind", () => {
+  const gussets = stiffened(undefined, "kind", "gussets");
+  expect(gussets).toEqual({ kind: "gussets" });
+  const some = stiffened(stiffened(gussets, "rows", "all"), "columns", 2);
+  expect(some).toEqual({ kind: "gussets", rows: "all", columns: 2 });
+  expect(stiffened(stiffened(some, "rows", "valleys"), "columns", 1)).toEqual(gussets);
+  expect(stiffened(some, "kind", NONE)).toBeUndefined();
+  expect([undefined, "all", 3, [0, 2]].map(stepOf)).toEqual([1, 1, 3, null]);
+});
