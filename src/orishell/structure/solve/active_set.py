@@ -14,9 +14,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.solve.bearing import driven_motion
-from orishell.structure.solve.contact_path import find_contact
+from orishell.structure.solve.contact_path import Found, find_contact
 from orishell.structure.solve.factorised import STEPS, Factorised
-from orishell.structure.solve.friction import Contact
 
 NEGLIGIBLE = 1e-7
 """Forces below this share of the largest are none, and gaps below it of the displacements."""
@@ -60,11 +59,12 @@ def respond(structure: Factorised, loads: Array) -> Response:
     moves = driven_motion(structure, loads)
     if moves is not None:
         return _moving(structure, moves)
-    found = find_contact(structure, loads)
+    direct = structure.spring_solve(loads)
+    found = find_contact(structure, direct)
     if found is None:
         held = structure.respond(loads, np.ones(len(structure.springs), dtype=bool))[0]
         return replace(_moving(structure, held / np.linalg.norm(held)), unknown=True)
-    settled = _settled(structure, loads, found.contact, found.y)
+    settled = _settled(structure, loads, direct, found)
     if found.away:
         far = settled.displacements
         return _moving(structure, far / np.linalg.norm(far), slides=True)
@@ -84,8 +84,12 @@ def _moving(structure: Factorised, moves: Array, *, slides: bool = False) -> Res
     return Response(moves, slides, still, none, nothing, nothing, taken, moves[:, None])
 
 
-def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) -> Response:
-    """The response by the y (M,) of rows in balance, in which small rests are solved for again."""
+def _settled(structure: Factorised, loads: Array, direct: Array, found: Found) -> Response:
+    """The response by rows in balance, in which small rests of the loads are solved for again.
+
+    direct: How the loads (n,) would move free dofs (n,) on springs alone.
+    """
+    contact, y = found.contact, found.y
     root = np.sqrt(structure.springs)
     point = contact.at(y, 1.0)
     law = np.linalg.pinv(point.slope, rcond=SINGULAR)
@@ -93,8 +97,8 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     by_p = root[:, None] * (point.by_parted - point.by_force) @ law
     moved, taken, rest = np.zeros(len(loads)), np.zeros(structure.every_row.shape[1]), loads
     for number in range(STEPS):
-        direct = structure.spring_solve(rest)
         if number:
+            direct = structure.spring_solve(rest)
             opened = root * (structure.rows @ direct)
             p, y = by_p @ opened, y + law @ opened
         step = direct + structure.spread @ p

@@ -1,7 +1,9 @@
 """Where forces of ties, flaps and rough ground are in balance: by Newton's method, along paths.
 
 Newton's method takes the derivative of P where y is (semismooth: Qi and Sun 1993), and steps as
-long as F falls. It begins where all feet stick: that is the answer if friction does for it, as
+long as F falls. Without rough ground there is but one solution, as H^-1 A is symmetric and takes no
+energy and rows give a little: so it may begin anywhere, and mostly ends in a few steps. Else it
+begins where all feet stick: that is the answer if friction does for it, as
 loads that grow from nothing find it so. Else, from the convex problem (theta = 0), whose solution
 is found by less and less smooth cones as interior points are, it mostly finds Coulomb's (theta = 1)
 at once. Where not, Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to
@@ -49,9 +51,16 @@ class Found:
     away: bool = False
 
 
-def find_contact(structure: Factorised, loads: Array) -> Found | None:
-    """Rows in balance by Coulomb's law; None if they were not found."""
-    first = Contact.of(structure, loads)
+def find_contact(structure: Factorised, direct: Array) -> Found | None:
+    """Rows in balance by Coulomb's law; None if they were not found.
+
+    direct: How loads would move free dofs (n,) on springs alone.
+    """
+    first = Contact.of(structure, direct)
+    if not len(first.rough):
+        y, right = solve(first, first.opened, 1.0)
+        if right:
+            return Found(first, y)
     every = [replace(first, augment=augment) for augment in AUGMENTS]
     found = _from_sticking(every)
     if found is not None:

@@ -21,6 +21,7 @@ is singular.
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -63,6 +64,12 @@ class Factorised:
     rigid: Array  # motions of the whole (n, r) that supports leave; orthonormal
     _inner: csr_array
     _factors: Any
+
+    @cached_property
+    def softness(self) -> tuple[Array, Array]:
+        """Eigenvalues (M,) and -vectors (M, M) of C, rows by their springs alike."""
+        root = np.sqrt(self.springs)
+        return np.linalg.eigh(root[:, None] * self.flexibility * root)
 
     @property
     def sliding(self) -> Integers:

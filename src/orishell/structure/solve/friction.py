@@ -27,8 +27,6 @@ With theta = 0 feet part as they slip. That is a convex problem, of the forces o
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from orishell.conventions.record import record
@@ -39,16 +37,28 @@ SOFT = 1e-11
 """H is at least so stiff: so motions that nothing resists, and loads do not drive, have an end."""
 
 
-class Point(NamedTuple):
-    """What holds at y."""
+@record
+class Point:
+    """What holds at y; derivatives of F are found where they are asked for."""
 
+    contact: Contact
     missing: Array  # F (M,)
-    slope: Array  # its derivative (M, M)
-    by_dilation: Array  # its derivative by theta (M,)
+    dilates: Array  # the derivative of h by theta (M,)
     forces: Array  # l (M,)
     by_force: Array  # the derivative of l (M, M)
     parted: Array  # h (M,)
     by_parted: Array  # the derivative of h (M, M)
+
+    @property
+    def slope(self) -> Array:
+        """The derivative of F (M, M)."""
+        contact = self.contact
+        return np.asarray(contact.stiff @ self.by_parted + contact.soft @ self.by_force)
+
+    @property
+    def by_dilation(self) -> Array:
+        """The derivative of F by theta (M,)."""
+        return np.asarray(self.contact.stiff @ self.dilates)
 
 
 @record
@@ -66,10 +76,10 @@ class Contact:
     bonded: bool = False  # whether feet do not slip, whatever they need, nor when they lift
 
     @classmethod
-    def of(cls, structure: Factorised, loads: Array, augment: float = 1.0) -> Contact:
-        """That of a structure, under loads (n,) on its free dofs."""
+    def of(cls, structure: Factorised, direct: Array, augment: float = 1.0) -> Contact:
+        """That of a structure which loads would move by ``direct`` (n,) on its springs alone."""
         conditions, root = structure.conditions, np.sqrt(structure.springs)
-        values, modes = np.linalg.eigh(root[:, None] * structure.flexibility * root)
+        values, modes = structure.softness
         values = np.clip(values, 0.0, 1.0 - SOFT)
         give = np.full(len(root), GIVE)
         own = np.flatnonzero(conditions.compliance)
@@ -77,7 +87,7 @@ class Contact:
         return cls(
             (modes * values) @ modes.T,
             (modes * (1 - values)) @ modes.T,
-            root * (structure.rows @ structure.spring_solve(loads)),
+            root * (structure.rows @ direct),
             give,
             len(conditions),
             conditions.rough,
@@ -114,9 +124,9 @@ class Contact:
         by_parted[rough] += theta * by_size
         by_parted = by_parted + self.give[:, None] * by_force
         return Point(
+            self,
             self.stiff @ parted + self.soft @ forces - self.opened,
-            self.stiff @ by_parted + self.soft @ by_force,
-            self.stiff @ dilates,
+            dilates,
             forces,
             by_force,
             parted,
