@@ -26,6 +26,7 @@ from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.stability import (
     Inverse,
     find_frequencies,
+    largest_values,
 )
 from samples import led_by
 
@@ -149,3 +150,20 @@ def test_frequencies_of_a_plate() -> None:
     found, _ = find_frequencies(inverse, heavy, 3)
     one = 0.5 * np.pi / SIDE**2 * np.sqrt(BENDING / 27.0)
     np.testing.assert_allclose(found, one * np.array([2, 5, 5]), rtol=0.01)
+
+
+def test_a_start_of_exact_vectors_does_not_hide_larger_ones() -> None:
+    """K is 1 and A diagonal, so its vectors are axes; the start has the second to the fourth."""
+    values = np.linspace(10.0, 1.0, 40)
+    start = np.concatenate(
+        [np.eye(40)[:, 1:4], np.random.default_rng(1).standard_normal((40, 2))], axis=1
+    )
+    found, _, _ = largest_values(
+        lambda loads: loads,
+        lambda moved: moved,
+        lambda moved: values[:, None] * moved,
+        start,
+        3,
+        blocks=80,
+    )
+    np.testing.assert_allclose(found, values[:3], rtol=1e-6)

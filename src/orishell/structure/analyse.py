@@ -29,8 +29,8 @@ from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import find_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
+from orishell.structure.kept_modes import KeptModes
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.masses import inertia, point_masses
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.negligible import borne_by
@@ -42,16 +42,10 @@ from orishell.structure.settings import LoadCase, Structure, not_combined
 from orishell.structure.soft_cases import Loaded, assumed_imperfection, follow_soft, is_soft
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
-from orishell.structure.solve.stability import (
-    Inverse,
-    find_buckling,
-    find_frequencies,
-)
+from orishell.structure.solve.stability import Inverse
 from orishell.structure.whole_boards import check_whole_boards
 from orishell.structure.worst_place import placed
 
-FREQUENCIES = 3
-"""How many frequencies are found."""
 BUCKLING = 3
 """How many buckling factors are found."""
 SLIDES = 0.5
@@ -106,7 +100,7 @@ def _run(model: Model, progress: Progress, *, last: bool) -> Run:
     stiffnesses = tuple(dict.fromkeys(asked.crease_stiffness))
     total = len(stiffnesses) * len(asked.analysed)
     for stiffness in stiffnesses:
-        kept = _Kept()
+        kept = KeptModes()
         for solved in _solve(model, stiffness):
             progress(len(compared) / total, f"loading {solved.case.name}")
             linear = _equilibrium(model, solved, kept, modes=last) if solved.stands else None
@@ -186,24 +180,7 @@ def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equi
     return follow(linear, solved.forces, on_panels, solved.response, imperfection=off)
 
 
-class _Kept:
-    """What load cases with one stiffness of creases have from each other."""
-
-    def __init__(self) -> None:
-        self.buckled: Array | None = None  # modes of the last one that buckles
-        self._swinging: dict[bytes, tuple[Array, Array]] = {}
-
-    def swinging(self, model: Model, inverse: Inverse) -> tuple[Array, Array]:
-        """Frequencies (k,) and their modes (n, k), the same where the same rows act."""
-        key = inverse.active.tobytes()
-        if key not in self._swinging:
-            masses, free = point_masses(model.exposure), inverse.structure.free
-            mass = inertia(model.mesh, masses, model.site.metres)[free][:, free]
-            self._swinging[key] = find_frequencies(inverse, mass, FREQUENCIES)
-        return self._swinging[key]
-
-
-def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> Equilibrium:
+def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool) -> Equilibrium:
     mesh, structure, response = model.mesh, solved.structure, solved.response
     moved = structure.moved(response.displacements)
     support_forces, reaction, residual = _reactions(model, solved)
@@ -224,8 +201,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: _Kept, *, modes: bool) -> 
         turned = turned_by_load(model, structure, response.forces, (borne, on_plates), hung)
         if turned.loaded:
             count = BUCKLING if modes else 1
-            factors, shapes = find_buckling(inverse, turned.times, count, kept.buckled)
-            kept.buckled = shapes
+            factors, shapes = kept.buckling(solved.forces, inverse, turned, count)
         if modes and model.site.areal_mass:
             frequencies, swinging = kept.swinging(model, inverse)
     return Equilibrium(

@@ -58,9 +58,9 @@ def find_contact(structure: Factorised, direct: Array) -> Found | None:
     """
     first = Contact.of(structure, direct)
     if not len(first.rough):
-        y, right = solve(first, first.opened, 1.0)
+        only, right = solve(first, first.opened, 1.0)
         if right:
-            return Found(first, y)
+            return Found(first, only)
     every = [replace(first, augment=augment) for augment in AUGMENTS]
     found = _from_sticking(every)
     if found is not None:

@@ -40,6 +40,9 @@ VECTORS_KEPT = 64
 """Vectors that are kept at a time."""
 ACCURACY = 1e-4
 """Of modes, by energy, relative to the largest value; values are as accurate as the square."""
+SEEN = 0.1
+"""Of the next mode after those that are asked for, by energy: a start that is right at once would
+hide larger values, which random vectors beside it mostly meet before that one."""
 DEPENDENT = 1e-12
 """Vectors of a block that others of it hold, but for this share of their energy, are none."""
 
@@ -75,7 +78,9 @@ def largest_values(
         further -= q.T @ (q @ stiff)
         next_, rest = _orthonormal(further, stiff)
         errors = np.linalg.norm(rest @ shapes[first:], axis=0)
-        if next_.shape[1] == 0 or (errors[:count] <= ACCURACY * np.abs(values[:count])).all():
+        right = (errors[:count] <= ACCURACY * np.abs(values[:count])).all()
+        seen = (errors[count : count + 1] <= SEEN * np.abs(values[count - 1 : count])).all()
+        if next_.shape[1] == 0 or (right and seen):
             break
         if held + next_.shape[1] > VECTORS_KEPT:
             kept, held = shapes[:, : VECTORS_KEPT // 2], VECTORS_KEPT // 2
