@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import { changed } from "../src/studio/state/changed.ts";
 import type { Design } from "../src/studio/state/types.ts";
-import { type Changes, kilonewtons, millimetres, supportOf, withCombinations, withLoad, withMaterial, withPanel, withSupport } from "../src/studio/structure/table.ts";
+import { type Changes, kilonewtons, millimetres, supportOf, withCombinations, withLoad, withMaterial, withPanel, withRail, withSupport } from "../src/studio/structure/table.ts";
 
 const facts = { modulus: 1e10, strength: 1e7, density: 700, conservative: "", grain: false, sandwich: false };
 const MATERIALS = [{ ...facts, name: "steel" }, { ...facts, name: "birch plywood", grain: true }, { ...facts, name: "skins on foam", sandwich: true }];
@@ -92,6 +92,15 @@ test("feet have friction on the ground, or under ballast that holds them in plac
   expect(supportOf(after(rubbed, withSupport(rubbed, "ballast", 0)))).toEqual({ at: "feet", kind: "fixed" });
   // Supports at single vertices are not what the controls show.
   expect(supportOf({ ...plywood, structure: { supports: [{ at: [[0, 1]], kind: "pinned" }] as never } })).toBeNull();
+});
+
+test("a base rail is a hollow section of 60 mm in any unit until it is another", () => {
+  const railed = after(plywood, withRail(plywood, "material", "steel"));
+  expect(railed.structure!["rail"]).toEqual({ material: "steel", width: 0.06, height: 0.06, wall: 0.003 });
+  const inMillimetres: Design = { ...plywood, shell: { ...arch.shell, unit: "mm" } };
+  expect(after(inMillimetres, withRail(inMillimetres, "material", "steel")).structure!["rail"]).toMatchObject({ width: 60, wall: 3 });
+  expect(after(railed, withRail(railed, "wall", 0)).structure!["rail"]).toEqual({ material: "steel", width: 0.06, height: 0.06 });
+  expect(after(railed, withRail(railed, "material", ""))).toEqual(plywood);
 });
 
 test("a thickness stands in one table only", () => {

@@ -4,11 +4,13 @@ import type { KeyWords } from "../../shared/api-types.ts";
 import { threeDigits } from "../../shared/quantities.ts";
 import { judged, signOf } from "../../shared/verdict.ts";
 import { capital } from "../../shared/words.ts";
-import { button, numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
+import { button, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
 import type { Store } from "../state/store.ts";
+import { RailControls } from "./rail.ts";
+import { box, choice, named, row } from "./rows.ts";
 import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
 
 const NONE = "", OWN = "own";
@@ -48,13 +50,13 @@ export class StructureControls {
     ], (name) => this.change(withMaterial(store.design.value, name === NONE ? null : name, info.materials), "material"));
     this.material.options[1]!.disabled = true;
     this.boxes = {
-      thickness: this.box("thickness", (mm) => this.change({ "structure.thickness": mm > 0 ? Number(short(mm / millimetres(store.design.value))) : undefined }, "thickness")),
-      friction: this.box("friction", (value) => this.change(withSupport(store.design.value, "friction", value), "friction")),
-      ballast: this.box("ballast", (mass) => this.change(withSupport(store.design.value, "ballast", mass), "ballast", "type-ballast"), "none"),
-      snow: this.box("snow", (load) => this.load("snow", "ground", load > 0 ? Number(short(load * kilonewtons(store.design.value))) : undefined), "none"),
-      wind: this.box("wind", (speed) => this.load("wind", "speed", speed > 0 ? speed : undefined), "none"),
-      direction: this.box("direction", (angle) => this.load("wind", "direction_deg", angle), "", -360),
-      person: this.box("person", (weight) => this.load("person", "force", weight > 0 ? Number(short(1000 * weight)) : undefined), "none"),
+      thickness: box("thickness", (mm) => this.change({ "structure.thickness": mm > 0 ? Number(short(mm / millimetres(store.design.value))) : undefined }, "thickness")),
+      friction: box("friction", (value) => this.change(withSupport(store.design.value, "friction", value), "friction")),
+      ballast: box("ballast", (mass) => this.change(withSupport(store.design.value, "ballast", mass), "ballast", "type-ballast"), "none"),
+      snow: box("snow", (load) => this.load("snow", "ground", load > 0 ? Number(short(load * kilonewtons(store.design.value))) : undefined), "none"),
+      wind: box("wind", (speed) => this.load("wind", "speed", speed > 0 ? speed : undefined), "none"),
+      direction: box("direction", (angle) => this.load("wind", "direction_deg", angle), "", -360),
+      person: box("person", (weight) => this.load("person", "force", weight > 0 ? Number(short(1000 * weight)) : undefined), "none"),
     };
     this.grain = this.segments("grain", { ...grain!, choices: { [NONE]: "Not known", ...grain!.choices } }, (way) => this.change({ "structure.grain": way || undefined }, "grain"));
     this.kind = this.segments("kind", supports["kind"]!, (kind) => this.change(withSupport(store.design.value, "kind", kind), "supports"));
@@ -91,6 +93,7 @@ export class StructureControls {
       this.rows.ballast,
       this.rows.friction,
       named(supports["at"]!, this.at),
+      new RailControls(store).element,
       row("creases", creases!, this.creases),
       row("weight", loads["self_weight"]!, this.weight),
       row("snow", loads["snow"]!, this.boxes.snow, "kN/m\u00b2"),
@@ -122,14 +125,6 @@ export class StructureControls {
 
   private load(load: Load, key: string, value: unknown): void {
     this.change(withLoad(this.store.design.value, load, key, value), load === "self_weight" ? "own weight" : load, key && `type-${load}-${key}`);
-  }
-
-  private box(key: string, changed: (value: number) => void, placeholder = "", min = 0): HTMLInputElement {
-    const input = numberBox({ min, step: "any", placeholder, id: `structure-${key}`, "data-testid": `structure-${key}` }, changed);
-    // An emptied box takes its load away, also one that was empty when it was entered: that is no "change".
-    const empty = (): void => void (input.classList.contains("unfinished") && input.value === "" && input.placeholder && changed(0));
-    for (const left of ["change", "blur"]) input.addEventListener(left, empty);
-    return input;
   }
 
   private segments(key: string, { label, choices }: KeyWords, chosen: (value: string) => void): Segmented<string> {
@@ -179,6 +174,7 @@ export class StructureControls {
     const shown = LOADS.map((load) => caseWith(design, load));
     const others = cases.filter((_, k) => !shown.includes(k)).map(({ name }) => String(name));
     const words = [
+      table?.["sandwich"] ? "Boards are two faces on a core, with values from the file." : "",
       table && !support ? "Supports: several are listed in the file; a choice here takes their place." : "",
       person?.["at"] ? `Person: on panel ${String(person["at"]).replace(",", ", ")}, as in the file.` : "",
       others.length ? `Also in the file: ${others.join(", ")}.` : "",
@@ -209,24 +205,4 @@ function stiffnessOf(value: unknown): string {
   if (value === undefined) return BOTH;
   if (Array.isArray(value)) return value[0] === FREE && value[1] === RIGID ? BOTH : OWN;
   return value === FREE || value === RIGID ? value : OWN;
-}
-
-function choice(key: string, { label }: KeyWords, options: [string, string][], chosen: (value: string) => void): HTMLSelectElement {
-  const select = h("select", { id: `structure-${key}`, "data-testid": `structure-${key}`, "aria-label": label, onchange: () => chosen(select.value) });
-  select.append(...options.map(([value, text]) => new Option(text, value)));
-  return select;
-}
-
-function row(key: string, { label, help }: KeyWords, control: HTMLElement, unit?: string): HTMLElement {
-  return h(
-    "div",
-    { class: "parameter-head", title: help },
-    h("label", { for: `structure-${key}` }, label),
-    control,
-    unit === undefined ? null : h("span", { class: "unit" }, unit),
-  );
-}
-
-function named({ label, help }: KeyWords, { element }: Segmented<string>): HTMLElement {
-  return h("div", { class: "parameter-head", title: help }, h("span", {}, label), element);
 }

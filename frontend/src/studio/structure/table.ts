@@ -14,6 +14,8 @@ export type Load = "self_weight" | "snow" | "wind" | "person";
 const THICKNESS = 15;
 /** Feet on the ground slide at this friction until another one is asked for. */
 const FRICTION = 0.5;
+/** A new base rail: a hollow section (mm). */
+const RAIL = { width: 60, height: 60, wall: 3 };
 /** Where a new wind blows. */
 const OPEN = { terrain: "II", direction_deg: 0 };
 const NAMES: Record<Load, string> = { self_weight: "own weight", snow: "snow", wind: "wind", person: "person" };
@@ -94,6 +96,18 @@ export function withSupport(design: Design, key: string, value: unknown): Change
 /** Whether a support may have friction: on the ground, or under ballast that is to hold it in place. */
 export function rubs(support: Table): boolean {
   return support["kind"] === "friction" || (Boolean(support["ballast"]) && BALLASTED.includes(String(support["kind"])));
+}
+
+export function railOf(design: Design): Table | null {
+  return (structureOf(design)?.["rail"] as Table | undefined) ?? null;
+}
+
+/** With a material or a size of the base rail; none without a material, bars without walls are solid. */
+export function withRail(design: Design, key: string, value: unknown): Changes {
+  const fresh = Object.entries(RAIL).map(([size, mm]) => [size, Number(short(mm / millimetres(design)))]);
+  const rail: Table = { ...(railOf(design) ?? Object.fromEntries(fresh)), [key]: value };
+  if (!rail["wall"]) delete rail["wall"];
+  return { "structure.rail": rail["material"] ? rail : undefined };
 }
 
 /** With a key of a load, or without the load: its case goes, too, if nothing else is in it. */
