@@ -18,7 +18,7 @@ from orishell.structure.free_motion import FreeMotion
 from orishell.structure.hinge_lines import LineStrength
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
-from orishell.structure.mesh.edge_forces import EdgeForces
+from orishell.structure.mesh.edge_forces import EdgeForces, OnPanels
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.mesh.stresses import PanelStresses
@@ -85,7 +85,14 @@ class Tent(Model):
     section: Any = Section.solid(STRUCTURE.modulus, THICKNESS, STRUCTURE.poisson)
     supported: Any = ((0, 1), (2, 1))
     grounded: Any = MappingProxyType({})
-    supports: Any = SimpleNamespace(lost=(), share=0.0, ballast=np.zeros(2), rubs=np.zeros(2))
+    supports: Any = SimpleNamespace(
+        lost=(),
+        share=0.0,
+        ballast=np.zeros(2),
+        rubs=np.zeros(2),
+        restrained=np.zeros((0, 2), np.int64),
+        ground=np.array([0, 4]),
+    )
     rails: Any = ()
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
@@ -117,7 +124,10 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     moments[crease] = -5.0
     per_length = np.zeros((2, 4, 4, 4))
     per_length[0, 1, 1], per_length[1, 3, 2] = [600.0, 30.0, -20.0, -5.0], [-90.0, 30.0, 7.0, -5.0]
-    edges = EdgeForces(per_length, np.zeros((2, 4, 6)), np.zeros((2, 4, 6)), 0.0)
+    still = np.zeros((2, 6))
+    corners = model.mesh.facets.points[model.grid.faces_vertices()]
+    on_panels = OnPanels(corners, still, still, np.zeros((2, 4, 3)))
+    edges = EdgeForces(per_length, np.zeros((2, 4, 6)), np.zeros((2, 4, 6)), 0.0, on_panels)
 
     def case(name: str, stiffness: float) -> CaseResult:
         asked = next((each for each in structure.cases if each.name == name), STRUCTURE.cases[0])

@@ -107,10 +107,11 @@ def test_what_is_written(tmp_path: Path) -> None:
     (tmp_path / "arch.toml").write_text(ARCH)
     first = orishell("structure", "arch.toml", "--out", "one", cwd=tmp_path)
     assert first.returncode == 0, first.stderr
-    files = ["anchors.csv", "creases.csv", "structure.html", "structure.json", "structure.png"]
+    tables = ["anchors.csv", "creases.csv", "forces.csv"]
+    files = [*tables, "structure.html", "structure.json", "structure.png"]
     listed = [".orishell.json", *files]  # with the list of what was written
     assert sorted(path.name for path in (tmp_path / "one").iterdir()) == listed
-    assert first.stdout.splitlines()[-5:] == [f"wrote     one/{name}" for name in files]
+    assert first.stdout.splitlines()[-6:] == [f"wrote     one/{name}" for name in files]
     printed = orishell("structure", "arch.toml", "--out", "two", "--json", cwd=tmp_path)
     written = json.loads((tmp_path / "one" / "structure.json").read_text())
     assert json.loads(printed.stdout) == written

@@ -1,12 +1,13 @@
 """Random shells of three constructions: every panel and every crease in balance, by own statics.
 
-What is written of edges and corners (``EdgeForces``) is balanced here with weight and pressure by
-areas and centroids of panels, which the analysis does not know: it has forces on nodes.
+What ``forces.csv`` has of creases and supports is balanced here with weight and pressure by areas
+and centroids of panels, which the analysis does not know: it has forces on nodes.
 """
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,25 +16,29 @@ import pytest
 
 from orishell.conventions.errors import DesignError
 from orishell.design_file import check_design
+from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.equilibrium import Equilibrium
-from orishell.structure.mesh.edge_forces import crease_sides
+from orishell.structure.model import Model
 from orishell.structure.results import Analysis
 from samples import led_by
+from written_forces import Acts, both_sides, by_panel, size, summed, written_forces
 
 SKIP = (*MEASURES, "stock", "verification", "remedies")
 GRAVITY = 9.81
 
 
-def drawn(seed: int) -> tuple[Analysis, float, float]:
+Drawn = tuple[Analysis, Document, float, float]
+
+
+def drawn(seed: int) -> Drawn:
     """A shell, its areal mass (kg/m2) and its pressure (N/m2): the first that can be made."""
     every = (_drawn(seed, attempt) for attempt in itertools.count())
     return next(each for each in every if each is not None)
 
 
-def _drawn(seed: int, attempt: int) -> tuple[Analysis, float, float] | None:
+def _drawn(seed: int, attempt: int) -> Drawn | None:
     rng = np.random.default_rng([seed, attempt])
     thickness, mass = rng.uniform(0.01, 0.03), rng.uniform(2, 12)
     pressure = float(rng.uniform(-300, 300)) * (seed % 3 == 0)
@@ -69,14 +74,12 @@ def _drawn(seed: int, attempt: int) -> tuple[Analysis, float, float] | None:
     except DesignError:
         return None
     assert shell.analysis is not None
-    return shell.analysis, mass, pressure
+    return shell.analysis, shell.document, mass, pressure
 
 
-def misses(found: Analysis, stands: Equilibrium, mass: float, pressure: float) -> Array:
-    """What force and moment over a metre (F, 6) each panel misses, as a share of its own load."""
-    model = found.model
+def own_loads(model: Model, mass: float, pressure: float) -> tuple[Array, Array]:
+    """Weight and pressure (F, 3) on panels, and their centroids (F, 3)."""
     corners = model.positions.reshape(-1, 3)[model.grid.faces_vertices()]
-    after = np.roll(corners, -1, axis=1)
     first = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     other = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 0])
     one, two = (0.5 * np.linalg.norm(each, axis=1)[:, None] for each in (first, other))
@@ -84,36 +87,57 @@ def misses(found: Analysis, stands: Equilibrium, mass: float, pressure: float) -
     centre /= one + two
     normal = (first + other) / np.linalg.norm(first + other, axis=1)[:, None]
     outer = normal * np.sign(normal[:, 2].sum())
-    load = (one + two) * (-GRAVITY * mass * np.array([0.0, 0.0, 1.0]) - pressure * outer)
-    total = np.concatenate([load, np.zeros_like(load)], axis=1)
-    edges = stands.edges
-    for at, acts in ((0.5 * (corners + after), edges.resultants), (corners, edges.corners)):
-        force, moment = acts[..., :3], acts[..., 3:]
-        arms = np.cross(at - centre[:, None], force)
-        total += np.concatenate([force, moment + arms], axis=-1).sum(axis=1)
-    return np.asarray(total / np.linalg.norm(load, axis=1).mean())
+    loads = (one + two) * (-GRAVITY * mass * np.array([0.0, 0.0, 1.0]) - pressure * outer)
+    return loads, centre
+
+
+def misses(rows: Sequence[Acts], shell: Drawn) -> Array:
+    """What force and moment over a metre (F, 6) each panel misses, as a share of the mean load.
+
+    rows: All that acts on panels in a case; what loads them is not read.
+    """
+    analysis, document, mass, pressure = shell
+    model = analysis.model
+    loads, centres = own_loads(model, mass, pressure)
+    centres = document.in_world(centres)
+    held = by_panel([each for each in rows if each.acts != "load"])
+    total = np.array(
+        [
+            summed(held[model.panel_at(number)], centre) + np.concatenate([load, np.zeros(3)])
+            for number, (load, centre) in enumerate(zip(loads, centres, strict=True))
+        ]
+    )
+    return np.asarray(total / np.linalg.norm(loads, axis=1).mean())
 
 
 @pytest.mark.parametrize("seed", led_by(range(100), 10))
-def test_panels_and_creases_balance(seed: int) -> None:
+def test_panels_and_creases_balance(tmp_path: Path, seed: int) -> None:
     """To 1e-6 of a panel's mean load, where forces along edges are up to a hundred times it."""
-    found, mass, pressure = drawn(seed)
-    for stands, _ in found.balanced:
-        if stands.path is not None:  # it is in balance as it is moved, not as designed
-            continue
-        missing = misses(found, stands, mass, pressure)
-        assert np.abs(missing).max() < 1e-6
-        sides = crease_sides(found.model.grid)[1]
-        acts = stands.edges.resultants[sides[..., 0], sides[..., 1]]
-        scale = np.abs(acts[..., :3]).max()
-        np.testing.assert_allclose(acts[:, 0], -acts[:, 1], atol=1e-6 * scale)
+    shell = drawn(seed)
+    found, document, *_ = shell
+    written = written_forces(found, document, tmp_path / "forces.csv")
+    assert len(written) == len(found.balanced)
+    for (stands, _), rows in zip(found.balanced, written.values(), strict=True):
+        if stands.path is None:  # else it is in balance as it is moved, not as designed
+            assert np.abs(misses(rows, shell)).max() < 1e-6
+        middle = np.mean([each.at for each in rows], axis=0)
+        loads = size([each for each in rows if each.acts == "load"])
+        for own in by_panel(rows).values():
+            assert np.abs(summed(own, own[0].at)).max() < 1e-6 * loads
+        sides = both_sides(rows, middle)
+        rows_of, columns = found.model.grid.rows - 1, found.model.grid.columns - 1
+        assert len(sides) == (rows_of - 1) * columns + rows_of * (columns - 1)
+        scale = np.abs(sides[..., :3]).max()
+        np.testing.assert_allclose(sides[:, 0], -sides[:, 1], atol=1e-6 * scale)
 
 
-def test_most_of_them_stand() -> None:
+def test_most_of_them_stand(tmp_path: Path) -> None:
     """So that what is in balance is not nothing; 0.1 % of weight is seen."""
-    made = [drawn(seed) for seed in range(6)]
-    stand = [each for each in made if each[0].balanced and each[0].balanced[0][0].path is None]
-    assert len(stand) >= 4
-    for found, mass, pressure in stand:
-        stands = found.balanced[0][0]
-        assert np.abs(misses(found, stands, 1.001 * mass, pressure)).max() > 1e-5
+    stand = 0
+    for seed in range(6):
+        found, document, mass, pressure = drawn(seed)
+        if found.balanced and found.balanced[0][0].path is None:
+            stand += 1
+            rows, *_ = written_forces(found, document, tmp_path / "forces.csv").values()
+            assert np.abs(misses(rows, (found, document, 1.001 * mass, pressure))).max() > 1e-5
+    assert stand >= 4

@@ -46,8 +46,8 @@ def structure(
         Path | None,
         typer.Option(
             parser=directory,
-            help="Directory for structure.html, structure.png, structure.json, creases.csv and "
-            "anchors.csv; made if needed.",
+            help="Directory for structure.html, structure.png, structure.json, creases.csv, "
+            "anchors.csv and forces.csv; made if needed.",
         ),
     ] = None,
     *,

@@ -77,7 +77,7 @@ def deformed(
         feet=feet,
         tie_forces=borne_by(borne[:ties], total),
         flap_forces=borne_by(borne[ties:], total),
-        edges=edges,
+        edges=replace(edges, factor=point.factor),
         panel_residual=panel_residual,
         crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),

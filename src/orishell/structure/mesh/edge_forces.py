@@ -29,13 +29,33 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places
+from orishell.structure.mesh.sheet import CORNERS, Offsets, SheetMesh, crease_places
 
 STRETCHES = 4
 """Forces are averaged over so many equal stretches of an edge: finer ones would grow with finer
 cells, as its ends are singular."""
 NORMAL, IN_PLANE, ACROSS, ABOUT = range(4)
 """N, V_in, V and M among the forces per length."""
+
+
+@record
+class OnPanels:
+    """What acts on panels otherwise than at their edges, and where they are."""
+
+    points: Array  # corners (F, 4, 3) of panels, counter-clockwise, as they are moved (length)
+    loads: Array  # force and moment (F, 6) of the loads on each, about the mean of its corners
+    within: Array  # the same of supports between its edges
+    at_corners: Array  # that part of the loads that acts at corners (F, 4, 3) (N)
+
+    @property
+    def middles(self) -> Array:
+        """Means (F, 3) of the corners of panels."""
+        return np.asarray(self.points.mean(axis=1))
+
+    @property
+    def between(self) -> Array:
+        """Middles (F, 4, 3) of edges, each of which begins at a corner."""
+        return np.asarray(0.5 * (self.points + np.roll(self.points, -1, axis=1)))
 
 
 @record
@@ -52,9 +72,11 @@ class EdgeForces:
     # what is missing for the balance of a panel, of forces and of moments over its diagonal the
     # larger, of all panels (N)
     missing: float
+    on_panels: OnPanels  # what else acts on panels
     # what hinges beside creases do to the first and the second board (C, 2, cells+1, 6) at nodes
     # along them, moments about their axes, 0 beyond their ends; None if hinges are in creases
     hinged: Array | None = None
+    factor: float = 1.0  # of the loads that all this is in balance with
 
 
 def find_edge_forces(
@@ -107,23 +129,40 @@ def find_edge_forces(
     parts = np.concatenate([force, about[..., None]], axis=-1)
     per_length = _by_stretch(np.linalg.norm(np.diff(points, axis=2), axis=-1)) @ parts
 
-    origin = points[:, :1, 0]
-    loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
-    loaded = loaded.reshape(len(mesh.nodes), -1, 6)
-    own = own.reshape(*loaded.shape[:2], 3)
-    within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
-    if supported is not None:
-        within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
-    by_supports = np.where(within, held.reshape(*mesh.nodes.shape, 6), 0.0)
+    on_panels = _on_panels(mesh, held, panel_loads, own, supported)
+    origin = on_panels.middles[:, None]
     total = (
-        _about(loaded + by_supports.reshape(loaded.shape), own - origin)
+        on_panels.loads
+        + on_panels.within
         + _about(corners, points[:, :, 0] - origin)
         + _about(resultants, middle[:, :, 0] - origin)
     )
-    size = np.linalg.norm(np.ptp(own, axis=1), axis=1)
+    size = np.linalg.norm(np.ptp(own.reshape(len(own), -1, 3), axis=1), axis=1)
     whole, turning = (np.linalg.norm(each, axis=1) for each in (total[:, :3], total[:, 3:]))
     missing = float(max(whole.max(), (turning / size).max()))
-    return EdgeForces(per_length, resultants, corners, missing, hinged)
+    return EdgeForces(per_length, resultants, corners, missing, on_panels, hinged)
+
+
+def _on_panels(
+    mesh: SheetMesh, held: Array, panel_loads: Array, own: Array, supported: Integers | None
+) -> OnPanels:
+    """Loads and supports on panels.
+
+    held: Forces and moments (places, 6) that hold plates at their points.
+    own: These points (F, cells+1, cells+1, 3).
+    """
+    points = own[:, *CORNERS]
+    loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1).reshape(*mesh.nodes.shape, 6)
+    within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
+    if supported is not None:
+        within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
+    by_supports = np.where(within, held.reshape(loaded.shape), 0.0)
+    arms = own - points.mean(axis=1)[:, None, None]
+    loads, within_them = (
+        _about(each.reshape(len(own), -1, 6), arms.reshape(len(own), -1, 3))
+        for each in (loaded, by_supports)
+    )
+    return OnPanels(points, loads, within_them, loaded[:, *CORNERS, :3])
 
 
 def _at_hinges(hinges: Offsets, grid: Grid, held: Array, own: Array) -> Array:

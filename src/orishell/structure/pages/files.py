@@ -17,15 +17,16 @@ from orishell.structure.case import CaseResult
 from orishell.structure.pages.anchor_tables import anchor_csv
 from orishell.structure.pages.crease_tables import crease_csv
 from orishell.structure.pages.details import sentence
+from orishell.structure.pages.force_tables import write_forces
 from orishell.structure.pages.sections import answer, structure_sections
 from orishell.structure.results import Analysis
 
-FILES: Final = ("structure.html", "structure.png", "creases.csv", "anchors.csv")
+FILES: Final = ("structure.html", "structure.png", "creases.csv", "anchors.csv", "forces.csv")
 SHOWN: Final = "The shell under its loads, coloured by displacement."
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:
-    """Write ``structure.png``, ``structure.html``, ``creases.csv`` and ``anchors.csv``."""
+    """Write ``structure.png``, ``structure.html``, and the tables."""
     assert document.loaded is not None
     unit = document.require_unit()
     path = directory / "structure.png"
@@ -43,9 +44,13 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
         analysis, title=document.title, unit=unit, png=path.read_bytes(), paths=paths
     )
     (directory / "structure.html").write_text(page, encoding="utf-8", newline="\n")
-    (directory / "anchors.csv").write_text(anchor_csv(analysis), encoding="utf-8", newline="\n")
-    table = crease_csv(analysis, unit)
-    (directory / "creases.csv").write_text(table, encoding="utf-8", newline="\n")
+    tables = {
+        "anchors.csv": anchor_csv(analysis),
+        "creases.csv": crease_csv(analysis, unit),
+    }
+    for name, text in tables.items():
+        (directory / name).write_text(text, encoding="utf-8", newline="\n")
+    write_forces(directory / "forces.csv", analysis, document)
 
 
 def structure_page(
