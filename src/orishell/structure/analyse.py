@@ -24,13 +24,13 @@ from orishell.structure.buckling import share_at_points, turned_by_load
 from orishell.structure.case import CaseResult
 from orishell.structure.changes import Figures
 from orishell.structure.combinations import STRENGTH, Combination, LimitState
-from orishell.structure.crease_forces import hold_panels, moments, panel_loads
+from orishell.structure.crease_forces import PanelLoads, hold_panels, moments
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import find_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.kept_modes import KeptModes
-from orishell.structure.loads import Load, case_loads, sum_forces, vector
+from orishell.structure.loads import CaseLoads, Load, vector
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.negligible import borne_by
@@ -123,6 +123,7 @@ class _Solved:
     structure: Factorised
     loads: tuple[Load, ...]
     forces: Array
+    on_panels: Array
     response: Response
     stands: bool
 
@@ -132,15 +133,18 @@ def _solve(model: Model, stiffness: float) -> Iterator[_Solved]:
     asked = model.structure
     structure = model.factorised(stiffness)
     known = placed(model, structure, asked.arranged)
+    on_nodes, on_panels = CaseLoads(model.exposure, known), PanelLoads(model, known)
     for case in not_combined(known):
-        loads = case_loads(model.exposure, case, known)
-        forces = sum_forces(model.exposure, loads)
+        loads, forces = on_nodes.of(case), on_nodes.forces(case)
         response = respond(structure, structure.free_loads(forces))
         held = stands(structure, response, model.size)
         if asked.nonlinear:  # far too soft by linear theory is not so by itself
             held = response.moves is None
         state = case.limit_state if isinstance(case, Combination) else None
-        yield _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
+        borne = on_panels.of(case)
+        yield _Solved(
+            case, known, state, stiffness, structure, loads, forces, borne, response, held
+        )
 
 
 def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseResult:
@@ -174,10 +178,9 @@ def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseRe
 def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equilibrium | None:
     if linear is None or not model.structure.nonlinear:
         return linear
-    on_panels = panel_loads(model, solved.case, solved.known)
     asked = model.structure.imperfection
     off = assumed_imperfection(linear) if asked is None else asked
-    return follow(linear, solved.forces, on_panels, solved.response, imperfection=off)
+    return follow(linear, solved.forces, solved.on_panels, solved.response, imperfection=off)
 
 
 def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool) -> Equilibrium:
@@ -191,8 +194,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool)
     plates = model.plates
     on_plates = plate_forces(model, None if plates is None else plates.corners_moved(moved))
     total = float(np.linalg.norm(solved.forces, axis=1).sum())
-    on_panels = panel_loads(model, solved.case, solved.known)
-    edges, panel_residual = hold_panels(model, moved, on_panels, solved.stiffness, total)
+    edges, panel_residual = hold_panels(model, moved, solved.on_panels, solved.stiffness, total)
     factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
     frequencies, swinging = factors, shapes
     if solved.limit_state in STRENGTH:

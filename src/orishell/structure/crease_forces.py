@@ -13,7 +13,7 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import SOLVED, first_largest, largest_along_first
-from orishell.structure.loads import case_loads, sum_forces
+from orishell.structure.loads import CaseLoads
 from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
     EdgeForces,
@@ -62,22 +62,34 @@ class CreaseForces:
     moment: AtCrease  # moment about the crease
 
 
+class PanelLoads:
+    """Loads of cases on panels by nodes of their own, those at vertices left out."""
+
+    def __init__(self, model: Model, cases: Sequence[LoadCase]) -> None:
+        """Loads of ``cases``, all that may be combined."""
+        mesh, exposure = model.mesh, model.exposure
+        # Beside all nodes, so that loads at vertices stay there.
+        points = mesh.facets.points
+        apart = replace(
+            exposure,
+            mesh=Facets(
+                np.concatenate([points, points[mesh.seats.ravel()]]), len(points) + mesh.places
+            ),
+            hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
+        )
+        self._loads, self._first = CaseLoads(apart, cases), len(points)
+
+    def of(self, case: LoadCase) -> Array:
+        """Loads (F (cells+1)^2, 3) of a case (N)."""
+        return self._loads.forces(case)[self._first :]
+
+
 def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
-    """Loads (F (cells+1)^2, 3) on panels by nodes of their own, those at vertices left out (N).
+    """Loads (F (cells+1)^2, 3) on panels, as :class:`PanelLoads` has them (N).
 
     cases: All cases, which this one may combine.
     """
-    mesh, exposure = model.mesh, model.exposure
-    # Beside all nodes, so that loads at vertices stay there.
-    points = mesh.facets.points
-    apart = replace(
-        exposure,
-        mesh=Facets(
-            np.concatenate([points, points[mesh.seats.ravel()]]), len(points) + mesh.places
-        ),
-        hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
-    )
-    return sum_forces(apart, case_loads(apart, case, cases))[len(points) :]
+    return PanelLoads(model, cases).of(case)
 
 
 def hold_panels(

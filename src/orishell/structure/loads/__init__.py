@@ -10,6 +10,7 @@ from orishell.structure.loads import person, points, snow, weight, wind
 from orishell.structure.loads.cases import (
     DOUBTS,
     KINDS,
+    CaseLoads,
     Load,
     Scale,
     case_loads,
@@ -24,6 +25,7 @@ require_effects(LOADS)
 __all__ = [
     "DOUBTS",
     "KINDS",
+    "CaseLoads",
     "Exposure",
     "Load",
     "Scale",

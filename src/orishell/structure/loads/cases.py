@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
@@ -96,27 +96,50 @@ def require_effects(loads: Iterable[str]) -> None:
         raise TypeError(f"no module of structure/loads has @load for {', '.join(missing)}")
 
 
+class CaseLoads:
+    """Loads of cases; those that several cases combine are found once."""
+
+    def __init__(self, exposure: Exposure, cases: Iterable[LoadCase]) -> None:
+        """Loads of ``cases``, all that may be combined."""
+        self.exposure = exposure
+        self._named = {each.name: each for each in cases}
+        self._found: dict[str, tuple[Load, ...]] = {}
+
+    def of(self, case: LoadCase) -> tuple[Load, ...]:
+        """All loads of a case, also of those that it combines.
+
+        Raises InputError: If a vertex or a row of panels is not there, zones of wind leave one out,
+        or snow on a cylinder is asked for where there is no span.
+        """
+        if case.combine:
+            return tuple(
+                replace(load, factor=factor, forces=factor * load.forces)
+                for name, factor in case.combine.items()
+                for load in self.of(self._named[name])
+            )
+        if case.name not in self._found:
+            self._found[case.name] = tuple(self._own(case))
+        return self._found[case.name]
+
+    def _own(self, case: LoadCase) -> Iterator[Load]:
+        try:
+            for kind in LOADS:
+                if asked := getattr(case, kind):
+                    yield Load(case.name, 1.0, kind, *EFFECTS[kind](self.exposure, asked))
+        except InputError as error:
+            raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
+
+    def forces(self, case: LoadCase) -> Array:
+        """Forces (N, 3) of all loads of a case on the nodes (N)."""
+        return sum_forces(self.exposure, self.of(case))
+
+
 def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
     """All loads of a case, also of those among all ``cases`` that it combines.
 
-    Raises InputError: If a vertex or a row of panels is not there, zones of wind leave one out, or
-    snow on a cylinder is asked for where there is no span.
+    Raises InputError: As :meth:`CaseLoads.of` does.
     """
-    if case.combine:
-        named = {each.name: each for each in cases}
-        return tuple(
-            replace(load, factor=factor, forces=factor * load.forces)
-            for name, factor in case.combine.items()
-            for load in case_loads(exposure, named[name], cases)
-        )
-    try:
-        return tuple(
-            Load(case.name, 1.0, kind, *EFFECTS[kind](exposure, asked))
-            for kind in LOADS
-            if (asked := getattr(case, kind))
-        )
-    except InputError as error:
-        raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
+    return CaseLoads(exposure, cases).of(case)
 
 
 def sum_forces(exposure: Exposure, loads: Sequence[Load]) -> Array:
