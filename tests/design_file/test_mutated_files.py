@@ -424,7 +424,7 @@ def test_mutated_files_are_made_or_refused(tmp_path: Path) -> None:
     assert not faults
     ended = [each["status"] for each in results]
     # Otherwise the mutations test nothing, or nothing but the first line.
-    assert ended.count(0) > 0.1 * FILES
+    assert ended.count(0) >= 0.1 * FILES
     assert ended.count(2) > 0.3 * FILES
     assert ended.count(-signal.SIGPROF) < 0.05 * FILES
 

@@ -83,10 +83,11 @@ def test_no_thickness_holds_what_gives_way(tmp_path: Path) -> None:
 def test_it_is_not_tried_where_every_case_would_be_followed_again(tmp_path: Path) -> None:
     """Large displacements take a minute a case, and nothing could end them in time.
 
-    It buckles, and what is said of its last load is in balance, without the nudge that found more.
+    As designed, not off its shape, it buckles, and what is said of its last load is in balance,
+    without the nudge that found more.
     """
     path = tmp_path / "arch.toml"
-    text = ARCH.replace("[[load_case]]", "nonlinear = true\n[[load_case]]")
+    text = ARCH.replace("[[load_case]]", "nonlinear = true\nimperfection = 0\n[[load_case]]")
     path.write_text(text.format(thickness=0.003, kind="pinned", cells=2))
     shell = make_shell(read_design_file(path), clash="unexamined")
     assert shell.analysis is not None

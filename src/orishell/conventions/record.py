@@ -43,13 +43,13 @@ def record(cls: type[T]) -> type[T]:
 
 
 def _in_one_line(thing: object) -> str:
-    """Numbers to six digits, arrays by their shape; functions and what is private are left out."""
+    """Numbers to six digits, arrays by their shape; no None, no functions, nothing private."""
     assert is_dataclass(thing)
     parts = {each.name: getattr(thing, each.name) for each in fields(thing) if each.repr}
     shown = (
         f"{name}={_short(part)}"
         for name, part in parts.items()
-        if not name.startswith("_") and not callable(part)
+        if not name.startswith("_") and part is not None and not callable(part)
     )
     return f"{type(thing).__name__}({', '.join(shown)})"
 
