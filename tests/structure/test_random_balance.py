@@ -127,8 +127,7 @@ def test_panels_and_creases_balance(tmp_path: Path, seed: int) -> None:
         sides = both_sides(rows, middle)
         rows_of, columns = found.model.grid.rows - 1, found.model.grid.columns - 1
         assert len(sides) == (rows_of - 1) * columns + rows_of * (columns - 1)
-        scale = np.abs(sides[..., :3]).max()
-        np.testing.assert_allclose(sides[:, 0], -sides[:, 1], atol=1e-6 * scale)
+        assert np.abs(sides.sum(axis=1)).max() < 1e-6 * loads
 
 
 def test_most_of_them_stand(tmp_path: Path) -> None:
