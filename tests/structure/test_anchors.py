@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 
 from analysed import analysed
 from orishell.structure.anchors import ASSUMED, anchors_in_words
-from orishell.structure.pages.anchor_tables import anchor_csv
+from orishell.structure.pages.anchor_tables import HEAD, anchor_rows
 from orishell.structure.results import Analysis
 
 UP, ASIDE = 30.0, 12.0
@@ -55,6 +54,6 @@ def test_what_is_pulled_up_is_told(lifted: Analysis) -> None:
 
 
 def test_the_table_has_every_support(lifted: Analysis) -> None:
-    rows = list(csv.DictReader(anchor_csv(lifted).splitlines()))
-    assert [(row["row"], row["column"]) for row in rows] == [("0", "1"), ("2", "1")]
-    assert [float(row["pull_N"]) for row in rows] == [0.0, UP]
+    rows = [dict(zip(HEAD, row, strict=True)) for row in anchor_rows(lifted)]
+    assert [(row["row"], row["column"]) for row in rows] == [(0, 1), (2, 1)]
+    assert [float(str(row["pull_N"])) for row in rows] == [0.0, UP]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ from orishell.structure.grain import grain_turns
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.materials import DURATIONS, materials
 from orishell.structure.mesh.plane import tensors_along
-from orishell.structure.pages.crease_tables import crease_csv
+from orishell.structure.pages.crease_tables import crease_head, crease_rows
 from orishell.structure.plausibility import doubts_of_shell
 
 from .test_materials import read
@@ -193,7 +192,7 @@ def test_a_plywood_shelter_under_snow_and_a_storm() -> None:
     by_name = {each["name"]: each["equilibrium"] for each in as_table(found)["cases"]}
     strengths = {name: each["strength"] for name, each in by_name.items()}
     assert strengths == pytest.approx({"winter": 17.983e6, "storm": 19.367e6}, rel=5e-5)
-    head, *rows = csv.reader(crease_csv(found, "m").splitlines())
+    head, rows = crease_head("m"), [list(map(str, row)) for row in crease_rows(found)]
     pull, used = head.index("pull (N/m)"), head.index("used of its line")
     shares = [float(row[used] or 0) for row in rows]
     assert shares == pytest.approx([float(row[pull]) / 20e3 for row in rows], rel=5e-4)

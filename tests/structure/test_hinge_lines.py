@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -16,7 +15,7 @@ from orishell.conventions.errors import InputError
 from orishell.structure.crease_lines import by_direction, used_lines
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength, hinge_lines
 from orishell.structure.mesh.edge_forces import crease_sides
-from orishell.structure.pages.crease_tables import crease_csv
+from orishell.structure.pages.crease_tables import crease_head, crease_rows
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Structure
 
@@ -143,7 +142,8 @@ def test_shares_by_hand() -> None:
 
 def rows(found: Analysis) -> list[dict[str, Any]]:
     """The rows of creases.csv; of columns of one name the last one counts."""
-    return list(csv.DictReader(crease_csv(found, "m").splitlines()))
+    head = crease_head("m")
+    return [dict(zip(head, map(str, row), strict=True)) for row in crease_rows(found)]
 
 
 def test_every_crease_by_hand() -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import csv
-import io
+from collections.abc import Iterator
 
 from orishell.conventions.quantities import figure
 from orishell.io.sections import Paragraph, Section, Table
@@ -28,17 +27,12 @@ RULE = (
 )
 
 
-def anchor_csv(report: Analysis) -> str:
-    """The text of ``anchors.csv``: a line for every support, forces in newtons."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEAD)
+def anchor_rows(report: Analysis) -> Iterator[tuple[object, ...]]:
+    """The lines of ``anchors.csv`` below its ``HEAD``: one for every support, forces in newtons."""
     for each in report.anchors:
         forces = [cell for kind in KINDS for cell in _cells(getattr(each, kind))]
         friction = (f"{each.friction:g}", "yes" if each.assumed else "no")
-        row = (*each.at, *forces, f"{each.ballast_mass:.6g}", *friction, f"{each.given:.6g}")
-        writer.writerow(row)
-    return text.getvalue()
+        yield (*each.at, *forces, f"{each.ballast_mass:.6g}", *friction, f"{each.given:.6g}")
 
 
 def _cells(worst: Worst) -> tuple[str, str]:

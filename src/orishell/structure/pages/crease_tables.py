@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import csv
-import io
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -62,22 +61,20 @@ CREASE_NOTES = Paragraph(
 """What the forces along creases are."""
 
 
-def crease_csv(report: Analysis, unit: str) -> str:
-    """The text of ``creases.csv``: the largest forces along every crease, of all cases."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
+def crease_head(unit: str) -> tuple[str, ...]:
+    """Names of the columns of ``creases.csv``."""
     units = (*4 * (f"N/{unit}",), "N")
-    writer.writerow(
-        (
-            "row", "column", "other row", "other column", "kind", f"length ({unit})",
-            *(
-                part
-                for name, of in zip(COLUMNS, units, strict=True)
-                for part in (f"{name} ({of})", "case")
-            ),
-            "used of its line", "case",
-        )
+    forces = (
+        part for name, of in zip(COLUMNS, units, strict=True) for part in (f"{name} ({of})", "case")
+    )
+    return (
+        "row", "column", "other row", "other column", "kind", f"length ({unit})", *forces,
+        "used of its line", "case",
     )  # fmt: skip
+
+
+def crease_rows(report: Analysis) -> Iterator[tuple[object, ...]]:
+    """The lines of ``creases.csv``: the largest forces along every crease, of all cases."""
     model = report.model
     edges, sides = crease_sides(model.grid)
     ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
@@ -97,7 +94,4 @@ def crease_csv(report: Analysis, unit: str) -> str:
             for part in (f"{size:.{DIGITS}g}", names[case] if size else "")
         )
         share = (f"{used[k]:.{DIGITS}g}", names[by[k]]) if used[k] else ("", "")
-        writer.writerow(
-            (row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found, *share)
-        )
-    return text.getvalue()
+        yield (row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found, *share)

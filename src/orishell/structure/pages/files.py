@@ -10,12 +10,14 @@ import numpy as np
 from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
+from orishell.io.formats.tables import write_csv
 from orishell.io.html_pages import static_page
 from orishell.io.sections import Bullets, Paragraph, Picture, Section, sections_html
 from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
 from orishell.structure.case import CaseResult
-from orishell.structure.pages.anchor_tables import anchor_csv
-from orishell.structure.pages.crease_tables import crease_csv
+from orishell.structure.pages.anchor_tables import HEAD as ANCHOR_HEAD
+from orishell.structure.pages.anchor_tables import anchor_rows
+from orishell.structure.pages.crease_tables import crease_head, crease_rows
 from orishell.structure.pages.details import sentence
 from orishell.structure.pages.force_tables import write_forces
 from orishell.structure.pages.sections import answer, structure_sections
@@ -44,12 +46,8 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
         analysis, title=document.title, unit=unit, png=path.read_bytes(), paths=paths
     )
     (directory / "structure.html").write_text(page, encoding="utf-8", newline="\n")
-    tables = {
-        "anchors.csv": anchor_csv(analysis),
-        "creases.csv": crease_csv(analysis, unit),
-    }
-    for name, text in tables.items():
-        (directory / name).write_text(text, encoding="utf-8", newline="\n")
+    write_csv(directory / "anchors.csv", ANCHOR_HEAD, anchor_rows(analysis))
+    write_csv(directory / "creases.csv", crease_head(unit), crease_rows(analysis))
     write_forces(directory / "forces.csv", analysis, document)
 
 
