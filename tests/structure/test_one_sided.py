@@ -10,8 +10,10 @@ from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
 from orishell.structure.solve.active_set import Response, respond
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
+from orishell.structure.solve.contact_path import smoothly, solve
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
+from orishell.structure.solve.friction import Contact
 
 GRID, SECTION = Grid(2, 2), Section.solid(1e9, 0.02, 0.3)
 CORNERS = np.array([0, 1, 2, 3])
@@ -72,6 +74,28 @@ def test_the_ground_does_not_pull() -> None:
     expected = 1.0 * WEIGHT * np.array([0.5, 0.5, 0.0]) - 0.2 * WEIGHT * places[0]
     np.testing.assert_allclose(moments, expected, atol=1e-8 * WEIGHT)
     assert load(mesh, held, (0, (0.0, 0.0, 0.6 * WEIGHT))).moves is not None
+
+
+def test_without_friction_there_is_one_answer() -> None:
+    """Pressed in its middle, on four feet: wherever Newton's method begins, it ends there or not.
+
+    Less and less smooth cones, which need no good start, end there, too.
+    """
+    mesh, held = slab([on_ground(CORNERS, np.zeros(4))])
+    loads = np.zeros(mesh.count)
+    loads[mesh.translations()[middle(mesh), 2]] = -WEIGHT
+    contact = Contact.of(held, held.spring_solve(loads[held.free]))
+    known, right = solve(contact, contact.opened, 1.0)
+    assert right
+    size = float(np.abs(known).max())
+    starts = np.random.default_rng(2).normal(0, size, (20, len(known)))
+    ends = [y for y, ended in (solve(contact, start, 1.0) for start in starts) if ended]
+    assert len(ends) > 1
+    smooth = smoothly(contact, 1.0)
+    assert smooth is not None
+    forces = contact.at(known, 1.0).forces  # y is loose where the slab slides freely
+    for found in (*ends, smooth):
+        np.testing.assert_allclose(contact.at(found, 1.0).forces, forces, atol=1e-8 * size)
 
 
 @pytest.mark.parametrize(("approach", "sign"), [(False, 1.0), (True, -1.0)])

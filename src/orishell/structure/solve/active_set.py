@@ -70,7 +70,7 @@ def respond(structure: Factorised, loads: Array) -> Response:
         return _moving(structure, far / np.linalg.norm(far), slides=True)
     rest = loads - (settled.taken + structure.pulls(settled.forces))[structure.free]
     if np.linalg.norm(rest) > UNBALANCED * np.linalg.norm(loads):
-        motions = structure.free_motions()
+        motions = structure.free_motions
         shape = motions @ (motions.T @ rest)
         return replace(_moving(structure, shape / np.linalg.norm(shape)), unknown=True)
     return settled
@@ -122,7 +122,8 @@ def _settled(structure: Factorised, loads: Array, direct: Array, found: Found) -
     open_ = NEGLIGIBLE * float(np.abs(gaps).max())
     if not (~acts[:count] & (gaps[:count] > open_)).any():
         moved = settled
-    return Response(None, False, moved, acts, forces, parted, taken, structure.motions(acts))
+    motions = still if (acts == pressing).all() else structure.motions(acts)
+    return Response(None, False, moved, acts, forces, parted, taken, motions)
 
 
 def stands(structure: Factorised, response: Response, size: float) -> bool:

@@ -51,7 +51,7 @@ def driven_motion(structure: Factorised, loads: Array, ground: Ground = "rough")
     loads: Loads (n,) on free dofs.
     ground: What feet on rough ground are taken to do.
     """
-    motions = structure.free_motions()
+    motions = structure.free_motions
     size = float(np.linalg.norm(loads))
     drive = motions.T @ loads
     if np.linalg.norm(drive) <= DRIVEN * size:

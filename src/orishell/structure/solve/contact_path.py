@@ -1,16 +1,15 @@
 """Where forces of ties, flaps and rough ground are in balance: by Newton's method, along paths.
 
 Newton's method takes the derivative of P where y is (semismooth: Qi and Sun 1993), and steps as
-long as F falls. Without rough ground there is but one solution, as H^-1 A is symmetric and takes no
-energy and rows give a little: so it may begin anywhere, and mostly ends in a few steps. Else it
-begins where all feet stick: that is the answer if friction does for it, as
-loads that grow from nothing find it so. Else, from the convex problem (theta = 0), whose solution
-is found by less and less smooth cones as interior points are, it mostly finds Coulomb's (theta = 1)
-at once. Where not, Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to
-1 by steps; and where that path of solutions turns back it is followed by its length (Allgower and
-Georg 1990), in the sense that keeps the sign of the determinant, also across edges where a foot
-begins to slip. It begins at one solution, so it does not end before theta = 1, unless it goes
-beyond all bounds.
+long as F falls. Without rough ground there is but one solution, as H^-1 A has no eigenvalue below 0
+and all rows give a little: the steps are tried at once, and mostly end in a few. Else they begin
+where all feet stick: that is the answer if friction does for it, as loads that grow from nothing
+find it so. Else, from the convex problem (theta = 0), whose solution is found by less and less
+smooth cones as interior points are, it mostly finds Coulomb's (theta = 1) at once. Where not,
+Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to 1 by steps; and
+where that path of solutions turns back it is followed by its length (Allgower and Georg 1990), in
+the sense that keeps the sign of the determinant, also across edges where a foot begins to slip. It
+begins at one solution, so it does not end before theta = 1, unless it goes beyond all bounds.
 """
 
 from __future__ import annotations

@@ -144,6 +144,7 @@ class Factorised:
         forces[hard] = -release @ forces[loose]
         return np.linalg.qr(self.spread @ forces)[0]
 
+    @cached_property
     def free_motions(self) -> Array:
         """What nothing resists (n, k) but rows; orthonormal, motions of the whole first.
 
