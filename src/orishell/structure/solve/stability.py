@@ -40,7 +40,7 @@ VECTORS_KEPT = 64
 """Vectors that are kept at a time."""
 ACCURACY = 1e-4
 """Of modes, by energy, relative to the largest value; values are as accurate as the square."""
-SEEN = 0.1
+SEEN = 0.01
 """Of the next mode after those that are asked for, by energy: a start that is right at once would
 hide larger values, which random vectors beside it mostly meet before that one."""
 DEPENDENT = 1e-12
