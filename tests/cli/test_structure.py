@@ -17,6 +17,7 @@ from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
 from orishell.structure.results import Analysis
 from samples import led_by
+from small_arch import SMALL_ARCH
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -74,23 +75,9 @@ def test_the_summary(report: Analysis) -> None:
     assert lines[last + 1 : -1] == [f"  - {text}" for text in report.not_covered]
 
 
-ARCH = """
-[shell]
-family = "orthodiagonal"
-unit = "m"
-[target.f]
-formula = "-x**2"
-range = [-1, 1]
-[target.g]
-formula = "0.25*sin(pi*x/2)"
-range = [0, 2]
-[pattern]
-rows = 5
-columns = 5
-flap = 0.15
-depth = 0.12
-heading_deg = 90
-[deployment]
+ARCH = (
+    SMALL_ARCH.replace("flap = 0", "flap = 0.15")
+    + """[deployment]
 flap_attachment = "clipped"
 ties = "feet"
 [workshop]
@@ -101,6 +88,7 @@ thickness = 0.01
 cells = 1
 supports = [{ at = "feet", kind = "sliding" }]
 """
+)
 
 
 def test_what_is_written(tmp_path: Path) -> None:

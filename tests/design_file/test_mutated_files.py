@@ -134,6 +134,11 @@ def hints() -> dict[str, list[Any]]:
 HINTS = {**hints(), "flap_side": ["start", "end", "auto"]}
 
 
+BOARDS = [("sandwich", "grain"), ("sandwich", "strength"), ("material", "grain", "service_class")]
+"""Keys of the starter file without which boards are alike all through, of plywood by its grain, or
+of faces on a core: it shows all three."""
+
+
 def good(number: int, rng: Generator) -> Tables:
     """A good design, or one whose tables do not suit each other: small, of any family."""
     family = [*FAMILIES][number % len(FAMILIES)]
@@ -155,13 +160,13 @@ def good(number: int, rng: Generator) -> Tables:
         tables[str(name)] = every[str(name)]
     if "structure" in tables or "load_case" in tables:
         tables["structure"] = every["structure"] | {"cells": 1}
-        for key in ("arm_modulus", "arm_strength"):
+        for key in ("arm_modulus", "arm_strength", *pick(BOARDS, rng)):
             tables["structure"].pop(key, None)
         if "panel" not in tables:
             tables["structure"].pop("membrane_strength", None)
         # Those of the starter file are all loads at once, and factors of what is not there.
         case = every["load_case"][0]
-        loads = ("pressure", "snow", "wind", "points")
+        loads = ("pressure", "snow", "wind", "points", "person")
         chosen = str(rng.choice(loads))
         cases = [{"name": "dead", "self_weight": True}, {"name": "snow", chosen: case[chosen]}]
         tables["load_case"] = [*cases, {"name": "both", "combine": case["combine"]}]
@@ -424,7 +429,7 @@ def test_mutated_files_are_made_or_refused(tmp_path: Path) -> None:
     assert not faults
     ended = [each["status"] for each in results]
     # Otherwise the mutations test nothing, or nothing but the first line.
-    assert ended.count(0) >= 0.1 * FILES
+    assert ended.count(0) > 0.1 * FILES
     assert ended.count(2) > 0.3 * FILES
     assert ended.count(-signal.SIGPROF) < 0.05 * FILES
 

@@ -30,7 +30,7 @@ from orishell.families.flat_foldable.locks.slit import SlitFlaps
 from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.motion import Mechanism, diagonal
-from orishell.motion.freedom import find_freedom_of_sheet, held_by_flaps
+from orishell.motion.freedom import find_freedom_of_sheet, held_at, held_by_flaps, hold_alone
 from orishell.motion.grid import Grid
 from orishell.solids.hinged import find_hinges
 from rigid_rank import freedoms_of_boards, freedoms_of_panels
@@ -80,9 +80,10 @@ def _swept(rng: np.random.Generator, number: int) -> Mechanism:
 
 def _one_flap(rng: np.random.Generator, number: int) -> Mechanism:
     """Flaps on one side only: one column of them couples all rows."""
-    sheet = _swept(rng, number)
+    sheet: Any = _swept(rng, number)
     left, right = getattr(sheet, "flaps", (0.0, 0.0))
-    return replace(sheet, flaps=(left, 0.0)) if left and right else sheet  # type: ignore[type-var]
+    one_sided: Mechanism = replace(sheet, flaps=(left, 0.0)) if left and right else sheet
+    return one_sided
 
 
 def _longitudinal(rng: np.random.Generator, number: int) -> Mechanism:
@@ -215,6 +216,18 @@ def test_flaps_that_are_shut_hold_every_row() -> None:
     assert held_by_flaps(upright())
     assert held_by_flaps(parallel())
     assert not held_by_flaps(straight("0*x").without_flaps())
+
+
+def test_which_vertices_hold_a_sheet_alone() -> None:
+    """As asked of one after the other: all of a sheet with one motion, none of a straight g's."""
+    alone = []
+    for _, sheet in [*designs(range(3)), (0, swept_straight())]:
+        vertices = np.arange(sheet.grid.rows * sheet.grid.columns)
+        each = [held_at(sheet, vertices[k : k + 1]) for k in vertices]
+        assert hold_alone(sheet, vertices).tolist() == each
+        alone.append(sum(each))
+    assert min(alone) == 0
+    assert max(alone) > 0
 
 
 def test_the_count_grows_with_the_sheet() -> None:

@@ -14,24 +14,11 @@ from orishell.shell import carry, carry_steps, make_shell
 from orishell.shell.carry import CarrySearch, find_carrying
 from orishell.shell.carry_steps import Change
 from orishell.shell.steps import MEASURES, Step
+from small_arch import SMALL_ARCH
 
-ARCH = """# a small arch
-[shell]
-family = "orthodiagonal"
-unit = "m"
-[target.f]
-formula = "-x**2"
-range = [-1, 1]
-[target.g]
-formula = "0.25*sin(pi*x/2)"
-range = [0, 2]
-[pattern]
-rows = 5
-columns = 5
-flap = 0
-depth = 0.12
-heading_deg = 90
-[deployment]
+ARCH = (
+    f"# a small arch\n{SMALL_ARCH}"
+    + """[deployment]
 from = "pack"
 [panel]
 thickness = {thickness}
@@ -49,6 +36,7 @@ supports = [{{ at = "feet", kind = "pinned" }}]
 name = "snow"
 snow = {{ ground = {snow} }}
 """
+)
 
 
 def arch(

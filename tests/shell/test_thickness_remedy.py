@@ -10,24 +10,11 @@ import pytest
 from orishell.design_file import read_design_file
 from orishell.shell import Shell, make_shell
 from orishell.shell.steps import MEASURES
+from small_arch import SMALL_ARCH
 
-ARCH = """
-[shell]
-family = "orthodiagonal"
-unit = "m"
-[target.f]
-formula = "-x**2"
-range = [-1, 1]
-[target.g]
-formula = "0.25*sin(pi*x/2)"
-range = [0, 2]
-[pattern]
-rows = 5
-columns = 5
-flap = 0
-depth = 0.12
-heading_deg = 90
-[structure]
+ARCH = (
+    SMALL_ARCH
+    + """[structure]
 modulus = 9e9
 strength = 40e6
 crease_stiffness = "rigid"
@@ -40,6 +27,7 @@ supports = [{{ at = "feet", kind = "{kind}" }}]
 name = "snow"
 snow = {{ ground = 20000 }}
 """
+)
 
 
 def made(directory: Path, thickness: float, kind: str = "pinned") -> Shell:

@@ -25,7 +25,7 @@ from orishell.locking.sheet import Sheet
 from orishell.motion import diagonal, find_assignment
 from orishell.motion.boards import join_boards
 from orishell.motion.convex import require_convex
-from orishell.motion.freedom import held_at
+from orishell.motion.freedom import held_at, hold_alone
 from orishell.motion.layout import Layout, has_flaps, points_of
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
@@ -85,7 +85,7 @@ def _fixed_by(design: Design, at: Integers) -> Fixing | None:
     """
     mechanism = design.mechanism
     vertices = at[:, 0] * mechanism.grid.columns + at[:, 1]
-    if all(held_at(mechanism, each) for each in vertices[:, None]):
+    if hold_alone(mechanism, vertices).all():
         return "any"
     return "all" if held_at(mechanism, vertices) else None
 

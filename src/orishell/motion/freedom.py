@@ -16,7 +16,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.crease_pattern import CreasePattern
-from orishell.motion.following.couplings import find_couplings
+from orishell.motion.following.couplings import Coupled, find_couplings
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
 from orishell.motion.following.system import Closure
@@ -120,12 +120,33 @@ def held_at(mechanism: Mechanism, vertices: Integers) -> bool:
     )
 
 
+def hold_alone(mechanism: Mechanism, vertices: Integers) -> Booleans:
+    """Which of some vertices (k,) hold all of a sheet still at its target, each by itself.
+
+    As :func:`held_at` says of one: it does if the sheet has one motion, in which a crease there
+    turns.
+    """
+    pattern = _pattern(mechanism)
+    closure, found = _coupled(mechanism, pattern, np.zeros(len(pattern.edges), np.bool_))
+    turns = np.zeros(len(pattern.vertices), np.bool_)
+    if found is not None and found.count == 1:
+        turns[pattern.edges[closure.edges[found.turning]]] = True
+    return np.asarray(turns[vertices])
+
+
 def _stands_still(mechanism: Mechanism, pattern: CreasePattern, shut: Booleans) -> bool:
     """Whether a sheet stands still at its target while edges (E,) that are shut do not turn."""
+    _, found = _coupled(mechanism, pattern, shut)
+    return found is not None and found.count == 0
+
+
+def _coupled(
+    mechanism: Mechanism, pattern: CreasePattern, shut: Booleans
+) -> tuple[Closure, Coupled | None]:
+    """What moves by itself at the target while edges (E,) that are shut do not turn."""
     folds, closure = edge_folds(mechanism, mechanism.target_drive), Closure.of(pattern)
     _, along = closure.turns(folds[closure.edges])
-    found = find_couplings(closure, along, (shut & pattern.crease)[closure.edges])
-    return found is not None and found.count == 0
+    return closure, find_couplings(closure, along, (shut & pattern.crease)[closure.edges])
 
 
 def _pattern(mechanism: Mechanism) -> CreasePattern:

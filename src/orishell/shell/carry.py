@@ -44,7 +44,7 @@ class Carrying:
 
     change: Change  # of the file
     analysis: Analysis
-    parts: int  # on the site: pieces, flaps, ties and locks
+    parts: int  # on the site: pieces, what is clipped on, ties and locks
     pack: tuple[float, float, float] | None  # sides of its pack (length); None without one
 
     @property
@@ -109,7 +109,7 @@ def find_carrying(file: DesignFile, progress: Progress = no_progress) -> CarrySe
 
 
 def parts_on_site(facts: Facts) -> int:
-    """What is handled on the site: pieces of the sheet, flaps that are clipped on, ties, locks."""
+    """What is handled on the site: pieces of the sheet, what is clipped on, ties, locks."""
     design, deployment = facts.found.design, facts.deployment
     grid = design.mechanism.grid
     clipped = 0 if design.clipped is None else 2 * (grid.rows - 1)
@@ -117,6 +117,7 @@ def parts_on_site(facts: Facts) -> int:
     if file.structure is not None and file.structure.crease_stiffness[0] > 0:
         rows, columns = grid.rows - 1, grid.columns - 1
         locks = (rows - 1) * columns + rows * (columns - 1)
+    clipped += sum(len(part.mesh.faces) for part in design.attached)
     return max(1, len(deployment.pieces)) + clipped + len(deployment.ties) + locks
 
 
@@ -156,6 +157,7 @@ class _Search:
             better = self._best(at, step, lambda new, old: new.lacks <= GAIN * old.lacks)
             at = better or at
             if at.carries or self.work > self.until:
+                self.ended = self.ended or not at.carries
                 break
         if not at.carries:
             return
@@ -220,4 +222,5 @@ class _Search:
             found.append(Carrying(state.change, made.analysis, parts_on_site(made), box))
             if len(found) == OFFERED:
                 break
+        self.ended = self.ended or (not found and len(ranked) > CONFIRMED)
         return tuple(found)

@@ -34,6 +34,7 @@ class Coupled:
 
     count: int | None  # degrees of freedom; None if no gap tells which numbers are 0
     nearly: int  # how many there were without couplings that are too weak to be felt
+    turning: Booleans  # which unknown creases (N,) turn in them
     # the part (I,) that every inner vertex is felt to move with; -1 where it stands still
     parts: Integers
     largest_zero: float  # the largest number that counts as 0
@@ -84,8 +85,11 @@ def find_couplings(
     found = without(stopped, parts)
     strong = find_components(at[np.abs(rate).min(axis=1) >= WEAK], count)
     least = without(np.isin(parts, parts[stopped]), strong)
+    turning = (inner == 0) & ~fixed
+    turning[ends[moves & (found[vertices] >= 0)]] = True
     return Coupled(
         count=_number(found) + alone if gap.clear else None,
+        turning=turning,
         nearly=_number(least) + alone,
         parts=least,
         largest_zero=gap.largest_zero,
