@@ -12,13 +12,17 @@ import shapely
 
 from documents import EXAMPLES, demo_document
 from orishell.design import Design
+from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import read_design_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
+from orishell.locking import lock_without_clash
+from orishell.locking.gussets import with_gussets
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.assembly import laid_flat
+from orishell.workshop.assembly import laid_flat, parts_lying
+from orishell.workshop.cut_parts import find_outlines
 from orishell.workshop.layout import lay_out
 from orishell.workshop.quantities import measure_quantities
 from orishell.workshop.sheets import draw_sheets, measure_waste
@@ -116,6 +120,29 @@ def test_without_stock_boards_lie_beside_the_sheet(example: str) -> None:
     assert sum(part.length for part in parts) == pytest.approx(found.outline_length, rel=1e-9)
     written = {text.words for text in drawing.texts}
     assert written >= {board.panel_name(0) for board in document.attached}
+
+
+def test_parts_over_the_sheet_lie_in_rows_below_all_others() -> None:
+    """Gussets and flaps, none of them over another, in rows no longer than what lies above."""
+    design = replace(clipped("figure1"), clipped=None)
+    lock = lock_without_clash(design)
+    gussets = with_gussets(design, lock, Stiffeners(kind="gussets", rows="all", share=0.5), 1e-9)
+    document = replace(
+        document_of("figure1"), attached=(*document_of("figure1").attached, *gussets.attached)
+    )
+    lying = [
+        shapely.Polygon(flat[find_outlines(part.mesh.loops, flat)[0]])
+        for part, flat in zip(document.parts, parts_lying(document), strict=True)
+    ]
+    for one, two in itertools.combinations(lying, 2):
+        assert one.distance(two) > 0
+    # But for those at the border, which lie beside it.
+    rows = [each for each in lying if each.bounds[3] < lying[0].bounds[1]]
+    left, low, right, high = shapely.union_all([e for e in lying if e not in rows]).bounds
+    assert 20 < len(rows) <= len(gussets.attached) == len(lying) - 3
+    for each in rows:
+        assert each.bounds[3] < low
+        assert left <= each.bounds[0] < each.bounds[2] <= left + max(right - left, high - low)
 
 
 def test_quantities_count_boards() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import TypeVar
 
 import numpy as np
@@ -57,7 +58,7 @@ def joined(
             np.concatenate([~part.mesh.crease for part in parts]),
             np.concatenate(loops),
         ),
-        assignment=sum((part.assignment for part in parts), ()),
+        assignment=tuple(chain.from_iterable(part.assignment for part in parts)),
         flat=np.concatenate(flats),
         fold_angles_deg=np.concatenate([part.fold_angles_deg for part in parts]),
         states=states,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -155,7 +156,7 @@ def mesh_of(solids: tuple[Solids, ...]) -> SolidMesh:
     # Vertices of a board are one after the other: its least number is where they begin.
     begins = np.minimum.reduceat(joined.min(axis=1), first[:-1])
     return SolidMesh(
-        names=sum((each.names for each in solids), ()),
+        names=tuple(chain.from_iterable(each.names for each in solids)),
         sides=np.concatenate([each.boards.sides for each in solids]),
         vertices=np.concatenate([each.vertices for each in surfaces]),
         triangles=joined,

@@ -31,16 +31,24 @@ def laid_flat(document: AnyPart) -> AnyPart:
     """All parts as they are cut, as one document: those beside the flat sheet hang not together.
 
     Their vertices, edges, panels and boards come after the sheet's. Each part lies beside the edge
-    that it goes to, with a gap. A document of the sheet alone is returned as it is.
+    that it goes to, with a gap, or in rows below all others. A document of the sheet alone is
+    returned as it is.
     """
     if len(document.parts) == 1:
         return document
     return joined(document.sheet, document.parts[1:], list(parts_lying(document)))
 
 
+OVER = 0.01
+"""A part more than this share of which lies over the sheet goes to none of its edges."""
+
+
 def parts_lying(document: Part) -> Iterator[Array]:
-    """The flat vertices (V, 2) of all parts, all but the sheet moved outwards to have a gap."""
-    from shapely import Polygon
+    """The flat vertices (V, 2) of all parts, all but the sheet moved to have a gap around them.
+
+    Parts beside an edge of the sheet go outwards, those over it into rows below all others.
+    """
+    from shapely import Polygon, intersection
     from shapely.affinity import translate
 
     def rim(piece: Part) -> Polygon:
@@ -52,15 +60,41 @@ def parts_lying(document: Part) -> Iterator[Array]:
         return
     placed, gap = [rim(document)], GAP * mean_edge(document)
     middle = np.array(placed[0].centroid.coords[0])
-    for part in document.parts[1:]:
-        own = rim(part)
+    others = [rim(part) for part in document.parts[1:]]
+    over = [intersection(placed[0], own).area > OVER * own.area for own in others]
+    moves = np.zeros((len(others), 2))
+    for number in np.flatnonzero(np.logical_not(over)).tolist():
+        own = others[number]
         away = np.array(own.centroid.coords[0]) - middle
         step = gap * away / np.hypot(*away)
         count = 1
         while min(map(translate(own, *(count * step)).distance, placed)) < CLOSE * gap:
             count += 1
         placed.append(translate(own, *(count * step)))
-        yield part.require_flat() + count * step
+        moves[number] = count * step
+    if any(over):
+        boxes = np.array([own.bounds for own in others]).reshape(-1, 2, 2)[over]
+        around = np.array([each.bounds for each in placed]).reshape(-1, 2, 2)
+        low, high = around[:, 0].min(axis=0), around[:, 1].max(axis=0)
+        moves[over] = _in_rows(boxes, low, float((high - low).max()), gap)
+    for part, move in zip(document.parts[1:], moves, strict=True):
+        yield part.require_flat() + move
+
+
+def _in_rows(boxes: Array, corner: Array, length: float, gap: float) -> Array:
+    """Moves (P, 2) of boxes (P, 2, 2) into rows of a length below a corner.
+
+    boxes: Their least and largest coordinates.
+    """
+    moves = np.zeros((len(boxes), 2))
+    x, y, deepest = float(corner[0]), float(corner[1]), 0.0
+    for number, (low, high) in enumerate(boxes):
+        width, height = (high - low).tolist()
+        if x > corner[0] and x + width > corner[0] + length:
+            x, y, deepest = float(corner[0]), y - deepest - gap, 0.0
+        moves[number] = np.array([x, y - gap]) - np.array([low[0], high[1]])
+        x, deepest = x + width + gap, max(deepest, height)
+    return moves
 
 
 TRIED = 8
