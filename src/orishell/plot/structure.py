@@ -42,6 +42,8 @@ MOST_CASES = 12
 """Load cases that are drawn, at most."""
 BAR = 0.62
 """Height of a bar of colours with its numbers (inches)."""
+TICKS = 3
+"""Intervals along that bar at most, so that its figures do not run into each other."""
 CREASE = (0.15, 0.15, 0.18, 0.55)
 UNLOADED = "#4a4d55"
 LINE = 52
@@ -106,6 +108,7 @@ def plot_structure(
         _say(axes, each)
         beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
         bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
+        beside.locator_params(axis="x", nbins=TICKS)
         bar.set_label(_how(each.case, scale, unit))
     _explain(figure, shell, drawn, len(cases) - len(drawn))
     save(figure, path)
