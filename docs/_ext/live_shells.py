@@ -64,7 +64,10 @@ POSTERS = HERE.parent / "posters"
 BRIEFLY = os.environ.get("ORISHELL_BRIEFLY") == "1"
 """Whether the gallery leaves out what takes long, and shells that it did not make have no proof:
 for those who look at the site's other pages."""
-LONG = ("arch_pattern", "dome", "free_roof", "saddle", "shelter_sizes", "shelter_structure")
+LONG = (
+    *("arch_pattern", "dome", "free_roof", "saddle"),
+    *("shelter_sizes", "shelter_snow", "shelter_structure"),
+)
 """Examples that take more than 10 s: three quarters of the gallery's time."""
 
 _made: dict[str, Shell] = {}

@@ -7,16 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
+import matplotlib.pyplot as plt
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell import Shell
 from orishell.conventions.colours import LIGHT, rgb
 from orishell.deployment import Tie
 from orishell.motion import panel_normals
 from orishell.motion.grid import CreaseValues
 from orishell.plot.scene import Camera, frame
+from orishell.structure.pages.files import draw_structure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -292,3 +296,17 @@ def plane_axes(name: str, size: tuple[float, float]) -> tuple[Figure, Axes]:
     axes.set_aspect("equal")
     axes.axis("off")
     return figure, axes
+
+
+def show_loaded(shell: Shell) -> None:
+    """The shell under its loads, as ``structure.png`` has it."""
+    assert shell.document.loaded is not None
+    assert shell.analysis is not None
+    with TemporaryDirectory() as directory:
+        path = Path(directory) / "structure.png"
+        draw_structure(path, shell.document.loaded, shell.analysis, shell.file.unit)
+        picture = plt.imread(path)
+    height, width = picture.shape[:2]
+    _, axes = plt.subplots(figsize=(12, 12 * height / width), layout="constrained")
+    axes.imshow(picture)
+    axes.axis("off")

@@ -14,37 +14,17 @@ check.
 
 import runpy
 from dataclasses import replace
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
-import matplotlib.pyplot as plt
-from drawing import EXAMPLES
+from drawing import EXAMPLES, show_loaded
 
-from orishell import Shell
 from orishell.cli.structure import summarize_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.pages.files import draw_structure
 
 example = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
 design, judge, row = (example[name] for name in ("design", "judge", "row"))
 with_creases, on_the_ground = (example[name] for name in ("with_creases", "on_the_ground"))
-
-
-def show(shell: Shell) -> None:
-    """The shell under its loads, as ``structure.png`` has it."""
-    assert shell.document.loaded is not None
-    assert shell.analysis is not None
-    with TemporaryDirectory() as directory:
-        path = Path(directory) / "structure.png"
-        draw_structure(path, shell.document.loaded, shell.analysis, "m")
-        picture = plt.imread(path)
-    height, width = picture.shape[:2]
-    _, axes = plt.subplots(figsize=(12, 12 * height / width), layout="constrained")
-    axes.imshow(picture)
-    axes.axis("off")
-
 
 # %%
 # **Boards of 10 mm twin-wall fail.** With free creases they are far too soft in a storm. With rigid
@@ -53,7 +33,7 @@ def show(shell: Shell) -> None:
 
 file = read_design_file(EXAMPLES / "shelter_structure.toml")
 boards = make_shell(file, skip=["remedies"])  # stronger panels follow below
-show(boards)
+show_loaded(boards)
 
 # %%
 # This is what ``orishell structure`` prints; ``--out`` writes it as a page, ``structure.html``.
@@ -107,7 +87,7 @@ print(row("rigid creases", rigid[example["PLYWOOD"]]))
 #
 # The plywood shelter with creases of 2e4 under its loads, and what governs it.
 
-show(strapped)
+show_loaded(strapped)
 report = strapped.report.structure
 assert report is not None
 print("\n".join(summarize_structure(report, "m", [])))

@@ -10,7 +10,7 @@ from orishell.shell.instead import shell_of
 from orishell.shell.steps import MEASURES, Work
 from samples import thorough
 
-FILE = EXAMPLES / "carrying" / "shelter_snow.toml"
+FILE = EXAMPLES / "shelter_snow.toml"
 PLAN = 3.0 * 6.0
 """Of f and g (m2)."""
 

@@ -12,6 +12,7 @@ from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
+from orishell.structure.solve.path import BALANCED
 from samples import led_by, thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -28,7 +29,10 @@ CASES = [
 @pytest.mark.parametrize("pattern", [SMALL, pytest.param({}, marks=thorough)])
 @pytest.mark.parametrize("name", led_by(["dome", "saddle", "free_roof"]))
 def test_reactions_balance_loads(name: str, pattern: dict[str, Any]) -> None:
-    """Pinned at both ends; 3e-16 of them was found. Free creases may move, and are then driven."""
+    """Pinned at both ends; 3e-16 of them was found. Free creases may move, and are then driven.
+
+    Cases that buckle soon are followed: Newton's steps end once less than BALANCED is missing.
+    """
     path = EXAMPLES / f"{name}.toml"
     tables = read_toml(path)
     tables["pattern"] |= pattern
@@ -52,10 +56,11 @@ def test_reactions_balance_loads(name: str, pattern: dict[str, Any]) -> None:
             assert case.motion is not None
             assert case.forces.ravel() @ case.motion.displacements.ravel() > 0
             continue
-        assert case.equilibrium.residual < 1e-12
+        margin = 1e-12 if case.equilibrium.path is None else BALANCED
+        assert case.equilibrium.residual < margin
         assert case.equilibrium.panel_residual < 1e-9
         np.testing.assert_allclose(
-            case.equilibrium.reaction, -case.forces.sum(axis=0), atol=1e-12 * total
+            case.equilibrium.reaction, -case.forces.sum(axis=0), atol=margin * total
         )
     stands = [case.name for case in shell.analysis.cases if case.equilibrium is not None]
     assert set(stands) == {"dead", "snow", "wind"}

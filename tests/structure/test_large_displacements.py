@@ -19,8 +19,9 @@ from orishell.structure.mesh.hinges import Folds
 from orishell.structure.mesh.rotations import exponentials, logarithms
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import DOFS, Facets
+from orishell.structure.solve import path
 from orishell.structure.solve.moving import Moving
-from orishell.structure.solve.path import Point, trace
+from orishell.structure.solve.path import Point, settle, trace
 from samples import led_by, thorough
 
 
@@ -193,6 +194,19 @@ def test_a_pinched_hemisphere(cells: int, margin: float) -> None:
     loads[[inwards, outwards]] = -200.0, 200.0
     found = at_full_load(moving, loads, 0.02).moved.displacements[[outwards, inwards]]
     np.testing.assert_allclose(found, [4.067, -8.178], rtol=margin)
+
+
+def test_the_full_load_is_reached_from_nearer_by(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A strip, 10 x 1 m, bent: at the full load Newton's steps end nowhere, but the third time."""
+    facets, nodes = lattice(8, 1, lambda u, v: [10 * u, v, np.zeros_like(u)])
+    moving = movable(facets, Section.solid(1.2e6, 0.1, 0.0), [(nodes[0], range(DOFS))])
+    loads = np.zeros(moving.count)
+    loads[DOFS * nodes[-1] + 2] = 2.0
+    straight_there = at_full_load(moving, loads, 0.4).moved.displacements
+    tried = iter([False, False])
+    monkeypatch.setattr(path, "settle", lambda *at: settle(*at) if next(tried, True) else None)
+    found = at_full_load(moving, loads, 0.4).moved.displacements
+    np.testing.assert_allclose(found, straight_there, atol=1e-6)
 
 
 def roof(thickness: float, cells: int) -> tuple[Array, Array, Array]:

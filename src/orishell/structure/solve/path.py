@@ -105,14 +105,18 @@ def trace(
                 length *= 0.5
         if found is None:
             break
-        point, before, tangent, tangents = found
+        point, gone, reached, tangents = found
         point = replace(point, nudged=nudge is not None)
         if here.factor < until <= point.factor:
             part = (until - here.factor) / (point.factor - here.factor)
-            near = moving.after(here.moved, part * before)
+            near = moving.after(here.moved, part * gone)
             last = settle(moving.grown(until / point.factor), near, loads, until)
+            if last is None and length > SHORTEST_STEP * first * unit:
+                length *= 0.5  # what bears changes on the way there: from nearer by
+                continue
             points.append(last or point)
             break
+        before, tangent = gone, reached
         points.append(point)
         slope, tangent = tangent.solve(pull), tangent.unfactorised()
         length = min(length * min(GROWTH, np.sqrt(AIM / tangents)), longest * unit)
