@@ -7,11 +7,14 @@ these equations. It is found from coordinates of one state alone, and knows noth
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from orishell.motion import Mechanism
+from orishell.motion.grid import Vertex
 from orishell.motion.hinges import Hinges
-from orishell.motion.layout import mesh_of, points_of
+from orishell.motion.layout import Layout, mesh_of, points_of
 from orishell.motion.mechanism import panel_normals
 from orishell.numerics.arrays import Array, Integers
 
@@ -57,6 +60,29 @@ def freedoms_of_panels(mechanism: Mechanism, drive: float) -> int:
     mesh, points = mesh_of(mechanism), points_of(mechanism, drive)
     ends = points[mesh.edges[mesh.crease]]
     return freedoms(ends, mesh.edge_faces[mesh.crease], len(mesh.faces))
+
+
+def freedoms_with_plates(mechanism: Mechanism, corners: Sequence[Vertex]) -> int:
+    """Those of panels between flaps at the target, plates hinged along edges of their columns.
+
+    corners: Vertices from which each of the plates goes up and down.
+    """
+    mesh, points = mesh_of(mechanism), points_of(mechanism, mechanism.target_drive)
+    kept = ~Layout.of(mechanism).flaps
+    number = np.append(np.where(kept, np.cumsum(kept) - 1, -1), -1)
+    beside = number[mesh.edge_faces]
+    inside = mesh.crease & (beside >= 0).all(axis=1)
+    ends, bodies = [points[mesh.edges[inside]]], [beside[inside]]
+    for plate, (row, column) in enumerate(corners):
+        vertices = mechanism.grid.vertices()[row - 1 : row + 2, column]
+        for pair in (vertices[:2], vertices[1:]):
+            about = kept & (np.isin(mesh.faces, pair).sum(axis=1) == 2)
+            panel = number[int(np.argmax(about))]
+            ends.append(points[pair][None])
+            bodies.append(np.array([[panel, kept.sum() + plate]]))
+    return freedoms(
+        np.concatenate(ends), np.concatenate(bodies), int(kept.sum()) + len(corners)
+    )
 
 
 def freedoms_of_boards(mechanism: Mechanism, hinges: Hinges, drive: float) -> int:

@@ -18,10 +18,9 @@ from orishell.locking.gussets import with_gussets
 from orishell.locking.result import Lock
 from orishell.motion import diagonal, find_assignment
 from orishell.motion.layout import mesh_of, points_of
-from orishell.motion.mechanism import Mechanism
 from orishell.solids.gussets import stand_off
 from overlaps import solids
-from rigid_rank import freedoms
+from rigid_rank import freedoms_with_plates
 
 TOLERANCE = 1e-9
 FAMILIES = ("orthodiagonal", "parallel-repeating", "flat-foldable")
@@ -61,25 +60,11 @@ def test_one_gusset_leaves_no_motion(family: str) -> None:
     """Rank of rigid bodies on hinges, by the tests' own count: one motion less, whichever it is."""
     design = put_in(bare(family))
     mechanism = design.mechanism
-    assert freedoms_with(mechanism, []) == 1
+    assert freedoms_with_plates(mechanism, []) == 1
     assert design.fixed_by == "any"
     for part in design.plates:
         assert part.plate is not None
-        assert freedoms_with(mechanism, [part.plate.corner]) == 0
-
-
-def freedoms_with(mechanism: Mechanism, corners: list[tuple[int, int]]) -> int:
-    """How many motions panels have at the target with plates hinged along edges of columns."""
-    mesh, points = mesh_of(mechanism), points_of(mechanism, mechanism.target_drive)
-    ends, bodies = [points[mesh.edges[mesh.crease]]], [mesh.edge_faces[mesh.crease]]
-    for number, (row, column) in enumerate(corners):
-        vertices = mechanism.grid.vertices()[row - 1 : row + 2, column]
-        for pair in (vertices[:2], vertices[1:]):
-            (panel,) = np.flatnonzero(np.isin(mesh.faces, pair).sum(axis=1) == 2)[:1]
-            ends.append(points[pair][None])
-            bodies.append(np.array([[panel, len(mesh.faces) + number]]))
-    count = len(mesh.faces) + len(corners)
-    return freedoms(np.concatenate(ends), np.concatenate(bodies), count)
+        assert freedoms_with_plates(mechanism, [part.plate.corner]) == 0
 
 
 @pytest.mark.parametrize("family", FAMILIES)

@@ -230,6 +230,16 @@ def test_which_vertices_hold_a_sheet_alone() -> None:
     assert max(alone) > 0
 
 
+@pytest.mark.parametrize("sheet", [upright(), parallel()], ids=["orthodiagonal", "parallel"])
+def test_vertices_hold_flaps_that_are_shut_too(sheet: Mechanism) -> None:
+    """What stands still between flaps leaves them no way, although none of it moves with them."""
+    assert isinstance(sheet, Orthodiagonal | ParallelRepeating)
+    between, bare = sheet.grid.vertices()[1:-1, 2:-2].ravel(), sheet.without_flaps()
+    assert hold_alone(sheet, between).all()
+    assert hold_alone(bare, bare.grid.vertices()[1:-1, 1:-1].ravel()).all()
+    assert held_at(sheet, between[:1])
+
+
 def test_the_count_grows_with_the_sheet() -> None:
     """A hundred times as many panels take at most so many times as long, with room for three."""
 

@@ -55,7 +55,7 @@ def with_gussets(design: Design, lock: Lock, asked: Stiffeners | None, tolerance
     _require_creases(design)
     at = _places(design, asked)
     _require_folds(design, at)
-    place = _Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
+    place = Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
     found = Gussets.of(design, at, asked.share)
     fault = place.fault(found)
     if fault is not None:
@@ -176,7 +176,7 @@ class _Fault:
     excess: float | None
 
 
-class _Place:
+class Place:
     """A shell at its target, into which gussets are put."""
 
     def __init__(self, design: Design, lock: Lock, at: Integers, tolerance: float) -> None:
@@ -212,17 +212,22 @@ class _Place:
                 "is the least",
                 LEAST_LEFT - kept,
             )
-        met = self._met(found) if self.boards is None else self._met_by_boards(found)
+        met = self.met(found)
         if met is None:
             return None
         first, second, depth = met
         return _Fault(
-            f"{self._name(found, first)} and {self._name(found, second)} meet",
+            f"{self.name(found, first)} and {self.name(found, second)} meet",
             f"one reaches {depth:.4g} into the other",
             depth / float(np.linalg.norm(np.ptp(found.corners, axis=1), axis=1).min()),
         )
 
-    def _name(self, found: Gussets, panel: int) -> str:
+    def met(self, found: Gussets) -> tuple[int, int, float] | None:
+        """The two panels that reach farthest into each other, one a gusset, and how far."""
+        return self._met(found) if self.boards is None else self._met_by_boards(found)
+
+    def name(self, found: Gussets, panel: int) -> str:
+        """What a panel is called; gussets come after those of the sheet."""
         if panel >= len(self.faces):
             return found.names[panel - len(self.faces)]
         row, column = self.sheet.panel(panel)
@@ -281,7 +286,7 @@ class _Place:
         return int(second[worst]), int(first[worst]), float(depths[worst])
 
 
-def _others(place: _Place, share: float) -> Iterator[Remedy]:
+def _others(place: Place, share: float) -> Iterator[Remedy]:
     """Gussets that fit: that go less or more far along edges, or in some of the columns only."""
     shares = (rounded(share * SMALLER**power, 3) for power in range(1, TRIED))
     for each in (*shares, LARGEST):

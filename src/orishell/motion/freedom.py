@@ -109,12 +109,17 @@ def held_by_flaps(mechanism: Mechanism) -> bool:
 def held_at(mechanism: Mechanism, vertices: Integers) -> bool:
     """Whether all of a sheet stands still at its target while creases at some vertices do.
 
+    Flaps do if the sheet between them does. At a vertex beside a flap the angle between both edges
+    of the column is then fixed, and so is a triangle on a sphere with this side and the two angles
+    of the flap. Creases of a flap that is shut take no part in the sheet's motion to first order,
+    as there a triangle has no height; so flaps are left out.
+
     Parameters
     ----------
     vertices
-        Numbers (k,) of the vertices at which no crease turns.
+        Numbers (k,) of the vertices at which no crease turns, none of them a flap's alone.
     """
-    pattern = _pattern(mechanism)
+    pattern = _between_flaps(mechanism)
     return _stands_still(
         mechanism, pattern, np.asarray(np.isin(pattern.edges, vertices).any(axis=1))
     )
@@ -126,7 +131,7 @@ def hold_alone(mechanism: Mechanism, vertices: Integers) -> Booleans:
     As :func:`held_at` says of one: it does if the sheet has one motion, in which a crease there
     turns.
     """
-    pattern = _pattern(mechanism)
+    pattern = _between_flaps(mechanism)
     closure, found = _coupled(mechanism, pattern, np.zeros(len(pattern.edges), np.bool_))
     turns = np.zeros(len(pattern.vertices), np.bool_)
     if found is not None and found.count == 1:
@@ -155,6 +160,14 @@ def _pattern(mechanism: Mechanism) -> CreasePattern:
     letters = np.where(mesh.crease, "U", "B")
     flat = points_of(mechanism, 0.0)[:, :2]
     return CreasePattern(flat, mesh.edges, letters, mesh.loops, mesh.edge_faces)
+
+
+def _between_flaps(mechanism: Mechanism) -> CreasePattern:
+    """The flat sheet, flaps cut off it and each other."""
+    whole = _pattern(mechanism)
+    flaps = np.append(Layout.of(mechanism).flaps, False)
+    beside = flaps[whole.edge_faces].any(axis=1)
+    return replace(whole, letters=np.where(whole.crease & beside, "C", whole.letters))
 
 
 def _of_pieces(
