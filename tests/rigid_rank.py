@@ -80,9 +80,7 @@ def freedoms_with_plates(mechanism: Mechanism, corners: Sequence[Vertex]) -> int
             panel = number[int(np.argmax(about))]
             ends.append(points[pair][None])
             bodies.append(np.array([[panel, kept.sum() + plate]]))
-    return freedoms(
-        np.concatenate(ends), np.concatenate(bodies), int(kept.sum()) + len(corners)
-    )
+    return freedoms(np.concatenate(ends), np.concatenate(bodies), int(kept.sum()) + len(corners))
 
 
 def freedoms_of_boards(mechanism: Mechanism, hinges: Hinges, drive: float) -> int:

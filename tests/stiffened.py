@@ -172,4 +172,3 @@ def common(names: list[str], found: list[Any]) -> dict[tuple[str, str], float]:
             pair = names[a], names[b]
             result[pair] = max(volume, result.get(pair, 0.0))
     return result
-
