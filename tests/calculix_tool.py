@@ -31,12 +31,15 @@ class Answers:
         Of the shell's nodes (N, 3) in every static step.
     frequencies
         Of the shell (Hz); empty, as ``buckling`` is, if the deck does not ask for them.
+    squares
+        Of them as angular frequencies (1/s2): negative where the shell has buckled.
     buckling
         The lowest factor of every case.
     """
 
     displacements: list[NDArray[np.float64]]
     frequencies: NDArray[np.float64]
+    squares: NDArray[np.float64]
     buckling: list[float]
 
 
@@ -59,9 +62,11 @@ def run_calculix(deck: Path) -> Answers:
     tables = static.split("displacements")[1:]
     frequencies = re.split(r"E I G E N V A L U E   O U T P U T", text)[1:]
     buckling = re.split(r"B U C K L I N G", text)[1:]
+    modes = [row for each in frequencies for row in _rows(each.split("P A R T")[0], 4)]
     return Answers(
         [_rows(table, 3) for table in tables],
-        np.array([row[2] for each in frequencies for row in _rows(each.split("P A R T")[0], 4)]),
+        np.array([row[2] for row in modes]),
+        np.array([row[0] for row in modes]),
         [float(_rows(table, 1)[0, 0]) for table in buckling],
     )
 
