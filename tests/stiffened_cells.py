@@ -202,8 +202,8 @@ class Cell:
         corner = self.case.positions.reshape(-1, 3)
         lines += ["*NSET,NSET=SHELL", *(str(nearest(each)) for each in self.seen)]
         lines += ["*BOUNDARY"]
-        for node, axes in self.case.holds(places_of).items():
-            lines += [f"{nodes[node]},{axis + 1},{axis + 1}" for axis in axes]
+        for held, axes in self.case.holds(places_of).items():
+            lines += [f"{nodes[held]},{axis + 1},{axis + 1}" for axis in axes]
         forces = [
             f"{nearest(corner[n])},{axis + 1},{each}"
             for n, force in self.case.loads.items()
