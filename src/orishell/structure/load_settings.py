@@ -187,8 +187,8 @@ class WorstPlace(Person):
 class Loading(NamedTuple):
     """What a key of a load case is, that is a load."""
 
-    # how long it lasts where a case does not say it: EN 1995-1-1, table 2.2, snow as above 1000 m
-    # or where it stays. Roofs of category H are in national annexes: short in Germany's, table NA.1
+    # how long it lasts where a case does not say it: EN 1995-1-1, table 2.2, snow as where it
+    # stays. That has no roofs of category H: a person is there for less than a week, table 2.1
     lasts: Duration
     action: Action | None = None  # what it is to EN 1990; None if cases have to say it
 

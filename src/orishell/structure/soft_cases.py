@@ -1,8 +1,8 @@
 """Cases that buckle soon by linear theory: followed as the shell is moved, or not known to carry.
 
-EN 1993-1-1, 5.2.2 (6), asks for such an analysis, with imperfections, below a factor of 3. It takes
-long, so it is done where the answer depends on it, the lowest factor first, and ends after so many
-tangents: with the same input it ends alike on any machine.
+EN 1993-1-1, 5.2.2, asks for such an analysis of frames, with imperfections, below a factor of 3.
+It takes long, so it is done where the answer depends on it, the lowest factor first, and ends after
+so many tangents: with the same input it ends alike on any machine.
 """
 
 from __future__ import annotations

@@ -53,8 +53,9 @@ NOT_EVERYWHERE: frozenset[Limiting] = frozenset(
 )
 """What is not known only where there is nothing of the kind."""
 LEAST_LINE = 100.0
-"""Less is taken as borne by any crease line (N/m): a masking tape of paper is peeled off steel by
-330 and torn by 4370 (3M 226, product data sheet of March 1996, by ASTM D-3330 and D-3759)."""
+"""Less is taken as borne by any crease line (N/m): a masking tape of coated paper is peeled off
+steel by 330 and torn by 4370 (3M 226, product data sheet of March 1996, by ASTM D-3330 and
+D-3759)."""
 
 
 @record
