@@ -1,0 +1,94 @@
+"""Bad values of the table [stiffeners]: one line, and nothing is written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from command_line import orishell
+
+SHELL = """
+[shell]
+family = "orthodiagonal"
+unit = "m"
+
+[target.f]
+formula = "-x**2"
+range = [-1, 1]
+
+[target.g]
+formula = "0.1*cos(2*pi*x)"
+range = [0, 1]
+
+[pattern]
+rows = 3
+columns = 3
+flap = {flap}
+heading_deg = 90
+spacing = "equal"
+{more}
+"""
+NOT_READ = {
+    "": "key is missing",
+    'kind = "gusset"': "expected 'gussets'",
+    "kind = 1": "expected 'gussets'",
+    'kind = ["gussets"]': "expected 'gussets'",
+    'rows = "valley"': "got 'valley'",
+    "rows = 1": "a list, in brackets",
+    "rows = true": "a list, in brackets",
+    "rows = [1.5]": "a whole number",
+    "rows = [1, -1]": "at least 0",
+    "rows = [0]": "numbers from 1 to 3",
+    "rows = [4]": "numbers from 1 to 3",
+    "rows = []": "no row is named",
+    'columns = "some"': "got 'some'",
+    "columns = 0": "at least 1",
+    "columns = -2": "at least 1",
+    "columns = 2.5": "a whole number",
+    "columns = [3]": "numbers from 0 to 2",
+    "columns = []": "no column is named",
+    "share = 0": "greater than 0",
+    "share = 1": "less than 1",
+    "share = nan": "a finite number",
+    'share = "auto"': "expected a number",
+    "size = 0.9": "unknown key",
+}
+"""Lines of the table, and what is said of them; those without a kind are of gussets."""
+
+
+def refusal(path: Path, line: str, more: str = "", flap: str = "0") -> tuple[int | str, str]:
+    """How the program ends, and what it says in its one line; nothing is written."""
+    kind = "" if not line or line.startswith("kind") else 'kind = "gussets"\n'
+    file = path / "shell.toml"
+    file.write_text(SHELL.format(flap=flap, more=more) + f"[stiffeners]\n{kind}{line}\n")
+    done = orishell("design", file, "--out", path / "out")
+    assert not (path / "out").exists()
+    assert done.stdout == ""
+    (said,) = done.stderr.splitlines()
+    return done.returncode, said
+
+
+@pytest.mark.parametrize("line", NOT_READ)
+def test_what_cannot_be_read_is_said_in_one_line(tmp_path: Path, line: str) -> None:
+    status, said = refusal(tmp_path, line)
+    assert status == 2
+    assert "[stiffeners]" in said
+    assert NOT_READ[line] in said
+
+
+BEVEL = 'thickness = 0.02\ngap = 0.004\nconstruction = "bevel"'
+NOT_MADE = {
+    "no room": ("share = 0.01", f"[panel]\n{BEVEL}", "0", 1, "too far off"),
+    "whole boards": ("", '[panel]\nthickness = 0.01\nconstruction = "hinged"', "0", 2, "beside"),
+    "between flaps": ("columns = [1]", "", "0.1", 2, "numbers from 2 to 2"),
+}
+"""Lines of the table, other tables, the width of flaps, the status and what is said."""
+
+
+@pytest.mark.parametrize("case", NOT_MADE)
+def test_what_cannot_be_made_is_said_in_one_line(tmp_path: Path, case: str) -> None:
+    line, more, flap, status, words = NOT_MADE[case]
+    ended, said = refusal(tmp_path, line or 'kind = "gussets"', more, flap)
+    assert ended == status
+    assert words in said
