@@ -14,8 +14,9 @@ from ezdxf.entities.lwpolyline import LWPolyline
 from kept import kept
 from pypdf import PdfReader
 
+from design_tables import formula, tables
 from documents import EXAMPLES
-from orishell.design_file import read_design_file
+from orishell.design_file import check_design, read_design_file
 from orishell.shell import Shell, make_shell
 from orishell.shell.steps import MEASURES
 
@@ -23,10 +24,27 @@ CARD_SHELL = "figure1_card"
 """48 panels of card on paper, with flaps that are clipped on; four seconds."""
 
 
+STIFFENED = "stiffened"
+"""36 boards and 15 gussets, tied at its feet; two seconds."""
+_ARCH = {
+    **tables(
+        *("orthodiagonal", formula("-x**2", -1, 1), formula("0.1*cos(2*pi*x)", 0, 2)),
+        **{"rows": 5, "columns": 5, "flap": 0, "heading_deg": 90, "spacing": "equal"},
+    ),
+    "motion": {"frames": 3},
+    "panel": {"construction": "bevel", "thickness": 0.01, "gap": 0.004, "density": 500},
+    "deployment": {"from": "pack", "ties": "feet"},
+    "stiffeners": {"kind": "gussets"},
+    "workshop": {"stock": [2.44, 1.22], "spacing": 0.01, "hinge_linear_density": 0.5},
+}
+
+
 @kept
 def shell_of(name: str) -> Shell:
     """An example, with its pack and quantities; distances from its target are not measured."""
     skip = {*MEASURES} - {"pack", "weight", "stock"}
+    if name == STIFFENED:
+        return make_shell(check_design(_ARCH, Path("stiffened.toml")), skip=skip)
     return make_shell(read_design_file(EXAMPLES / f"{name}.toml"), skip=skip)
 
 

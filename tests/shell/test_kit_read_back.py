@@ -11,7 +11,16 @@ from ezdxf.entities.circle import Circle
 from pypdf import PdfReader
 
 from cad_tools import require_build123d
-from kits import CARD_SHELL, booklet_counts, names_in, outlines_in, read_sound, rows_of, shell_of
+from kits import (
+    CARD_SHELL,
+    STIFFENED,
+    booklet_counts,
+    names_in,
+    outlines_in,
+    read_sound,
+    rows_of,
+    shell_of,
+)
 from orishell.conventions.quantities import plain
 from orishell.io import Settings
 from orishell.io.formats import find_formats
@@ -20,7 +29,7 @@ from samples import thorough
 
 KITS = ["shelter", "shelter_boards", "shelter_hinged", "dome", "dome_locked", "tunnel"]
 KIT = pytest.mark.parametrize(
-    "name", [CARD_SHELL, *(pytest.param(name, marks=thorough) for name in KITS)]
+    "name", [CARD_SHELL, STIFFENED, *(pytest.param(name, marks=thorough) for name in KITS)]
 )
 SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
 """What the booklet calls boards, and the tables their side."""
@@ -57,6 +66,8 @@ def _require_boards(kit: Path, counts: dict[str, int]) -> None:
     drawings = names_in(
         file for file in (kit / "cut").glob("pattern-*.dxf") if "arms" not in file.stem
     )
+    gussets = {row["panel"] for row in boards if row["panel"].startswith("gusset ")}
+    assert counts.get("Gussets", 0) == len(gussets)
     parts = [row["part"] for row in boards]
     assert {part: drawings[part] for part in parts} == dict.fromkeys(parts, 1)
 
@@ -124,7 +135,9 @@ def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
 
 
 @thorough
-@pytest.mark.parametrize("name", [CARD_SHELL, "shelter_boards", "shelter_hinged", "dome"])
+@pytest.mark.parametrize(
+    "name", [CARD_SHELL, STIFFENED, "shelter_boards", "shelter_hinged", "dome"]
+)
 def test_the_solids_of_step_are_the_parts_of_the_tables(name: str, tmp_path: Path) -> None:
     require_build123d()
     write_kit(shell_of(name), tmp_path / "kit")
