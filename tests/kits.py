@@ -14,7 +14,7 @@ from ezdxf.entities.lwpolyline import LWPolyline
 from kept import kept
 from pypdf import PdfReader
 
-from design_tables import formula, tables
+from design_tables import formula
 from documents import EXAMPLES
 from orishell.design_file import check_design, read_design_file
 from orishell.shell import Shell, make_shell
@@ -27,15 +27,14 @@ CARD_SHELL = "figure1_card"
 STIFFENED = "stiffened"
 """36 boards and 15 gussets, tied at its feet; two seconds."""
 _ARCH = {
-    **tables(
-        *("orthodiagonal", formula("-x**2", -1, 1), formula("0.1*cos(2*pi*x)", 0, 2)),
-        **{"rows": 5, "columns": 5, "flap": 0, "heading_deg": 90, "spacing": "equal"},
-    ),
+    "shell": {"family": "orthodiagonal", "unit": "m"},
+    "target": {"f": formula("-x**2", -1, 1), "g": formula("0.1*cos(2*pi*x)", 0, 2)},
+    "pattern": {"rows": 5, "columns": 5, "flap": 0, "heading_deg": 90, "spacing": "equal"},
     "motion": {"frames": 3},
     "panel": {"construction": "bevel", "thickness": 0.01, "gap": 0.004, "density": 500},
     "deployment": {"from": "pack", "ties": "feet"},
     "stiffeners": {"kind": "gussets"},
-    "workshop": {"stock": [2.44, 1.22], "spacing": 0.01, "hinge_linear_density": 0.5},
+    "workshop": {"stock": [2.44, 1.22], "spacing": 0.01},
 }
 
 

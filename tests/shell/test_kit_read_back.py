@@ -120,10 +120,12 @@ def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
         assert not all(row["mass_kg"] for row in rows)
         assert "Mass" not in text + readme
         return
-    assert sum(float(row["mass_kg"]) for row in rows) == pytest.approx(whole, rel=1e-9)
+    # Hinges in creases weigh what nobody says, and are not in the whole.
+    known = [row for row in rows if row["mass_kg"] or row["item"] != "hinges"]
+    assert sum(float(row["mass_kg"]) for row in known) == pytest.approx(whole, rel=1e-9)
     assert f"Mass: {plain(whole, 3)} kg" in text
     assert f"- Mass: {plain(whole, 3)} kg" in readme
-    ordered = {row["item"]: float(row["mass_kg"]) for row in rows}
+    ordered = {row["item"]: float(row["mass_kg"]) for row in known}
     for item, table in (("boards", "cut/boards.csv"), ("hinges", "hinges/hinges.csv")):
         weighed = [float(row["mass_kg"]) for row in rows_of(tmp_path / table)]
         of_item = sum(mass for key, mass in ordered.items() if key.endswith(item))
