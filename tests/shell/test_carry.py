@@ -8,12 +8,18 @@ from pathlib import Path
 import pytest
 
 from command_line import orishell
+from orishell.conventions.errors import Remedy
+from orishell.conventions.progress import no_progress
 from orishell.conventions.quantities import SPACE
 from orishell.design_file import DesignFile, read_design_file
-from orishell.shell import carry, carry_steps, make_shell
-from orishell.shell.carry import CarrySearch, find_carrying
-from orishell.shell.carry_steps import Change
+from orishell.shell import carry, carry_feet, carry_steps, make_shell
+from orishell.shell.carry import find_carrying
+from orishell.shell.carry_change import Change
+from orishell.shell.carry_found import CarrySearch
+from orishell.shell.instead import shell_of, trying
+from orishell.shell.load_trials import LOADED, LoadTrials, Refused
 from orishell.shell.steps import MEASURES, Step
+from orishell.structure.results import Analysis
 from small_arch import SMALL_ARCH
 
 ARCH = (
@@ -57,6 +63,15 @@ def no_clock() -> float:
 
 
 @pytest.fixture(scope="module")
+def weak(tmp_path_factory: pytest.TempPathFactory) -> tuple[DesignFile, Analysis]:
+    """The arch, and what is found of it as it is."""
+    file = arch(tmp_path_factory.mktemp("weak"))
+    analysis = shell_of(file, trying(no_progress, "", LOADED)).analysis
+    assert analysis is not None
+    return file, analysis
+
+
+@pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[DesignFile, CarrySearch]:
     file = arch(tmp_path_factory.mktemp("arch"))
     with pytest.MonkeyPatch.context() as patched:
@@ -86,8 +101,13 @@ def test_what_is_found_carries_once_it_is_typed_in(found: tuple[DesignFile, Carr
         assert made.analysis.carries is True
         assert made.analysis.model.mass == pytest.approx(each.mass)
         assert each.parts >= 1 + len(made.report.deployment.ties)
-    masses = [each.mass for each in search.found]
+    masses = [each.mass or 0.0 for each in search.found]
     assert masses == sorted(masses)
+    # None is as heavy, in as many parts and with as many changes as another that is lighter.
+    assert len({repr(each.change.values) for each in search.found}) == len(search.found)
+    for number, each in enumerate(search.found):
+        for other in search.found[:number]:
+            assert not other.beats(each.mass or 0.0, each.parts, len(each.changes))
 
 
 def test_what_was_tried_is_said(found: tuple[DesignFile, CarrySearch]) -> None:
@@ -119,23 +139,146 @@ def test_changes_that_change_the_same_are_said_once() -> None:
     assert both.values == {"pattern.rows": 9, "deployment.ties": "folds"}
 
 
-def test_steps_propose_what_a_file_lacks(
-    tmp_path: Path, found: tuple[DesignFile, CarrySearch]
-) -> None:
+def test_steps_propose_what_a_file_lacks(tmp_path: Path, weak: tuple[DesignFile, Analysis]) -> None:
     """And nothing where it has it: each change is a value that the file takes."""
-    file, search = found
+    file, begun = weak
     for step in {*carry_steps.BUILDER, *carry_steps.DESIGNER}:
-        for change in step(file, search.begun):
+        for change in step(file, begun):
             changed = file.tried(change.values)
             assert changed.tables != file.tables
-    held = file.tried(next(carry_steps.held_edges(file, search.begun)).values)
-    assert not list(carry_steps.held_edges(held, search.begun))
+    held = file.tried(next(carry_feet.held_edges(file, begun)).values)
+    assert not list(carry_feet.held_edges(held, begun))
     tied = file.tried(carry_steps.FOLDS)
-    assert not list(carry_steps.ties_across_folds(tied, search.begun))
-    rows = [each.values["deployment.ties"] for each in carry_steps.fewer_ties(tied, search.begun)]
+    assert not list(carry_steps.ties_across_folds(tied, begun))
+    rows = [each.values["deployment.ties"] for each in carry_steps.fewer_ties(tied, begun)]
     assert rows == ["feet", {"folds": [2, 5]}, {"folds": [2, 4]}]
     # A number is what its user knows of crease lines: no kind takes its place.
-    assert not list(carry_steps.stronger_lines(file, search.begun))
+    assert not list(carry_steps.stronger_lines(file, begun))
+
+
+def test_thicker_panels_weigh_more_where_the_file_says_what_they_weigh(
+    tmp_path: Path, weak: tuple[DesignFile, Analysis]
+) -> None:
+    """In proportion; as much of another material weighs the same, which is how thick it is then."""
+    _, begun = weak
+    file = arch(tmp_path).tried({"workshop.areal_density": 5.0})
+    (change,) = carry_steps.thicker(file, begun)
+    before, after = 0.004, change.values["panel.thickness"]
+    heavier = change.values["workshop.areal_density"]
+    assert heavier == pytest.approx(5.0 * after / before, rel=1e-3)
+    others = list(carry_steps.other_materials(file, begun))
+    assert others
+    assert {each.values["workshop.areal_density"] for each in others} == {5.0}
+    # Of corrugated cardboard, the lightest, 5 kg/m2 are 5/140 m.
+    assert max(each.values["panel.thickness"] for each in others) < 0.037
+
+
+SLIDING = '[{ at = "feet", kind = "friction", friction = 0.4 }]'
+BALLAST = '[{ at = "feet", kind = "pinned", friction = 0.4, ballast = 5 }]'
+
+
+def standing(directory: Path, supports: str, creases: str = "free") -> DesignFile:
+    """The arch on other feet."""
+    text = arch(directory).path.read_text(encoding="utf-8")
+    text = text.replace('crease_stiffness = "free"', f'crease_stiffness = "{creases}"')
+    old = '[{ at = "feet", kind = "pinned" }]'
+    assert text.count(old) == 1
+    path = directory / "standing.toml"
+    path.write_text(text.replace(old, supports), encoding="utf-8")
+    return read_design_file(path)
+
+
+def test_feet_that_slide_are_joined_by_a_rail_or_anchored(
+    tmp_path: Path, weak: tuple[DesignFile, Analysis]
+) -> None:
+    """Sections in the unit of the file, of EN 10219-2. Pinned feet need neither."""
+    file, begun = weak
+    assert not [*carry_feet.base_rail(file, begun), *carry_feet.anchored(file, begun)]
+    slides = standing(tmp_path, SLIDING)
+    assert not list(carry_feet.held_edges(slides, begun))
+    first, second = carry_feet.base_rail(slides, begun)
+    railed = slides.tried(first.values)
+    assert railed.structure is not None
+    rail = railed.structure.rail
+    assert rail is not None
+    assert (rail.material, rail.width, rail.height, rail.wall) == ("steel", 0.06, 0.04, 0.003)
+    assert second.words.replace(SPACE, " ") == "a base rail of steel, 100 mm x 60 mm x 4 mm"
+    assert not list(carry_feet.base_rail(railed, begun))
+    (held,) = carry_feet.anchored(slides, begun)
+    anchored = slides.tried(held.values).structure
+    assert anchored is not None
+    (support,) = anchored.supports
+    assert (support.kind, support.edges, support.friction) == ("pinned", True, 0.0)
+
+
+def test_ballast_grows_to_what_the_feet_need(tmp_path: Path) -> None:
+    """Pushed aside by half of what presses on it, at friction of 0.4: L/4h of a parabola.
+
+    One foot uses most of its ballast, another may then need more.
+    """
+    file = standing(tmp_path, BALLAST, "rigid")
+    masses = [5.0]
+    for _ in range(4):
+        made = shell_of(file, trying(no_progress, "", LOADED)).analysis
+        assert made is not None
+        change = next(carry_feet.more_ballast(file, made), None)
+        if change is None:
+            break
+        (support,) = change.values["structure.supports"]
+        masses.append(support["ballast"])
+        file = file.tried(change.values)
+    assert len(masses) > 1
+    assert masses == sorted(set(masses))
+    assert change is None
+    assert made is not None
+    assert all(each.kind not in ("lifts off", "slips") for each in made.cases[0].findings)
+
+
+def test_gussets_are_few_first_then_more(weak: tuple[DesignFile, Analysis]) -> None:
+    """Every fourth column, every second, all, then all rows; none beside hinges of whole boards."""
+    file, begun = weak
+    places = []
+    for _ in range(4):
+        change = next(carry_steps.gussets(file, begun))
+        file = file.tried(change.values)
+        asked = file.stiffeners
+        assert asked is not None
+        places.append((asked.rows, asked.columns))
+    assert places == [("valleys", 4), ("valleys", 2), ("valleys", 1), ("all", "all")]
+    assert not list(carry_steps.gussets(file, begun))
+    whole = file.tried(next(carry_steps.whole_boards(file, begun)).values)
+    assert whole.stiffeners is None
+    assert not list(carry_steps.gussets(whole, begun))
+
+
+def test_gussets_bring_an_arch_on_free_hinges_nearer(
+    weak: tuple[DesignFile, Analysis],
+) -> None:
+    """Every fourth column is enough for what its worst case uses to fall."""
+    file, begun = weak
+    change = next(carry_steps.gussets(file, begun))
+    trials = LoadTrials(file, begun, no_progress)
+    made = trials.made(change.values, change.words, quick=True)
+    assert not isinstance(made, Refused)
+    assert made.analysis is not None
+    assert made.analysis.model.design.plates
+    used = [max(case.used for case in each.cases) for each in (begun, made.analysis)]
+    assert used[1] < used[0]
+
+
+def test_what_a_refusal_offers_takes_the_place_of_a_change() -> None:
+    """Of the same table only; a value that is offered for the same key is said instead."""
+    ties = Change(carry_steps.FOLDS, {"ties": "ties across the folds"})
+    rows = Remedy({"deployment.ties": {"folds": [1, 3]}})
+    fitted = ties.fitted(rows)
+    assert fitted is not None
+    assert fitted.values == rows.changes
+    assert fitted.words == "ties = { folds = [1, 3] } in [deployment]"
+    assert ties.fitted(Remedy({"pattern.rows": 7})) is None
+    plates = Change({"stiffeners.kind": "gussets"}, {"gussets": "gussets in every column"})
+    smaller = plates.fitted(Remedy({"stiffeners.share": 0.7}))
+    assert smaller is not None
+    assert smaller.words == "gussets in every column, share = 0.7 in [stiffeners]"
 
 
 def test_the_command_writes_design_files(

@@ -53,6 +53,8 @@ MESSAGES: tuple[Any, ...] = (
     api.BookletResult,
     api.SearchFound,
     api.SearchAnswer,
+    api.CarryFound,
+    api.CarryResult,
     api.Refusal,
 )
 

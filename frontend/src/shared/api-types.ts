@@ -186,6 +186,50 @@ export interface BuiltSizes {
   head_height: number;
 }
 
+/** A line of the answer: what was tried so far, and how each trial ended. */
+export interface CarryFound {
+  found: string[];
+}
+
+/** The last line of the answer: designs that carry, or what was tried in vain. */
+export interface CarryResult {
+  result: CarrySearch;
+}
+
+/** What was found: designs that carry, and what was tried in vain. */
+export interface CarrySearch {
+  /** Whether the file's own design carries; None if that is not known. */
+  carries: boolean | null;
+  /** What the file's own design does under its loads. */
+  words: string;
+  /** Designs that carry, the lightest first. */
+  found: Carrying[];
+  /** Every change, in words, and how it ended. */
+  tried: string[];
+  /** What came nearest, and how that ended; empty if a design carries. */
+  near: string;
+  /** Whether more would have taken too long. */
+  ended: boolean;
+}
+
+/** A design that carries all its cases, made and analysed as its file asks. */
+export interface Carrying {
+  /** What is changed. */
+  words: string;
+  /** Values by key of the design file; None removes a key. */
+  changes: Record<string, unknown>;
+  /** Of all that loads it with its own weight (kg); None where that is not known. */
+  mass: number | null;
+  /** On the site: pieces, what is clipped on, ties and locks. */
+  parts: number;
+  /** Sides of its pack (length); None without one. */
+  pack: [number, number, number] | null;
+  /** The share of what is borne that is used by what governs; None if nothing is known. */
+  used: number | null;
+  /** What governs, in words; empty if nothing does. */
+  governs: string;
+}
+
 /** A load case with one stiffness of creases. */
 export interface CaseResult {
   /** The case. */

@@ -14,7 +14,7 @@ from orishell.conventions.errors import InputError
 
 if TYPE_CHECKING:
     from orishell.design_file import DesignFile
-    from orishell.shell.carry import Carrying, CarrySearch
+    from orishell.shell.carry_found import Carrying, CarrySearch
 
 HEAD = ("design", "what is changed", "kg", "parts", "pack", "used", "governs")
 NAME = "carries-{}.toml"
@@ -39,7 +39,9 @@ def make_it_carry(asked: DesignFile, out: Path | None, *, json_report: bool, for
     if json_report:
         import json
 
-        say(json.dumps(_as_json(found), indent=2, allow_nan=False))
+        from orishell.conventions.record import as_table
+
+        say(json.dumps(as_table(found), indent=2, allow_nan=False))
     else:
         say("\n".join(_summary(found, written, asked.unit)))
     if not found.found and not found.begun.carries:
@@ -72,7 +74,7 @@ def _write(asked: DesignFile, found: CarrySearch, output: Any) -> list[Path]:
     with output.adding() as draft:
         for number, each in enumerate(found.found, start=1):
             name = NAME.format(number)
-            content = rewritten(text, asked.tables, {**each.change.values, **moved})
+            content = rewritten(text, asked.tables, {**each.changes, **moved})
             (draft / name).write_text(content, encoding="utf-8")
             written.append(output.path / name)
     return written
@@ -92,15 +94,9 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
             (str(number), *_cells(each, unit)) for number, each in enumerate(found.found, start=1)
         ]
         parts: list[Any] = [Table(HEAD, rows, numbers=0)]
-    elif found.nearest is not None:
-        change, analysis = found.nearest
-        said = change.words or "the file as it is"
-        parts = [
-            Paragraph("No design was found that carries."),
-            Paragraph(f"Nearest came {said}: {analysis.in_words()}"),
-        ]
     else:
         parts = [Paragraph("No design was found that carries.")]
+        parts += [Paragraph(f"Nearest came {found.near}")] if found.near else []
     yield from section_lines([Section("Designs that carry, the lightest first", tuple(parts))])
     tried = list(found.tried)
     if found.ended:
@@ -113,32 +109,11 @@ def _cells(each: Carrying, unit: str) -> tuple[str, ...]:
     from orishell.conventions.quantities import plain
 
     pack = "-" if each.pack is None else " x ".join(plain(side, 3) for side in each.pack)
-    governs = each.analysis.governs
-    used = "-" if governs is None else f"{plain(100 * governs.utilisation, 3)} %"
     return (
-        each.change.words,
+        each.words,
         plain(each.mass, 3) if each.mass else "-",
         str(each.parts),
         f"{pack} {unit}" if each.pack else pack,
-        used,
-        "-" if governs is None else each.analysis.governing_in_words().partition(" governs")[0],
+        "-" if each.used is None else f"{plain(100 * each.used, 3)} %",
+        each.governs or "-",
     )
-
-
-def _as_json(found: CarrySearch) -> dict[str, Any]:
-    return {
-        "carries": found.begun.carries,
-        "found": [
-            {
-                "changes": dict(each.change.values),
-                "words": each.change.words,
-                "mass": each.mass or None,
-                "parts": each.parts,
-                "pack": None if each.pack is None else list(each.pack),
-                "governs": each.analysis.governing_in_words(),
-            }
-            for each in found.found
-        ],
-        "tried": list(found.tried),
-        "ended": found.ended,
-    }

@@ -21,7 +21,6 @@ from orishell.cli.files import (
     shortened,
     warn_of_unused,
 )
-from orishell.conventions.errors import InputError
 
 if TYPE_CHECKING:
     from orishell.structure.results import Analysis
@@ -72,19 +71,14 @@ def structure(
     from orishell.conventions.record import as_table
     from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory
+    from orishell.shell.analyse import require_structure
     from orishell.shell.export import write_structure
     from orishell.shell.make import make_shell
     from orishell.shell.steps import MEASURES
     from orishell.structure.pages.files import FILES
 
     asked = read_design_file(file)
-    if asked.structure is None:
-        raise InputError(
-            "there is no structure to analyse",
-            file=file,
-            keys=("structure",),
-            remedy="add the table [structure]; orishell new writes a file that shows its keys",
-        )
+    require_structure(asked)
     if carry:
         make_it_carry(asked, out, json_report=json_report, force=force)
         return

@@ -27,6 +27,18 @@ def stretch(progress: Progress, start: float, stop: float) -> Progress:
     return lambda share, what: progress(start + share * (stop - start), what)
 
 
+def rising(progress: Progress) -> Progress:
+    """Report the most progress so far, where parts of some work begin anew."""
+    most = 0.0
+
+    def told(share: float, what: str) -> None:
+        nonlocal most
+        most = max(most, share)
+        progress(most, what)
+
+    return told
+
+
 T = TypeVar("T")
 
 

@@ -131,4 +131,6 @@ def _growth(
     grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
     shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
     below = square.value.high < ceiling - margin
-    return grows | below, shrinks & ~below
+    # Of a range that may be partly below the ceiling, its halves say more.
+    judged = (square.value.low >= ceiling) | (np.asarray(ceiling) == 0)
+    return grows | below, shrinks & ~below & judged

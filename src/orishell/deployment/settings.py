@@ -35,9 +35,9 @@ class FoldTies(Table):
 
 
 Ties = Annotated[
-    Annotated[FoldTies, Tag("folds")]
+    Annotated[FoldTies, Tag("by rows")]
     | Annotated[Literal["none", "feet", "folds"] | Several[Pair[TableVertex]], Tag("others")],
-    Discriminator(lambda value: "folds" if isinstance(value, dict | FoldTies) else "others"),
+    Discriminator(lambda value: "by rows" if isinstance(value, dict | FoldTies) else "others"),
 ]
 """What keeps a shell from opening beyond its target."""
 

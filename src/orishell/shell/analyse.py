@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
+from orishell.design_file import DesignFile
 from orishell.shell.make import Shell
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
@@ -53,3 +54,17 @@ def analyse_structure(
         return analyse(shell.design, structure, shell.site, progress, built=shell.lock.built)
     except InputError as error:
         raise error.in_file(shell.file.path) from None
+
+
+def require_structure(file: DesignFile) -> None:
+    """Refuse a file that asks for no analysis.
+
+    Raises InputError if it has no table [structure].
+    """
+    if file.structure is None:
+        raise InputError(
+            "there is no structure to analyse",
+            file=file.path,
+            keys=("structure",),
+            remedy="add the table [structure]; orishell new writes a file that shows its keys",
+        )

@@ -14,13 +14,16 @@ from itertools import chain, repeat
 
 import numpy as np
 
-from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.progress import Progress, no_progress, rising, stretch
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
-from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER, NOTHING, Change, Step
+from orishell.shell.analyse import require_structure
+from orishell.shell.carry_change import NOTHING, Change, Step
+from orishell.shell.carry_found import Carrying, CarrySearch, parts_on_site
+from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
 from orishell.shell.facts import Facts
 from orishell.shell.instead import shell_of, trying
-from orishell.shell.load_trials import LOADED, LoadTrials
+from orishell.shell.load_trials import LOADED, LoadTrials, Refused
 from orishell.structure.results import Analysis
 
 ROUNDS = 3
@@ -35,33 +38,8 @@ PER_PANEL = 0.012
 """Predicted seconds in which a panel is designed, beside its analysis."""
 OFFERED, CONFIRMED = 3, 6
 """So many designs are offered at most, and so many tried as the file asks in search of them."""
+Tell = Callable[[tuple[str, ...]], None]
 PACKED = tuple(each for each in LOADED if each != "pack")
-
-
-@record
-class Carrying:
-    """A design that carries all its cases, made and analysed as its file asks."""
-
-    change: Change  # of the file
-    analysis: Analysis
-    parts: int  # on the site: pieces, what is clipped on, ties and locks
-    pack: tuple[float, float, float] | None  # sides of its pack (length); None without one
-
-    @property
-    def mass(self) -> float:
-        """Of its panels (kg); 0 where that is not known."""
-        return self.analysis.model.mass or 0.0
-
-
-@record
-class CarrySearch:
-    """What was found: designs that carry, and what was tried in vain."""
-
-    begun: Analysis  # of the file as it is
-    found: tuple[Carrying, ...]  # the lightest first
-    tried: tuple[str, ...]  # every change, in words, and how it ended
-    nearest: tuple[Change, Analysis] | None  # what came nearest, with few cells, if none carries
-    ended: bool  # whether more would have taken too long
 
 
 @record
@@ -95,35 +73,36 @@ class _State:
         """By which designs that carry are ranked: mass, then parts on the site."""
         return round(self.analysis.model.mass or 0.0, 3), parts_on_site(self.facts)
 
+    @property
+    def rank(self) -> tuple[bool, float, tuple[float, int]]:
+        """By which those that one step proposes are ranked: what carries by its weight."""
+        return not self.carries, 0.0 if self.carries else self.lacks, self.weight
 
-def find_carrying(file: DesignFile, progress: Progress = no_progress) -> CarrySearch:
+
+def _ignored(_: tuple[str, ...]) -> None:
+    """Tell nobody."""
+
+
+def find_carrying(
+    file: DesignFile, progress: Progress = no_progress, tell: Tell = _ignored
+) -> CarrySearch:
     """Designs that carry all cases of a file, the lightest first, or what was tried in vain.
 
+    tell: Is told what was tried so far, with each trial that ends.
     Raises InputError, DesignError or VerificationError if the file itself cannot be made.
     """
+    require_structure(file)
+    progress = rising(progress)
     made = shell_of(file, trying(stretch(progress, 0.0, 0.1), "analysing the file", LOADED))
     assert made.analysis is not None
     if made.analysis.carries:
         return CarrySearch(made.analysis, (), (), None, ended=False)
-    return _Search(file, made.analysis, progress).run()
-
-
-def parts_on_site(facts: Facts) -> int:
-    """What is handled on the site: pieces of the sheet, what is clipped on, ties, locks."""
-    design, deployment = facts.found.design, facts.deployment
-    grid = design.mechanism.grid
-    clipped = 0 if design.clipped is None else 2 * (grid.rows - 1)
-    file, locks = facts.found.file, 0
-    if file.structure is not None and file.structure.crease_stiffness[0] > 0:
-        rows, columns = grid.rows - 1, grid.columns - 1
-        locks = (rows - 1) * columns + rows * (columns - 1)
-    clipped += sum(len(part.mesh.faces) for part in design.attached)
-    return max(1, len(deployment.pieces)) + clipped + len(deployment.ties) + locks
+    return _Search(file, made.analysis, progress, tell).run()
 
 
 class _Search:
-    def __init__(self, file: DesignFile, begun: Analysis, progress: Progress) -> None:
-        self.file, self.begun, self.progress = file, begun, progress
+    def __init__(self, file: DesignFile, begun: Analysis, progress: Progress, tell: Tell) -> None:
+        self.file, self.begun, self.progress, self.tell = file, begun, progress, tell
         self.trials = LoadTrials(file, begun, self._tell)
         self.known: dict[str, _State | None] = {}
         self.tried: list[str] = []
@@ -139,8 +118,13 @@ class _Search:
     def _tell(self, _share: float, what: str) -> None:
         self.progress(min(0.99, 0.1 + 0.8 * self.work / WORK), what)
 
+    def _note(self, words: str, ended: str) -> None:
+        """Keep how a trial ended."""
+        self.tried.append(f"{words}: {ended}")
+        self.tell(tuple(self.tried))
+
     def run(self) -> CarrySearch:
-        first = self._state(NOTHING)
+        first = self._state(NOTHING, NOTHING)
         if first is not None:
             for order, share in ((BUILDER, 0.5), (DESIGNER, 1.0)):
                 self.until = share * WORK
@@ -177,50 +161,59 @@ class _Search:
             if self.work > self.until:
                 self.ended = True
                 break
-            state = self._state(at.change | change)
+            state = self._state(at.change, change)
             if state is not None and better(state, at):
                 found.append(state)
-        return min(found, key=lambda each: (not each.carries, each.lacks), default=None)
+        return min(found, key=lambda each: each.rank, default=None)
 
-    def _state(self, change: Change) -> _State | None:
-        """A changed shell with few cells; None if it cannot be made. No change is tried twice."""
-        key = repr(sorted(change.values.items()))
+    def _state(self, before: Change, change: Change, *, again: bool = True) -> _State | None:
+        """A changed shell with few cells; None if it cannot be made. No change is tried twice.
+
+        again: Whether what its refusal offers is tried in its place.
+        """
+        whole = before | change
+        key = repr(sorted(whole.values.items()))
         if key in self.known:
             return self.known[key]
         self.known[key] = None
-        made = self.trials.made(change.values, change.words or "the file", quick=True)
+        made = self.trials.made(whole.values, whole.words or "the file", quick=True)
         self.panels += self.file.panel_count
-        if isinstance(made, str):
-            self.tried.append(f"{change.words or 'the file'}: {made}")
-            return None
+        if isinstance(made, Refused):
+            self._note(whole.words or "the file", f"cannot be made, as {made.why}")
+            offered = next(iter(made.candidates), None) if again and change.values else None
+            other = None if offered is None else change.fitted(offered)
+            return None if other is None else self._state(before, other, again=False)
         assert made.analysis is not None
-        state = _State(change, self.file.tried(change.values), made, made.analysis)
+        state = _State(whole, self.file.tried(whole.values), made, made.analysis)
         self.known[key] = state
-        if change.words:
-            self.tried.append(f"{change.words}: {state.analysis.in_words()}")
+        if whole.words:
+            self._note(whole.words, state.analysis.in_words())
         if self.nearest is None or state.lacks < self.nearest.lacks:
             self.nearest = state
         return state
 
     def _confirmed(self) -> tuple[Carrying, ...]:
-        """Those that carry as the file asks, too, the lightest first."""
+        """Those that carry as the file asks, too, the lightest first; none that another beats."""
         found: list[Carrying] = []
-        ranked = sorted(self.carrying, key=lambda each: each.weight)
-        for state in ranked[:CONFIRMED]:
+        trials = 0
+        for state in sorted(self.carrying, key=lambda each: each.weight):
+            changes = len(state.change.values)
+            if any(each.beats(*state.weight, changes) for each in found):
+                continue
+            if len(found) == OFFERED or trials == CONFIRMED:
+                self.ended = self.ended or not found
+                break
+            trials += 1
             words = state.change.words or "the file"
             made = self.trials.made(state.change.values, words, quick=False, skip=PACKED)
-            if isinstance(made, str):
-                self.tried.append(f"{words}, as the file asks: {made}")
+            if isinstance(made, Refused):
+                self._note(f"{words}, as the file asks", f"cannot be made, as {made.why}")
                 continue
             assert made.analysis is not None
             if not made.analysis.carries:
-                said = made.analysis.in_words()
-                self.tried.append(f"{words}, with cells as the file asks: {said}")
+                self._note(f"{words}, with cells as the file asks", made.analysis.in_words())
                 continue
             packed = made.deployment.packed
             box = None if packed is None else (packed.length, packed.width, packed.height)
             found.append(Carrying(state.change, made.analysis, parts_on_site(made), box))
-            if len(found) == OFFERED:
-                break
-        self.ended = self.ended or (not found and len(ranked) > CONFIRMED)
         return tuple(found)

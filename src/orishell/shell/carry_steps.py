@@ -7,83 +7,40 @@ from the file: where neither has one, no step makes one up.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator
+from typing import Literal
 
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import Quantities, conversion
-from orishell.conventions.record import record
+from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
+from orishell.shell.carry_change import Change, Step
+from orishell.shell.carry_feet import anchored, base_rail, clamped, held_edges, more_ballast
+from orishell.shell.load_trials import STANDING_CELLS
 from orishell.structure.case import CaseResult
 from orishell.structure.hinge_lines import DIRECTIONS, hinge_lines
 from orishell.structure.materials import Material, materials
 from orishell.structure.results import Analysis
 from orishell.structure.verdict import LARGE_DISPLACEMENT, LEAST_BUCKLING
 
+NOT_WHOLE = (
+    "panel.membrane", "panel.membrane_density", "panel.gap", "stiffeners",
+    "structure.membrane_modulus", "structure.membrane_strength",
+)  # fmt: skip
+"""What goes with panels that have their hinges in creases, and not with whole boards."""
 SOFT = 3.0
 """A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
 MARGIN = 1.02
 """Panels are tried by so much thicker than the figures of the last trial ask for."""
 DEEPER = 1.5
 """The zigzag and the waves of g become so many times as deep at a time."""
+FEW = 4
+"""Gussets are tried first in every column that is so many apart, then in twice as many."""
+AREAL = "workshop.areal_density"
+COLUMNS = {"all": "every column", 1: "every column", 2: "every second column"}
+Rows = Literal["valleys", "crests", "all"] | tuple[int, ...]
 FOLDS = {"deployment.ties": "folds"}
-
-
-@record
-class Change:
-    """Other values at keys of a design file, and what that is in words."""
-
-    values: Mapping[str, Any]
-    said: Mapping[str, str]  # what is done, by the kind of change
-
-    @property
-    def words(self) -> str:
-        """What is done, one change after the other."""
-        return ", ".join(self.said.values())
-
-    def __or__(self, other: Change) -> Change:
-        """Both; what the other one changes again is said once, as it is then."""
-        return Change({**self.values, **other.values}, {**self.said, **other.said})
-
-
-NOTHING = Change({}, {})
-Step = Callable[[DesignFile, Analysis], Iterator[Change]]
-"""A kind of change, as it may be made to a file of which something was found."""
-
-
-def held_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Feet are held along their edges, and not at points."""
-    yield from _other_supports(
-        file,
-        lambda each: each["kind"] != "friction" and not (each.get("edges") or each.get("patch")),
-        {"edges": True},
-        {"edges": "feet held along their edges"},
-    )
-
-
-def clamped(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Panels cannot turn where they stand, as on a base that they are screwed to."""
-    yield from _other_supports(
-        file,
-        lambda each: each["kind"] == "pinned",
-        {"kind": "fixed"},
-        {"clamped": "panels that cannot turn at their feet"},
-    )
-
-
-def _other_supports(
-    file: DesignFile,
-    which: Callable[[Any], bool],
-    values: Mapping[str, Any],
-    said: Mapping[str, str],
-) -> Iterator[Change]:
-    supports = value_at(file.tables, "structure.supports")
-    changed = [
-        {**each, **values} if each["at"] == "feet" and which(each) else each for each in supports
-    ]
-    if changed != supports:
-        yield Change({"structure.supports": changed}, said)
 
 
 def stronger_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -154,9 +111,14 @@ def thinner(file: DesignFile, found: Analysis) -> Iterator[Change]:
 
 
 def _thickness(file: DesignFile, thickness: float) -> Change:
+    """Panels of a thickness, and as much heavier where the file says what they weigh by area."""
     key = "structure.thickness" if file.panel is None else "panel.thickness"
     said = f"panels {Quantities(file.unit).displacement(thickness)} thick"
-    return Change({key: thickness}, {"thickness": said})
+    values = {key: thickness}
+    areal = value_at(file.tables, AREAL)
+    if areal:
+        values[AREAL] = rounded(areal * thickness / value_at(file.tables, key), 4)
+    return Change(values, {"thickness": said})
 
 
 def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
@@ -168,7 +130,8 @@ def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
         return
     metres, present = conversion(file.unit, "m"), materials()[asked.material]
     thick = found.model.thickness * metres
-    areal = present.density_of(thick) * thick
+    weighs = value_at(file.tables, AREAL)
+    areal = weighs or present.density_of(thick) * thick
     keys = ("structure.grain", "panel.density")
     dropped = {key: None for key in keys if value_at(file.tables, key) is not None}
     for name, made in materials().items():
@@ -176,7 +139,8 @@ def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
         if _bending(made, other) > _bending(present, thick):
             change = _thickness(file, rounded(other / metres, 2))
             said = {"material": name, **change.said}
-            yield Change({"structure.material": name, **change.values, **dropped}, said)
+            values = {"structure.material": name, **change.values, **dropped}
+            yield Change({**values, AREAL: weighs} if weighs else values, said)
 
 
 def _thickness_of(made: Material, areal: float) -> float:
@@ -195,14 +159,40 @@ def _bending(made: Material, thickness: float) -> float:
     return made.modulus * face * (thickness - face) ** 2 / 2
 
 
+def gussets(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Gussets in few columns, of folds that look down or of all; then in more of them."""
+    assert file.structure is not None
+    if file.panel is not None and file.panel.construction == "hinged":
+        return
+    finer = {} if file.structure.cells >= STANDING_CELLS else {"structure.cells": STANDING_CELLS}
+    for rows, columns in _more_gussets(file.stiffeners):
+        placed = {
+            "stiffeners.kind": "gussets",
+            "stiffeners.rows": rows if isinstance(rows, str) else list(rows),
+            "stiffeners.columns": columns,
+        }
+        said = COLUMNS.get(columns, f"columns {columns} apart")
+        said += f" of {rows}" if rows in ("valleys", "crests") else ""
+        yield Change({**placed, **finer}, {"gussets": f"gussets in {said}"})
+
+
+def _more_gussets(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:
+    """Rows and columns of gussets where there are more than there were."""
+    if there is None:
+        yield "valleys", FEW
+        yield "all", FEW
+    elif isinstance(there.columns, int) and there.columns > 1:
+        yield there.rows, there.columns // 2
+    elif there.columns not in ("all", 1):
+        yield there.rows, "all"
+    elif there.rows != "all":
+        yield "all", "all"
+
+
 def whole_boards(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Whole boards on hinges beside them."""
     if file.panel is not None and file.panel.construction != "hinged":
-        dropped = {
-            key: None
-            for key in ("panel.membrane", "panel.membrane_density", "panel.gap")
-            if value_at(file.tables, key) is not None
-        }
+        dropped = {key: None for key in NOT_WHOLE if value_at(file.tables, key) is not None}
         values = {"panel.construction": "hinged", **dropped}
         yield Change(values, {"boards": 'whole boards (construction = "hinged")'})
 
@@ -240,14 +230,14 @@ def locked_creases(file: DesignFile, _: Analysis) -> Iterator[Change]:
 
 
 BUILDER: tuple[Step, ...] = (
-    held_edges, clamped, stronger_lines, ties_across_folds, flaps, thicker, thicker,
-    other_materials, whole_boards, more_rows, deeper_waves, deeper_waves, deeper_folds,
-    locked_creases,
+    held_edges, base_rail, more_ballast, more_ballast, anchored, clamped, stronger_lines,
+    ties_across_folds, flaps, thicker, thicker, other_materials, gussets, gussets, gussets,
+    whole_boards, more_rows, deeper_waves, deeper_waves, deeper_folds, locked_creases,
 )  # fmt: skip
 """In the order in which somebody would who has the sheet already."""
 DESIGNER: tuple[Step, ...] = (
-    held_edges, stronger_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
-    ties_across_folds, clamped, thicker, thicker, locked_creases,
+    held_edges, anchored, stronger_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
+    ties_across_folds, clamped, thicker, thicker, gussets, gussets, locked_creases,
 )  # fmt: skip
 """In the order of somebody who may choose its shape first."""
 LIGHTER: tuple[Step, ...] = (thinner, fewer_ties, thinner)

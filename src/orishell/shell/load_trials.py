@@ -5,11 +5,13 @@ Work is predicted and not measured, so that a search ends after the same trials 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from orishell.conventions.errors import DesignError, OrishellError, Remedy
 from orishell.conventions.progress import Progress
+from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.facts import Facts
 from orishell.shell.instead import REFUSALS, shell_of, trying
@@ -19,20 +21,26 @@ from orishell.structure.results import Analysis
 
 FEW_CELLS = 2
 """Cells with which is tried first what is offered, where panels can have so few."""
+STANDING_CELLS = 4
+"""Cells along a side of a panel with which gussets may end anywhere along edges."""
 LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification")
 """All that does not tell what a shell bears."""
 TAUT = "ties that are not slack on the way"
+
+
+@record
+class Refused:
+    """Why a changed shell cannot be made, and what may be worth trying in place of that."""
+
+    why: str
+    candidates: Iterable[Remedy] = ()
 
 
 class LoadTrials:
     """Changed shells as they are made and analysed, and the work that this takes."""
 
     def __init__(self, file: DesignFile, analysis: Analysis, progress: Progress) -> None:
-        model = analysis.model
-        few = min(max(FEW_CELLS, model.least_cells), model.cells)
-        self.file, self.progress = file, progress
-        self.few = {"structure.cells": few, "structure.refine": 0.0}
-        self.takes = {True: seconds(model, few), False: seconds(model, model.cells)}
+        self.file, self.model, self.progress = file, analysis.model, progress
         self.work = 0.0  # predicted seconds of the analyses so far
 
     def made(
@@ -42,19 +50,38 @@ class LoadTrials:
         *,
         quick: bool,
         skip: tuple[Step, ...] = LOADED,
-    ) -> Facts | str:
-        """What is found of a changed shell, or in a word or two why it is none.
+    ) -> Facts | Refused:
+        """What is found of a changed shell, or why it is none.
 
         quick: Whether it has few cells, and it is left open if its boards reach their target.
         """
         work = trying(self.progress, f"trying {words}", skip)
         if quick:
             work = replace(work, clash="unexamined")
-        self.work += self.takes[quick]
         try:
-            found = shell_of(self.file.tried({**values, **self.few} if quick else values), work)
-        except REFUSALS:
-            return "cannot be made"
+            file = self._tried(values, quick=quick)
+            found = shell_of(file, work)
+        except REFUSALS as error:
+            return _refused(error)
         if found.analysis is None or any(tie.slack is False for tie in found.deployment.ties):
-            return TAUT
+            return Refused(TAUT)
         return found
+
+    def _tried(self, values: Mapping[str, Any], *, quick: bool) -> DesignFile:
+        """The changed file, with few cells if it is to be quick; its work is counted."""
+        file = self.file.tried(values)
+        assert file.structure is not None
+        cells = file.structure.cells
+        if quick:
+            fewest = FEW_CELLS if file.stiffeners is None else STANDING_CELLS
+            cells = min(max(fewest, self.model.least_cells), cells)
+            file = self.file.tried({**values, "structure.cells": cells, "structure.refine": 0.0})
+        self.work += seconds(self.model, cells)
+        return file
+
+
+def _refused(error: OrishellError) -> Refused:
+    """What is said of a refusal, and what it offers."""
+    if isinstance(error, DesignError):
+        return Refused(error.condition, error.candidates)
+    return Refused(getattr(error, "what", str(error)))

@@ -16,7 +16,7 @@ from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
 from orishell.design_file import DesignFile
 from orishell.shell.carry_steps import FOLDS, stiffer, thicker
-from orishell.shell.load_trials import LoadTrials
+from orishell.shell.load_trials import LoadTrials, Refused
 from orishell.structure.results import Analysis
 
 TRIALS = 3
@@ -107,8 +107,8 @@ class _Trials:
         """What is found of a changed shell; None if it cannot be made."""
         words = self._in_words(changes)
         made = self.trials.made(changes, words, quick=quick)
-        if isinstance(made, str):
-            self.tried.append(f"{words} ({made})")
+        if isinstance(made, Refused):
+            self.tried.append(f"{words} (cannot be made: {made.why})")
             return None
         return made.analysis
 

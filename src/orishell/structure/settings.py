@@ -179,7 +179,8 @@ class StructureTable(Table):
     @field_validator("modulus")
     @classmethod
     def _require_modulus(cls, modulus: float | None, info: ValidationInfo) -> float | None:
-        if modulus is None and info.data.get("material") is None:
+        # A material that is wrong is not in the data: that is said of it alone.
+        if modulus is None and info.data.get("material", "") is None:
             raise PydanticCustomError("missing", "Field required")
         return modulus
 

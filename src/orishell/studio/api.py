@@ -10,6 +10,7 @@ from typing import Any, Literal, NotRequired, TypedDict
 from orishell.conventions.row import Row
 from orishell.document import FirstContact
 from orishell.io.view import Curves
+from orishell.shell.carry_found import CarrySearch
 from orishell.shell.family_choice import FamilyChoice, FamilyTrial
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
@@ -304,3 +305,15 @@ class SearchAnswer(TypedDict):
     """The last line of the answer: the search has come to its end."""
 
     result: SearchState
+
+
+class CarryFound(TypedDict):
+    """A line of the answer: what was tried so far, and how each trial ended."""
+
+    found: list[str]
+
+
+class CarryResult(TypedDict):
+    """The last line of the answer: designs that carry, or what was tried in vain."""
+
+    result: CarrySearch

@@ -129,6 +129,7 @@ def make_app(
     for task in ("families", "fit", "verify", "tradeoff", "sheets", "booklet"):
         _add_stream(app, task, slow, kept)
     _add_stream(app, "search", search, Kept(most=0))
+    _add_stream(app, "carry", search, kept)
     _add_task(app, "ranges", slow)
     for task in ("parse", "format", "curve", "surface", "mesh", "pattern", "drawing"):
         _add_task(app, task, quick)

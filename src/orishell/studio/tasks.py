@@ -22,6 +22,7 @@ from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.formats import all_formats
 from orishell.io.view import Curves, dump_view
+from orishell.shell.carry import find_carrying
 from orishell.shell.designed import design_of
 from orishell.shell.family_choice import FamilyTrial
 from orishell.shell.make import Shell, make_shell
@@ -257,6 +258,11 @@ class Task:
         path = self._design(searched=True).path
         return search_variants(self.payload["design"], path, self.progress, self.send)
 
+    def make_it_carry(self) -> dict[str, Any]:
+        """Designs that carry all load cases; what was tried so far is told."""
+        found = find_carrying(self._design(), self.progress, lambda tried: self.send(list(tried)))
+        return dict(as_table(found))
+
     def draw_sheets(self) -> Sheets:
         """The drawings that a workshop gets."""
         return preview_sheets(self._design(), self._name(), self.progress)
@@ -323,6 +329,7 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "sheets": Task.draw_sheets,
     "booklet": Task.draw_booklet,
     "search": Task.search,
+    "carry": Task.make_it_carry,
 }
 
 

@@ -1,0 +1,48 @@
+"""A change of a design file that may have its shell carry, and the steps that propose changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from orishell.conventions.errors import Remedy
+from orishell.conventions.record import record
+from orishell.design_file import DesignFile
+from orishell.structure.results import Analysis
+
+
+@record
+class Change:
+    """Other values at keys of a design file, and what that is in words."""
+
+    values: Mapping[str, Any]
+    said: Mapping[str, str]  # what is done, by the kind of change
+
+    @property
+    def words(self) -> str:
+        """What is done, one change after the other."""
+        return ", ".join(self.said.values())
+
+    def __or__(self, other: Change) -> Change:
+        """Both; what the other one changes again is said once, as it is then."""
+        return Change({**self.values, **other.values}, {**self.said, **other.said})
+
+    def fitted(self, offered: Remedy) -> Change | None:
+        """The change with what its refusal offers; None if that is of other tables.
+
+        offered: Values that fit, by key.
+        """
+        tables = {key.rpartition(".")[0] for key in self.values}
+        if any(key.rpartition(".")[0] not in tables for key in offered.changes):
+            return None
+        ((kind, words), *others) = self.said.items()
+        if self.values.keys() <= offered.changes.keys():
+            words = str(offered)
+        else:
+            words = f"{words}, {offered}"
+        return Change({**self.values, **offered.changes}, {kind: words, **dict(others)})
+
+
+NOTHING = Change({}, {})
+Step = Callable[[DesignFile, Analysis], Iterator[Change]]
+"""A kind of change, as it may be made to a file of which something was found."""
