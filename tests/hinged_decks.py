@@ -11,7 +11,6 @@ import shutil
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +23,11 @@ from orishell.structure.model import Model
 
 STIFF = 1e3
 """A tie or flap that does not give is so many times as stiff as a square of panel."""
-ROW = r"^ +(\d+)((?: +[-+.\dE]+){%d})$"
+APART = 1e-6
+"""Panels that share nodes differ in thickness by this share: of those that are alike, and turned by
+less than 20 degrees, CalculiX makes one body, and says no more what each bears."""
+FACTORS = r" +B U C K L I N G[^\n]*\n\n MODE NO[^\n]*\n +FACTOR"
+TABLE = r"^ %s[^\n]*\n\n((?: +\d[^\n]*\n)+)"
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,8 @@ class Deck:
     case: CaseResult
     element: str = "S8R"  # of CalculiX: S8R, S8
     springs_act: bool = False  # ties and flaps are springs; or equations, which do not give
+    stressed: bool = False  # stresses of elements, and forces on nodes, are printed as well
+    locked: bool = False  # panels share nodes, and turns with them
 
     @property
     def own(self) -> int:
@@ -114,6 +119,9 @@ class Deck:
         both = (np.broadcast_to(each, count) for each in (section.membrane, section.bending))
         membrane, bending = (each.reshape(-1, 2).mean(axis=1) for each in both)
         thickness = np.sqrt(12 * bending / membrane)
+        if self.locked:
+            row, column = np.divmod(self.cells()[1], self.model.grid.columns - 1)
+            thickness = thickness * (1 + APART * (2 * (row % 2) + column % 2))
         return thickness, (1 - section.poisson**2) * membrane / thickness
 
     def write(self, path: Path, *steps: str, off: Array | None = None) -> None:
@@ -132,7 +140,13 @@ class Deck:
         yield "*NODE,NSET=ALL"
         yield from (f"{k},{x:.13g},{y:.13g},{z:.13g}" for k, (x, y, z) in enumerate(places, 1))
         yield f"*ELEMENT,TYPE={self.element},ELSET=PANELS"
+        together = list(self.together(ends))
         every = np.concatenate([corners, self.own + which], axis=1) + 1
+        if self.locked:
+            shared = np.arange(len(places) + 1)
+            first, other = np.array(together).T + 1
+            shared[other] = first
+            every = shared[every]
         yield from (",".join(map(str, (k, *each))) for k, each in enumerate(every.tolist(), 1))
         values = np.column_stack(self.sections())
         kinds, kind = np.unique(values.round(12), axis=0, return_inverse=True)
@@ -142,13 +156,17 @@ class Deck:
             yield f"*MATERIAL,NAME=M{number}"
             yield f"*ELASTIC\n{modulus:.13g},{model.section.poisson:.13g}"
             yield f"*SHELL SECTION,ELSET=E{number},MATERIAL=M{number}\n{thickness:.13g}"
-        yield "*EQUATION"
-        for master, other in self.together(ends):
-            for axis in (1, 2, 3):
-                yield f"2\n{other + 1},{axis},1.,{master + 1},{axis},-1."
-        masters = self.masters()
+        equations = [
+            f"2\n{other + 1},{axis},1.,{master + 1},{axis},-1."
+            for master, other in together * (not self.locked)
+            for axis in (1, 2, 3)
+        ]
         if not self.springs_act:
-            yield from self._held_apart()
+            equations += self._held_apart()
+        if equations:
+            yield "*EQUATION"
+            yield from equations
+        masters = self.masters()
         for number, (one, other, stiffness) in enumerate(self.springs() * self.springs_act, 1):
             yield f"*ELEMENT,TYPE=SPRINGA,ELSET=T{number}"
             yield f"{len(every) + number},{masters[one] + 1},{masters[other] + 1}"
@@ -160,6 +178,10 @@ class Deck:
             yield f"{masters[node] + 1},{axis + 1},{axis + 1}"
         yield "*NSET,NSET=SHOWN"
         yield from (str(each + 1) for each in masters.tolist())
+        yield from self._steps(steps)
+
+    def _steps(self, steps: tuple[str, ...]) -> Iterator[str]:
+        masters = self.masters()
         for step in steps:
             yield f"*STEP{',NLGEOM' if 'NLGEOM' in step else ''}"
             yield step.replace(",NLGEOM", "")
@@ -171,15 +193,25 @@ class Deck:
             for node, axis in np.argwhere(self.case.forces).tolist():
                 yield f"{masters[node] + 1},{axis + 1},{self.case.forces[node, axis]:.13g}"
             yield "*NODE PRINT,NSET=SHOWN,FREQUENCY=1000\nU"
+            if self.stressed:
+                yield "*NODE PRINT,NSET=ALL,FREQUENCY=1000\nRF"
+                yield "*NODE FILE,OUTPUT=3D,FREQUENCY=1000\nRF"
+                yield "*EL PRINT,ELSET=PANELS,GLOBAL=YES,FREQUENCY=1000\nS"
             yield "*END STEP"
 
 
 @dataclass(frozen=True)
 class Found:
-    """What CalculiX finds: displacements (N, 3) of the model's nodes by step, and factors."""
+    """What CalculiX finds: by step displacements of the model's nodes (N, 3), and factors.
+
+    Where asked, forces with which its elements hold nodes (own + S, 3), and stresses xx, yy, zz,
+    xy, xz, yz (C, 8, 6) in points of cells, four below and then four above.
+    """
 
     displacements: list[Array]
     factors: list[float]
+    forces: list[Array]
+    stresses: list[Array]
 
 
 def run_deck(path: Path, deck: Deck) -> Found:
@@ -193,16 +225,28 @@ def run_deck(path: Path, deck: Deck) -> Found:
     assert done.returncode == 0, done.stdout[-2000:]
     assert "*ERROR" not in done.stdout, done.stdout[-3000:]
     text = path.with_suffix(".dat").read_text()
-    begins = [each.start() for each in re.finditer(r"displacements \(vx", text)]
-    tables = [text[one:other] for one, other in pairwise([*begins, len(text)])]
-    displacements = []
-    for table in tables:
-        rows = re.findall(ROW % 3, table.partition("B U C K")[0], flags=re.MULTILINE)
-        values = {int(number): [float(each) for each in row.split()] for number, row in rows}
-        displacements.append(np.array([values[own + 1] for own in deck.masters().tolist()]))
-    factors = [
-        float(row.split()[0])
-        for table in text.split("B U C K L I N G")[1:]
-        for _, row in re.findall(ROW % 1, table, flags=re.MULTILINE)
+    every = _tables(text, r"displacements \(vx", 3)
+    cells = len(deck.cells()[0])
+    return Found(
+        displacements=[_of_nodes(each, deck.masters() + 1) for each in every],
+        factors=[float(row[1]) for each in _tables(text, FACTORS, 1) for row in each],
+        forces=[_of_nodes(each, np.sort(each[:, 0])) for each in _tables(text, r"forces \(fx", 3)],
+        stresses=[
+            each[:, 2:].reshape(cells, -1, 6) for each in _tables(text, r"stresses \(elem", 7)
+        ],
+    )
+
+
+def _tables(text: str, head: str, width: int) -> list[Array]:
+    """Numbers (rows, 1 + width) of all tables with a head; words at the ends are left out."""
+    found = re.findall(TABLE % head, text, flags=re.MULTILINE)
+    return [
+        np.array([row.split()[: 1 + width] for row in each.splitlines()], dtype=float)
+        for each in found
     ]
-    return Found(displacements, factors)
+
+
+def _of_nodes(table: Array, nodes: Array | Integers) -> Array:
+    """Values (n, k) of nodes (n,) in a table (rows, 1 + k) that has them in any order."""
+    order = np.argsort(table[:, 0])
+    return table[order[np.searchsorted(table[order, 0], nodes)], 1:]
