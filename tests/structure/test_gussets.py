@@ -24,6 +24,7 @@ from orishell.locking.gussets import with_gussets
 from orishell.motion import area_of
 from orishell.structure.analyse import analyse
 from orishell.structure.load_settings import LoadCase
+from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, case_loads, sum_forces
 from orishell.structure.mesh.plane import tensors_along
 from orishell.structure.mesh.stresses import PanelStresses
@@ -158,6 +159,9 @@ def test_a_shell_with_gussets_is_solved_as_its_matrix_is() -> None:
     assert straight is not None
     assert followed.size == pytest.approx(straight.size, rel=1e-3)
     assert followed.at == straight.at
+    drawn = loaded_shell(model, ()).gussets
+    wanted = [part.shell.positions[[0, 1, 3]] for part in design.plates]
+    np.testing.assert_allclose(model.mesh.facets.points[drawn], wanted, rtol=0, atol=1e-9)
     mass = 0.01 * (area_of(design.mechanism) + sum(part.areas().sum() for part in design.plates))
     assert model.mass == pytest.approx(mass, rel=1e-12)
 

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import field
+
+import numpy as np
+
 from orishell.conventions.record import record
 from orishell.conventions.row import Sign
 from orishell.numerics.arrays import Array, Integers
@@ -58,6 +62,8 @@ class LoadedShell:
     cases: tuple[LoadedCase, ...]  # the load cases
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
-    stiffened: bool = False  # whether plates stand on it, which are none of its triangles
+    # corners (G, 3) of gussets, which are none of its triangles: nodes at their vertex, above and
+    # below
+    gussets: Integers = field(default_factory=lambda: np.zeros((0, 3), np.int64))
     rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

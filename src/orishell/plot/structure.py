@@ -130,7 +130,7 @@ def exaggeration(points: Array, displacements: Array) -> float:
 
 @record
 class _Panels:
-    """The panels of a loaded shell: how many, their triangles and their outlines."""
+    """Panels of a loaded shell, and gussets behind them: triangles and outlines."""
 
     count: int
     panel: Integers  # the panel (T,) of every triangle
@@ -141,14 +141,16 @@ class _Panels:
 
     @classmethod
     def of(cls, shell: LoadedShell) -> _Panels:
-        count = int(shell.panels.max()) + 1
-        sides = np.sort(shell.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-        owned = np.column_stack([np.repeat(shell.panels, 3), sides])
+        sheet, added = int(shell.panels.max()) + 1, len(shell.gussets)
+        panels = np.concatenate([shell.panels, sheet + np.arange(added)])
+        triangles = np.concatenate([shell.triangles, shell.gussets])
+        sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        owned = np.column_stack([np.repeat(panels, 3), sides])
         rims, times = np.unique(owned, axis=0, return_counts=True)
         rims = rims[times == 1]
-        edges, times = np.unique(rims[:, 1:], axis=0, return_counts=True)
-        ends = np.cumsum(np.bincount(rims[:, 0], minlength=count))
-        return cls(count, shell.panels, shell.triangles, rims[:, 1:], ends, edges[times == 1])
+        edges, times = np.unique(rims[rims[:, 0] < sheet, 1:], axis=0, return_counts=True)
+        ends = np.cumsum(np.bincount(rims[:, 0], minlength=sheet + added))
+        return cls(sheet + added, panels, triangles, rims[:, 1:], ends, edges[times == 1])
 
     def draw(self, axes: Axes, points: Array, case: LoadedCase, camera: Camera) -> ScalarMappable:
         """Panels at points (N, 3) from the farthest to the nearest, coloured by displacement."""

@@ -33,7 +33,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
-        stiffened=model.plates is not None,
+        gussets=np.zeros((0, 3), np.int64) if model.plates is None else model.plates.corners,
         rails=bool(model.rails),
         cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
         creases=_creases(model, cases),

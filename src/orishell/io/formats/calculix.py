@@ -63,7 +63,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             got='"hinged"',
             expected='"sandwich" or "bevel"',
         )
-    if shell.stiffened:
+    if len(shell.gussets):
         raise InputError(
             "gussets are not written for CalculiX: creases there are rigid, and would leave them "
             "nothing to do",
