@@ -160,6 +160,11 @@ export function searchDesigns(design: Design, name: string, signal: AbortSignal,
   return streamed("search", { design, name }, signal, () => undefined, found);
 }
 
+/** Designs that carry all load cases; what was tried is told as it ends, aborting stops the search. */
+export function makeItCarry(design: Design, signal: AbortSignal, progressed: Progressed, tried: (changes: string[]) => void): Promise<Api.CarrySearch> {
+  return streamed("carry", { design }, signal, progressed, tried);
+}
+
 /** The result of work whose progress, and what it finds, is told while it is under way. */
 async function streamed<T, Found = T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed, found?: (value: Found) => void): Promise<T> {
   const response = await ask(path, body, signal);

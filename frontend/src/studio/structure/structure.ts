@@ -9,6 +9,7 @@ import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
 import type { Store } from "../state/store.ts";
+import { CarryCard } from "./carry.ts";
 import { RailControls } from "./rail.ts";
 import { box, choice, named, row } from "./rows.ts";
 import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
@@ -107,6 +108,7 @@ export class StructureControls {
       this.work.element,
       this.verdict,
       this.again,
+      new CarryCard(store).element,
     );
     this.element = h(
       "section",
