@@ -15,8 +15,9 @@ if TYPE_CHECKING:
 
 WIDTHS = {1440: 900, 1024: 768, 820: 1180, 390: 844}
 """A desk, a small laptop, a tablet and a phone: width to height."""
-SIDEWAYS = "pre, table, math, .table-wrapper, .math-wrapper"
-"""What may be read by scrolling sideways: code, tables and formulas, and nothing else."""
+SIDEWAYS = "pre, table, math, .table-wrapper, .math-wrapper, .sheet-paper"
+"""What may be read by scrolling sideways: code, tables, formulas, and pages of a booklet, which are
+no smaller than one can read; nothing else."""
 
 DRAWERS = ".sidebar-drawer, .toc-drawer"
 """What the site keeps beside the window until it is called; what is drawn out is looked at."""

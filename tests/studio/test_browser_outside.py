@@ -53,6 +53,7 @@ def export(page: Page) -> Views:
     wait_until(page, f"['shown', 'refused'].includes({SHEETS})")
     for each in page.locator("label:has([data-testid^=task-])").all():
         each.click()
+        wait_until(page, f"{SHEETS} !== 'waiting'")
         yield each.inner_text()
 
 

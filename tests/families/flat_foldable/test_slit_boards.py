@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cad_tools import objects_of, read_3mf
+from cad_tools import objects_of, read_3mf, require_build123d
 from mechanisms import TURNED, flat_foldable, random_net
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
 from orishell.clash.bodies import Bodies
@@ -192,6 +192,7 @@ def test_the_widest_flaps_are_those_whose_boards_meet_nothing() -> None:
 @thorough
 @pytest.mark.parametrize("attachment", ["clipped", "folded"])
 def test_every_board_of_a_dome_is_cut_weighed_and_drawn(attachment: str, tmp_path: Path) -> None:
+    require_build123d()
     shell = dome(attachment)
     lock, document = shell.report.lock, shell.document
     assert lock.cause == ("flaps" if attachment == "folded" else "boards")
