@@ -58,6 +58,7 @@ def draw_shell(
     signs: CreaseValues | None = None,
     ground: float | None = None,
     line: float = 0.6,
+    cells: int = CELLS,
 ) -> None:
     """Draw a folded state, from the farthest piece to the nearest.
 
@@ -75,6 +76,8 @@ def draw_shell(
         Height of the ground that the shadow falls on; None: the lowest vertex. NaN: no shadow.
     line
         Width of creases (points).
+    cells
+        Along a panel's side: many where panels lie close to each other.
     """
     from matplotlib.collections import PolyCollection
 
@@ -83,14 +86,14 @@ def draw_shell(
     shown = []
     if np.isfinite(height):
         shown.append(_draw_shadow(axes, positions, view, lamp, height))
-    cells = _cells(positions)
-    colours = np.repeat(_shade(panel_normals(positions), view, lamp), CELLS**2, axis=0)
-    sides, inks, owners = _sides(cells, _inks(signs, positions.shape))
-    picture, depth = view.project(np.concatenate([cells, sides]))
+    pieces = _cells_of(*_corners(positions), cells=cells)
+    colours = np.repeat(_shade(panel_normals(positions), view, lamp), cells**2, axis=0)
+    sides, inks, owners = _sides(pieces, _inks(signs, positions.shape), cells)
+    picture, depth = view.project(np.concatenate([pieces, sides]))
     # Creases come after the cells that they bound.
     key = depth.mean(axis=1)
-    key[len(cells) :] = key[owners]
-    late = np.repeat([0, 1], [len(cells), len(sides)])
+    key[len(pieces) :] = key[owners]
+    late = np.repeat([0, 1], [len(pieces), len(sides)])
     order = np.lexsort((late, key))
     faces = np.concatenate([colours, np.zeros((len(sides), 4))])
     axes.add_collection(
@@ -98,7 +101,7 @@ def draw_shell(
             list(picture[order]),
             facecolors=faces[order],
             edgecolors=np.concatenate([colours, inks])[order],
-            linewidths=np.array([0.7, line])[late][order],
+            linewidths=np.array([0.7 * np.sqrt(CELLS / cells), line])[late][order],
             capstyle="round",
         )
     )
@@ -231,37 +234,32 @@ def _corners(points: Array) -> tuple[Array, Array, Array, Array]:
     return points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
 
 
-def _cells(positions: Array) -> Array:
-    """Cells (F * CELLS**2, 4, 3) of all panels, by panel, then down, then to the right."""
-    return _cells_of(*_corners(positions))
-
-
-def _cells_of(*corners: Array) -> Array:
-    """Cells (F * CELLS**2, 4, 3) of quadrilaterals by their corners (..., 3), in order around."""
+def _cells_of(*corners: Array, cells: int = CELLS) -> Array:
+    """Cells (F * cells**2, 4, 3) of quadrilaterals by their corners (..., 3), in order around."""
     a, b, c, d = (corner.reshape(-1, 1, 1, 3) for corner in corners)
-    steps = np.linspace(0, 1, CELLS + 1)
+    steps = np.linspace(0, 1, cells + 1)
     u, v = steps[:, None, None], steps[None, :, None]
     points = (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
     parts = (points[:, :-1, :-1], points[:, 1:, :-1], points[:, 1:, 1:], points[:, :-1, 1:])
     return np.stack(parts, axis=-2).reshape(-1, 4, 3)
 
 
-def _sides(cells: Array, inks: tuple[Array, Array]) -> tuple[Array, Array, Integers]:
+def _sides(pieces: Array, inks: tuple[Array, Array], cells: int) -> tuple[Array, Array, Integers]:
     """Pieces of all panels' sides as polygons (S, 4, 3), their colours, and whose cell each is."""
     row, column = inks
-    number = np.arange(len(cells)).reshape(-1, CELLS, CELLS)
-    pieces, colours, owners = [], [], []
+    number = np.arange(len(pieces)).reshape(-1, cells, cells)
+    sides, colours, owners = [], [], []
     for mine, ends, ink in (
         (number[:, 0], (0, 3), row[:-1]),
         (number[:, -1], (1, 2), row[1:]),
         (number[:, :, 0], (0, 1), column[:, :-1]),
         (number[:, :, -1], (3, 2), column[:, 1:]),
     ):
-        first, last = (cells[mine.ravel(), end] for end in ends)
-        pieces.append(np.stack([first, last, last, first], axis=1))
-        colours.append(np.repeat(ink.reshape(-1, 4), CELLS, axis=0))
+        first, last = (pieces[mine.ravel(), end] for end in ends)
+        sides.append(np.stack([first, last, last, first], axis=1))
+        colours.append(np.repeat(ink.reshape(-1, 4), cells, axis=0))
         owners.append(mine.ravel())
-    return np.concatenate(pieces), np.concatenate(colours), np.concatenate(owners)
+    return np.concatenate(sides), np.concatenate(colours), np.concatenate(owners)
 
 
 def _inks(signs: CreaseValues | None, shape: tuple[int, ...]) -> tuple[Array, Array]:

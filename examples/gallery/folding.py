@@ -18,19 +18,20 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from orishell import Design
-from orishell.deployment import Tie, feet_ties, find_ties
-from orishell.deployment.feet import find_feet
+from orishell.deployment import Tie
 from orishell.design_file import read_design_file
 from orishell.shell.designed import designed
+from orishell.shell.make import make_shell
+from orishell.shell.steps import MEASURES
 
 DIRECTORY = EXAMPLES.parent / "docs" / "images"
 STRIP = (0.0, 0.32, 0.56, 0.78, LOCKED)
 """Shares of the drive at lock."""
-BUNDLE = np.deg2rad(177.7)
-"""Drive at which the bundle is drawn: 0.7 m deep, as 72 boards of 10 mm are."""
 STEPS, HELD = 24, 16
 """States of the animation from bundle to target, and how many frames it rests at either end."""
 COLOURS = 96
+FINE = 24
+"""Cells along a panel's side where panels lie as close as in the pack."""
 
 
 def design(name: str) -> Design:
@@ -52,16 +53,17 @@ def draw_strip(path: Path) -> None:
 
 
 def draw_animation(path: Path) -> None:
-    """The shelter that is opened from its bundle until its ties are taut, and closed again."""
-    shelter = design("shelter")
-    sheet, feet = shelter.mechanism, find_feet(shelter)
-    assert feet is not None
-    ties = find_ties(sheet, feet_ties(sheet, feet.rows), BUNDLE)
+    """The shelter is opened from its pack until its ties are taut, and closed again."""
+    file = read_design_file(EXAMPLES / "shelter_snow.toml")
+    shell = make_shell(file, clash="unexamined", skip=(*MEASURES, "stock", "structure", "remedies"))
+    sheet, deployment = shell.design.mechanism, shell.report.deployment
+    assert deployment is not None
+    assert shell.lock is not None
     # Its length goes with the cosine: steps of the drive would throw it open.
     eased = 0.5 * (1 - np.cos(np.linspace(0, np.pi, STEPS)))
-    ends = np.cos(0.5 * np.array([BUNDLE, sheet.target_drive]))
+    ends = np.cos(0.5 * np.array([shell.lock.closes_to, sheet.target_drive]))
     drives = 2 * np.arccos(ends[0] + eased * (ends[1] - ends[0]))
-    pictures = [draw_frame(sheet.positions(drive), ties) for drive in drives]
+    pictures = [draw_frame(sheet.positions(drive), deployment.ties) for drive in drives]
     # One palette for all frames, from some of them: no flicker, and no rounding of our own.
     some = pictures[::3]
     height = pictures[0].height
@@ -86,14 +88,14 @@ def draw_animation(path: Path) -> None:
 def draw_frame(positions: Array, ties: Sequence[Tie]) -> Image.Image:
     """One state of the shelter, standing on the ground, in a window that is always the same."""
     positions = positions - [*positions[..., :2].mean(axis=(0, 1)), positions[..., 2].min()]
-    figure = Figure(figsize=(6.8, 3.683), facecolor="white")
+    figure = Figure(figsize=(6.8, 3.86), facecolor="white")
     FigureCanvasAgg(figure)
     axes = figure.add_axes((0, 0, 1, 1))
     view = camera(-40, 24)
-    draw_shell(axes, positions, view, ground=0.0, line=0.7)
+    draw_shell(axes, positions, view, ground=0.0, line=0.7, cells=FINE)
     draw_ties(axes, positions, ties, view)
-    axes.set_xlim(-4.7, 4.7)
-    axes.set_ylim(-1.8, 3.292)
+    axes.set_xlim(-3.6, 3.8)
+    axes.set_ylim(-1.5, 2.7)
     buffer = BytesIO()
     figure.savefig(buffer, dpi=100)
     return Image.open(buffer).convert("RGB")

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from orishell.conventions.errors import DesignError
 from orishell.families.drawn.design import design_drawn
@@ -14,6 +16,7 @@ from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.drawing import Drawing, drawing_of
 from orishell.motion.grid import CreaseValues, Grid
+from orishell.numerics.arrays import Integers
 from orishell.shell.folded import fold_pattern
 from orishell.verification.pattern import FoldingMotion, judge_pattern
 from patterns import fold_file, fold_of, of_loops, square_twist
@@ -27,7 +30,10 @@ SYMMETRIES: list[Symmetry] = [
 
 
 def random_sheet(seed: int) -> CreasePattern:
-    """A small grid: lines that cross, zigzags or anything; random letters, and a few cuts."""
+    """A small grid: lines that cross, zigzags or anything; random letters, and a few cuts.
+
+    Cuts that would leave two pieces are none: such a sheet is refused (``test_connectivity``).
+    """
     rng = np.random.default_rng(seed)
     rows, columns = rng.integers(3, 5, 2).tolist()
     x, y = np.meshgrid(*(np.cumsum(rng.uniform(0.6, 1.4, each)) for each in (columns, rows)))
@@ -43,7 +49,23 @@ def random_sheet(seed: int) -> CreasePattern:
     edges = grid.edges_vertices()
     letters = rng.choice(list("MVFUC"), len(edges), p=[0.35, 0.35, 0.08, 0.17, 0.05])
     points = np.stack([x, y], axis=-1).reshape(-1, 2)
-    return pattern_of_panels(points, grid.faces_vertices(), edges, letters)
+    faces = grid.faces_vertices()
+    if pieces(faces, edges[letters != "C"]) > 1:
+        letters[letters == "C"] = "F"
+    return pattern_of_panels(points, faces, edges, letters)
+
+
+def pieces(faces: Integers, edges: Integers) -> int:
+    """How many pieces panels (F, 4) are that hang together by edges (E, 2)."""
+    uncut = {frozenset(edge) for edge in edges.tolist()}
+    sides: dict[frozenset[int], list[int]] = {}
+    for number, loop in enumerate(faces.tolist()):
+        for ends in zip(loop, [*loop[1:], loop[0]], strict=True):
+            sides.setdefault(frozenset(ends), []).append(number)
+    joined = [both for side, both in sides.items() if len(both) == 2 and side in uncut]
+    first, second = np.array(joined, dtype=np.int64).reshape(-1, 2).T
+    graph = coo_array((np.ones(len(first)), (first, second)), shape=(len(faces),) * 2)
+    return int(connected_components(graph, directed=False)[0])
 
 
 def changed(pattern: CreasePattern, number: int, seed: int) -> CreasePattern:
