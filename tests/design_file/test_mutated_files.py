@@ -190,7 +190,9 @@ def listed() -> Tables:
     design = FlatFoldablePattern(rows=5, columns=6, sheet="arch").design_without_target()
     keys = FlatFoldablePattern.model_fields.keys() & design.parameters.keys()
     lists = {
-        key: design.parameters[key] for key in keys if isinstance(design.parameters[key], list)
+        key: design.parameters[key]
+        for key in sorted(keys)  # places are drawn by their number
+        if isinstance(design.parameters[key], list)
     }
     return {"rows": 5, "columns": 6, **lists, "sheet": "lists"}
 

@@ -28,6 +28,10 @@ def printable(text: str) -> str:
     )
 
 
+LONGEST_PLACE = 240
+"""Characters of a place that a message has: names of files are anything that a user writes."""
+
+
 class OrishellError(Exception):
     """Base class of all errors of orishell; ``exit_status`` is what the command line returns."""
 
@@ -117,7 +121,10 @@ class InputError(OrishellError):
         sentence = "; ".join([self.what, ", ".join(facts)] if facts else [self.what]) + "."
         if self.remedy:
             sentence += f" Remedy: {self.remedy}."
-        places = [self.file, self.where.removesuffix(":"), sentence]
+        where = self.where.removesuffix(":")
+        if len(where) > LONGEST_PLACE:
+            where = f"{where[:LONGEST_PLACE]}..."
+        places = [self.file, where, sentence]
         sentence = printable(": ".join(filter(None, places)))
         return f"{sentence}\n{self.detail}" if self.detail else sentence
 

@@ -141,14 +141,18 @@ def _signs(lines: list[str] | None) -> Array:
 
 
 def _require_panels(flat: Array) -> None:
-    """Refuse panels without an area, or seen from behind."""
-    areas = signed_areas(grid_corners(flat))
-    if (areas > 0).all():
+    """Refuse panels without an area, seen from behind, or with two corners in one place."""
+    corners = grid_corners(flat)
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=-2), axis=-1).min(axis=-1)
+    whole = (signed_areas(corners) > 0) & (sides > 0)
+    if whole.all():
         return
-    row, column = np.argwhere(~(areas > 0))[0]
+    row, column = np.argwhere(~whole)[0]
+    short = sides[row, column] == 0
+    lacks = "with a side of no length" if short else "turned over or without an area"
     raise InputError(
         "rows must run from left to right, and one below the other",
         keys=("vertices",),
         where="vertices",
-        got=f"panel {row + 1}, {column + 1} turned over or without an area",
+        got=f"panel {row + 1}, {column + 1} {lacks}",
     )

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import conversion
+from orishell.conventions.quantities import conversion, plain
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid, VertexPair
 from orishell.numerics.arrays import Array, Integers
@@ -52,7 +52,7 @@ def lay_rails(
     feet: Vertices (F,) that are feet; None if the shell does not stand.
     points: Where nodes are (N, 3).
     sheet: The grid, and the number of columns of folded flaps before its first one.
-    Raises InputError: If there are no two feet in a row.
+    Raises InputError: If there are no two feet in a row, or bars are deeper than long.
     """
     if asked is None:
         return ()
@@ -70,7 +70,7 @@ def lay_rails(
             expected="a shell that stands on the two ends of f, on several vertices each",
         )
     bar, columns = bar_of(asked, unit), grid.columns
-    return tuple(
+    rails = tuple(
         Frame(
             line,
             points[line],
@@ -79,6 +79,16 @@ def lay_rails(
         )
         for line in lines
     )
+    longest = max(float(rail.lengths.max()) for rail in rails)
+    if max(bar.width, bar.height) > longest:
+        raise InputError(
+            "a base rail is deeper than it is long from foot to foot, and no bar",
+            where="[structure] rail",
+            keys=("structure.rail",),
+            got=f"{plain(max(bar.width, bar.height))} {unit}",
+            expected=f"at most {plain(longest)} {unit}",
+        )
+    return rails
 
 
 def rail_masses(asked: BaseRail | None, rails: tuple[Frame, ...], count: int, unit: str) -> Array:

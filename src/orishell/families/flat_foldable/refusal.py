@@ -15,6 +15,9 @@ from orishell.numerics.equals import first_smallest
 ALIKE = 1e-6
 """A row and a column have no vertex if tangents of half their fold angles differ by less
 (relative)."""
+STILL = 1e-9
+"""A row or a column stays flat if the tangent of half its fold angle is a smaller share of the
+largest."""
 SHARPEST = 1e-3
 """The least sine of a panel's corner."""
 
@@ -32,6 +35,14 @@ class Fault:
 def find_fault(net: Net) -> Fault | None:
     """What is wrong with a net of one sheet; None if it makes a sheet of convex panels."""
     x, y = np.abs(net.x), np.abs(net.y)[:, 0]
+    sizes = np.concatenate([x.ravel(), y.ravel()])
+    if sizes.min() < STILL * sizes.max():
+        least = int(sizes.argmin())
+        return Fault(
+            "a row or a column stays flat while others fold",
+            f"row {least + 1}" if least < x.size else f"column {least - x.size + 1}",
+            f"it folds by {in_degrees(2 * np.arctan(sizes.min()))} degrees",
+        )
     alike = np.abs(x / y - 1) < ALIKE
     if alike.any():
         row, column = np.argwhere(alike)[0]

@@ -75,9 +75,10 @@ class Task:
     def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
         """The sheet that a start leads to; None where it does not keep the conditions itself."""
         seen = start.on(self.piece)
-        of = Unknowns.covering(
-            seen, self.rows, self.columns, SECTOR, start.folded, straight=self.straight
-        )
+        with np.errstate(divide="ignore", invalid="ignore"):  # rounding swallows edges
+            of = Unknowns.covering(
+                seen, self.rows, self.columns, SECTOR, start.folded, straight=self.straight
+            )
         found = follow(seen, of, self.conditions, course, progress)
         return None if found is None else Fit(start, of, *found)
 
