@@ -39,6 +39,12 @@ def test_caret_stands_under_the_fault_also_in_long_formulas() -> None:
     assert lines[1][lines[2].index("^")] == "$"
 
 
+def test_a_long_name_is_cut() -> None:
+    said = str(InputError("it cannot be read", where="x" * 5000, got="Name too long"))
+    assert len(said) < 300
+    assert said.endswith("...: it cannot be read; got Name too long.")
+
+
 def test_nothing_in_a_message_gives_orders_to_a_terminal() -> None:
     hostile = "a\x1b[2J\r\n\x9b31m\x07\u202eb\ud800"
     error = InputError(hostile, where=hostile, got=hostile, expected=hostile, remedy=hostile)

@@ -228,6 +228,23 @@ def test_bad_values_are_refused(tmp_path: Path, rail: str, says: str) -> None:
         read(tmp_path, STRUCTURE % rail)
 
 
+def test_a_rail_deeper_than_long_is_refused() -> None:
+    from orishell.motion.grid import Grid
+    from orishell.structure.rail import lay_rails
+    from orishell.structure.rail_settings import BaseRail
+
+    points = np.zeros((9, 3))
+    points[:3, 0] = 0.0, 0.4, 0.7
+    feet = np.array([0, 1, 2])
+    for height in (0.39, 0.41):
+        asked = BaseRail(material="steel", width=0.05, height=height)
+        if height < 0.4:
+            assert len(lay_rails(asked, feet, points, (Grid(3, 3), 0), "m")) == 1
+            continue
+        with pytest.raises(InputError, match=r"deeper than it is long.*0\.41 m.*at most 0\.4 m"):
+            lay_rails(asked, feet, points, (Grid(3, 3), 0), "m")
+
+
 def test_a_shell_without_feet_is_refused() -> None:
     from orishell.motion.grid import Grid
     from orishell.structure.rail import lay_rails

@@ -276,6 +276,11 @@ def test_panels_that_are_no_grid_are_refused_by_place(tmp_path: Path) -> None:
         turned({"target.pattern.scale": 1.0, "target.pattern.vertices.0": [[0, -9]] * 8})
 
 
+def test_a_vertex_that_is_drawn_twice_is_refused() -> None:
+    with pytest.raises(InputError, match="panel 6, 1 with a side of no length"):
+        starter().changed({"target.pattern.vertices.6.1": [0.0, -6.0]})
+
+
 def test_a_sheet_nearby_folds_all_creases_as_they_are_asked_to() -> None:
     """Of signs that the sheet nearby does not fold with, as where it stays flat, there is none."""
     drawing = drawing_of(jittered(miura(3, 3), 1e-3))

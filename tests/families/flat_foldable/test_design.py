@@ -158,6 +158,14 @@ def test_what_does_not_go_together_is_refused(wrong: dict[str, Any], key: str) -
             },
             "row 1 and column 3",
         ),
+        (
+            {
+                "sheet": "lists",
+                "row_folds_deg": [80.0] * 7,
+                "column_folds_deg": [50.0, -50.0, 1e-8, 20.0] * 2,
+            },
+            "stays flat while others fold.*column 3",
+        ),
     ],
 )
 def test_what_makes_no_sheet_is_refused_with_what_works(
