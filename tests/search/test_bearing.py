@@ -17,7 +17,7 @@ THICK = [0.001, 0.003, 0.014]
 BREAKS = {"strength": 0.44e6, "modulus": 270e6}
 """Panels of 3 mm bear 1.19 of that strength, of 14 mm 0.72."""
 BUCKLES = {"strength": 5e6, "modulus": 270e6, "cells": 2}
-"""Panels of 6 mm bear more than what buckles them, of 10 mm half of it, of 14 mm 0.18."""
+"""Panels of 5 mm bear 4 times what buckles them, of 6 mm 2.4; those of 14 mm use 0.18."""
 
 
 def posed(structure: dict[str, float], thick: Sequence[float] = THICK, **search: Any) -> Problem:
@@ -40,7 +40,7 @@ def found(problem: Problem) -> SearchResult:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("structure", "thick"),
-    [(BREAKS, THICK), (BUCKLES, [0.006, 0.01, 0.014])],
+    [(BREAKS, THICK), (BUCKLES, [0.005, 0.006, 0.014])],
     ids=["breaks", "buckles"],
 )
 def test_what_breaks_or_buckles_is_not_on_the_front(
