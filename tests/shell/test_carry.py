@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from command_line import orishell
@@ -12,13 +14,15 @@ from orishell.conventions.errors import Remedy
 from orishell.conventions.progress import no_progress
 from orishell.conventions.quantities import SPACE
 from orishell.design_file import DesignFile, read_design_file
-from orishell.shell import carry, carry_feet, carry_steps, make_shell
+from orishell.shell import carry, carry_boards, carry_feet, carry_steps, make_shell
 from orishell.shell.carry import find_carrying
 from orishell.shell.carry_change import Change
 from orishell.shell.carry_found import CarrySearch
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.load_trials import LOADED, LoadTrials, Refused
 from orishell.shell.steps import MEASURES, Step
+from orishell.structure.materials import materials
+from orishell.structure.plausibility import panel_widths
 from orishell.structure.results import Analysis
 from small_arch import SMALL_ARCH
 
@@ -81,7 +85,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[DesignFile, CarrySe
         some = (
             carry_steps.ties_across_folds,
             carry_steps.flaps,
-            carry_steps.thicker,
+            carry_boards.thicker,
             carry_steps.more_rows,
         )
         patched.setattr(carry, "BUILDER", some)
@@ -159,18 +163,95 @@ def test_steps_propose_what_a_file_lacks(tmp_path: Path, weak: tuple[DesignFile,
 def test_thicker_panels_weigh_more_where_the_file_says_what_they_weigh(
     tmp_path: Path, weak: tuple[DesignFile, Analysis]
 ) -> None:
-    """In proportion; as much of another material weighs the same, which is how thick it is then."""
+    """In proportion; other boards weigh no more, or are the lightest sold."""
     _, begun = weak
     file = arch(tmp_path).tried({"workshop.areal_density": 5.0})
-    (change,) = carry_steps.thicker(file, begun)
+    (change,) = carry_boards.thicker(file, begun)
     before, after = 0.004, change.values["panel.thickness"]
     heavier = change.values["workshop.areal_density"]
     assert heavier == pytest.approx(5.0 * after / before, rel=1e-3)
-    others = list(carry_steps.other_materials(file, begun))
+    others = list(carry_boards.other_materials(file, begun))
     assert others
-    assert {each.values["workshop.areal_density"] for each in others} == {5.0}
-    # Of corrugated cardboard, the lightest, 5 kg/m2 are 5/140 m.
-    assert max(each.values["panel.thickness"] for each in others) < 0.037
+    sold = materials()
+    for each in others:
+        made, thickness = sold[each.values["structure.material"]], each.values["panel.thickness"]
+        assert thickness in made.sold
+        weighs = made.density_of(thickness) * thickness
+        assert each.values["workshop.areal_density"] == pytest.approx(max(5.0, weighs))
+        assert weighs <= 5.0 or thickness == made.sold[0]
+
+
+def test_panels_are_as_thick_as_boards_are_sold(
+    tmp_path: Path, weak: tuple[DesignFile, Analysis]
+) -> None:
+    """Rounded up, in the unit of the file; beyond the thickest it is said, and not tried."""
+    file, begun = weak
+    sold = materials()["birch plywood"].sold
+    (change,) = carry_boards.thicker(file, begun)
+    assert change.values["panel.thickness"] in sold
+    offered = carry_boards.offer(file, begun.model)
+    assert (offered.at_least(0.0091), offered.at_most(0.0119)) == (0.012, 0.009)
+    assert offered.at_most(0.001) is None
+    thickest = file.tried({"panel.thickness": 0.04})
+    made = replace(begun, model=replace(begun.model, design=replace(
+        begun.model.design, panel=thickest.panel
+    )))  # fmt: skip
+    (beyond,) = carry_boards.thicker(thickest, made)
+    assert "no thicker board of birch plywood is on the market (40 mm)" in beyond.refused.replace(
+        SPACE, " "
+    )
+    # Two boards of 4 mm on a membrane of 0.5 mm.
+    on_membrane = file.tried({
+        "panel.construction": "sandwich", "panel.membrane": 0.0005, "panel.gap": None
+    })  # fmt: skip
+    assert carry_boards.offer(on_membrane, begun.model).at_least(0.0075) == 0.0085
+
+
+def test_panels_of_ones_own_make_stay_plates(
+    tmp_path: Path, weak: tuple[DesignFile, Analysis]
+) -> None:
+    """Where nobody knows what is sold, a tenth of the width of a panel is the most."""
+    file, begun = weak
+    own = file.tried({"structure.material": None, "structure.modulus": 9e9})
+    offered = carry_boards.offer(own, begun.model)
+    width = float(np.median(panel_widths(begun.model)))
+    assert offered.at_least(1.0) == pytest.approx(0.1 * width, rel=0.05)
+    assert "makes no plate" in offered.end
+
+
+def test_what_a_refusal_offers_is_rounded_to_what_is_sold(
+    weak: tuple[DesignFile, Analysis],
+) -> None:
+    """Panels of 13.37 mm are bought as 12 mm; of 1 mm there are none."""
+    file, begun = weak
+    offered = carry_boards.offer(file, begun.model)
+    fits = Change({"panel.thickness": 0.01337}, {"thickness": "thickness = 0.01337 in [panel]"})
+    bought = carry_boards.as_sold(file, offered, fits)
+    assert bought is not None
+    assert bought.values == {"panel.thickness": 0.012}
+    assert bought.words.replace(SPACE, " ") == "panels 12 mm thick"
+    assert carry_boards.as_sold(file, offered, Change({"panel.thickness": 0.001}, {})) is None
+    assert carry_boards.as_sold(file, offered, Change(carry_steps.FOLDS, {})) is not None
+
+
+def test_a_thickness_that_is_not_sold_is_said_and_not_made(
+    weak: tuple[DesignFile, Analysis], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Cardboard under the snow of a mountain."""
+    file, _ = weak
+    made = materials()["corrugated cardboard"].sold
+    cardboard = file.tried({
+        "structure.material": "corrugated cardboard", "panel.thickness": made[-1]
+    })  # fmt: skip
+    monkeypatch.setattr(carry, "BUILDER", (carry_boards.thicker,))
+    monkeypatch.setattr(carry, "DESIGNER", ())
+    search = find_carrying(cardboard)
+    assert [each.replace(SPACE, " ") for each in search.tried if "cannot be made" in each]
+    assert all(
+        "no thicker board of corrugated cardboard is on the market (15 mm)"
+        in each.replace(SPACE, " ")
+        for each in search.tried
+    )
 
 
 SLIDING = '[{ at = "feet", kind = "friction", friction = 0.4 }]'
@@ -202,13 +283,34 @@ def test_feet_that_slide_are_joined_by_a_rail_or_anchored(
     rail = railed.structure.rail
     assert rail is not None
     assert (rail.material, rail.width, rail.height, rail.wall) == ("steel", 0.06, 0.04, 0.003)
-    assert second.words.replace(SPACE, " ") == "a base rail of steel, 100 mm x 60 mm x 4 mm"
+    assert second.words.replace(SPACE, " ") == "a steel base rail, 100 mm x 60 mm x 4 mm"
     assert not list(carry_feet.base_rail(railed, begun))
-    (held,) = carry_feet.anchored(slides, begun)
-    anchored = slides.tried(held.values).structure
-    assert anchored is not None
-    (support,) = anchored.supports
-    assert (support.kind, support.edges, support.friction) == ("pinned", True, 0.0)
+    anchors = list(carry_feet.anchored(slides, begun))
+    assert [each.words for each in anchors] == [
+        "feet anchored along their edges",
+        "feet anchored at points",
+    ]
+    for held, edges in zip(anchors, (True, False), strict=True):
+        anchored = slides.tried(held.values).structure
+        assert anchored is not None
+        (support,) = anchored.supports
+        assert (support.at, support.kind, support.edges) == ("feet", "pinned", edges)
+        assert support.friction == 0
+
+
+def test_a_canopy_is_anchored_at_its_ends(
+    tmp_path: Path, weak: tuple[DesignFile, Analysis]
+) -> None:
+    """Where it stands, and not at feet that it has not; a rail is for rows of feet."""
+    _, begun = weak
+    ends = standing(tmp_path, SLIDING.replace("feet", "ends"))
+    assert not list(carry_feet.base_rail(ends, begun))
+    held = next(carry_feet.anchored(ends, begun))
+    assert held.words == "ends anchored along their edges"
+    (support,) = held.values["structure.supports"]
+    assert support == {"at": "ends", "kind": "pinned", "edges": True}
+    both = standing(tmp_path, f"{SLIDING[:-1]}, {{ at = [[1, 1]], kind = 'sliding' }}]")
+    assert next(carry_feet.anchored(both, begun)).words == "supports anchored along their edges"
 
 
 def test_ballast_grows_to_what_the_feet_need(tmp_path: Path) -> None:
@@ -249,6 +351,21 @@ def test_gussets_are_few_first_then_more(weak: tuple[DesignFile, Analysis]) -> N
     whole = file.tried(next(carry_steps.whole_boards(file, begun)).values)
     assert whole.stiffeners is None
     assert not list(carry_steps.gussets(whole, begun))
+
+
+def test_gussets_are_said_by_place_and_column(weak: tuple[DesignFile, Analysis]) -> None:
+    file, begun = weak
+    said = []
+    for _ in range(4):
+        change = next(carry_steps.gussets(file, begun))
+        file = file.tried(change.values)
+        said.append(change.words)
+    assert said == [
+        "gussets in the valleys, every 4th column",
+        "gussets in the valleys, every 2nd column",
+        "gussets in the valleys, every column",
+        "gussets in the valleys and on the crests, every column",
+    ]
 
 
 def test_gussets_bring_an_arch_on_free_hinges_nearer(

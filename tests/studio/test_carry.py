@@ -9,7 +9,7 @@ import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.toml_file import parse_toml
-from orishell.shell import carry, carry_steps
+from orishell.shell import carry, carry_boards
 from orishell.studio import api
 from orishell.studio.tasks import answer
 from small_arch import SMALL_ARCH
@@ -34,7 +34,7 @@ DESIGN: dict[str, Any] = {
 def test_what_is_tried_is_told_and_what_carries_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(carry, "BUILDER", (carry_steps.thicker, carry_steps.thicker))
+    monkeypatch.setattr(carry, "BUILDER", (carry_boards.thicker, carry_boards.thicker))
     monkeypatch.setattr(carry, "DESIGNER", ())
     told: list[list[str]] = []
     shares: list[float] = []

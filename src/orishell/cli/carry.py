@@ -90,9 +90,8 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
         yield "It carries as it is: nothing is to be changed."
         return
     if found.found:
-        rows = [
-            (str(number), *_cells(each, unit)) for number, each in enumerate(found.found, start=1)
-        ]
+        names = [each.name for each in written] or map(str, range(1, len(found.found) + 1))
+        rows = [(name, *_cells(each, unit)) for name, each in zip(names, found.found, strict=True)]
         parts: list[Any] = [Table(HEAD, rows, numbers=0)]
     else:
         parts = [Paragraph("No design was found that carries.")]

@@ -14,10 +14,12 @@ from itertools import chain, repeat
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress, rising, stretch
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.analyse import require_structure
+from orishell.shell.carry_boards import as_sold, offer
 from orishell.shell.carry_change import NOTHING, Change, Step
 from orishell.shell.carry_found import Carrying, CarrySearch, parts_on_site
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
@@ -176,12 +178,14 @@ class _Search:
         if key in self.known:
             return self.known[key]
         self.known[key] = None
+        if change.refused:
+            self._note(whole.words, f"cannot be made, as {change.refused}")
+            return None
         made = self.trials.made(whole.values, whole.words or "the file", quick=True)
         self.panels += self.file.panel_count
         if isinstance(made, Refused):
             self._note(whole.words or "the file", f"cannot be made, as {made.why}")
-            offered = next(iter(made.candidates), None) if again and change.values else None
-            other = None if offered is None else change.fitted(offered)
+            other = self._fitting(before, change, made) if again and change.values else None
             return None if other is None else self._state(before, other, again=False)
         assert made.analysis is not None
         state = _State(whole, self.file.tried(whole.values), made, made.analysis)
@@ -191,6 +195,18 @@ class _Search:
         if self.nearest is None or state.lacks < self.nearest.lacks:
             self.nearest = state
         return state
+
+    def _fitting(self, before: Change, change: Change, refused: Refused) -> Change | None:
+        """What a refusal offers in place of a change, as it is sold; None if it offers nothing."""
+        offered = next(iter(refused.candidates), None)
+        fitted = None if offered is None else change.fitted(offered)
+        if fitted is None:
+            return None
+        try:
+            made = self.file.tried((before | fitted).values)
+        except InputError:
+            return None
+        return as_sold(self.file, offer(made, self.begun.model), fitted)
 
     def _confirmed(self) -> tuple[Carrying, ...]:
         """Those that carry as the file asks, too, the lightest first; none that another beats."""

@@ -17,6 +17,7 @@ class Change:
 
     values: Mapping[str, Any]
     said: Mapping[str, str]  # what is done, by the kind of change
+    refused: str = ""  # why nobody need try it
 
     @property
     def words(self) -> str:

@@ -23,7 +23,7 @@ def held_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
         file,
         lambda each: each["kind"] != "friction" and not (each.get("edges") or each.get("patch")),
         lambda each: {**each, "edges": True},
-        {"edges": "feet held along their edges"},
+        {"edges": "{} held along their edges"},
     )
 
 
@@ -33,21 +33,23 @@ def clamped(file: DesignFile, _: Analysis) -> Iterator[Change]:
         file,
         lambda each: each["kind"] == "pinned",
         lambda each: {**each, "kind": "fixed"},
-        {"clamped": "panels that cannot turn at their feet"},
+        {"clamped": "{} clamped, so that panels cannot turn there"},
     )
 
 
 def base_rail(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """A rail of steel joins feet that may slide."""
     assert file.structure is not None
-    if file.structure.rail is not None or not any(map(_slides, _at_feet(file))):
+    if file.structure.rail is not None or not any(
+        _slides(each) and each["at"] == "feet" for each in _supports(file)
+    ):
         return
     metres, said = conversion(file.unit, "m"), Quantities(file.unit)
     for sides in RAILS:
         width, height, wall = (rounded(side / metres, 3) for side in sides)
         rail = {"material": "steel", "width": width, "height": height, "wall": wall}
         size = " x ".join(said.displacement(side) for side in (width, height, wall))
-        yield Change({"structure.rail": rail}, {"rail": f"a base rail of steel, {size}"})
+        yield Change({"structure.rail": rail}, {"rail": f"a steel base rail, {size}"})
 
 
 def more_ballast(file: DesignFile, found: Analysis) -> Iterator[Change]:
@@ -63,21 +65,22 @@ def more_ballast(file: DesignFile, found: Analysis) -> Iterator[Change]:
 
 
 def anchored(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Feet that may slide, or stand under ballast, are anchored in the ground."""
-    yield from _other_supports(
-        file,
-        lambda each: _slides(each) or bool(each.get("ballast")),
-        lambda each: {"at": "feet", "kind": "pinned", "edges": True},
-        {"edges": "feet anchored along their edges"},
-    )
+    """Feet that may slide, or stand under ballast, are anchored in the ground: edges, or points."""
+    for held, said in (({"edges": True}, "along their edges"), ({}, "at points")):
+        yield from _other_supports(
+            file,
+            lambda each: _slides(each) or bool(each.get("ballast")),
+            lambda each, held=held: {"at": each["at"], "kind": "pinned", **held},
+            {"edges": f"{{}} anchored {said}"},
+        )
 
 
 def _slides(support: Support) -> bool:
     return support["kind"] in ("sliding", "friction")
 
 
-def _at_feet(file: DesignFile) -> list[Support]:
-    return [each for each in value_at(file.tables, "structure.supports") if each["at"] == "feet"]
+def _supports(file: DesignFile) -> list[Support]:
+    return list(value_at(file.tables, "structure.supports"))
 
 
 def _other_supports(
@@ -86,7 +89,15 @@ def _other_supports(
     changed: Callable[[Support], Support],
     said: Mapping[str, str],
 ) -> Iterator[Change]:
-    supports = value_at(file.tables, "structure.supports")
-    others = [changed(each) if each["at"] == "feet" and which(each) else each for each in supports]
+    """Some supports of a file changed.
+
+    said: What is done, by the kind of change, with a place for what they are.
+    """
+    supports = _supports(file)
+    others = [changed(each) if which(each) else each for each in supports]
     if others != supports:
-        yield Change({"structure.supports": others}, said)
+        places = {str(each["at"]) for each in supports if which(each)}
+        name = next(iter(places)) if places in ({"feet"}, {"ends"}) else "supports"
+        yield Change(
+            {"structure.supports": others}, {kind: each.format(name) for kind, each in said.items()}
+        )

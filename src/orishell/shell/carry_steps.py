@@ -11,34 +11,28 @@ from collections.abc import Iterator
 from typing import Literal
 
 from orishell.conventions.formatting import rounded
-from orishell.conventions.quantities import Quantities, conversion
+from orishell.conventions.quantities import Quantities
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
+from orishell.shell.carry_boards import other_materials, thicker, thinner
 from orishell.shell.carry_change import Change, Step
 from orishell.shell.carry_feet import anchored, base_rail, clamped, held_edges, more_ballast
 from orishell.shell.load_trials import STANDING_CELLS
-from orishell.structure.case import CaseResult
 from orishell.structure.hinge_lines import DIRECTIONS, hinge_lines
-from orishell.structure.materials import Material, materials
 from orishell.structure.results import Analysis
-from orishell.structure.verdict import LARGE_DISPLACEMENT, LEAST_BUCKLING
 
 NOT_WHOLE = (
     "panel.membrane", "panel.membrane_density", "panel.gap", "stiffeners",
     "structure.membrane_modulus", "structure.membrane_strength",
 )  # fmt: skip
 """What goes with panels that have their hinges in creases, and not with whole boards."""
-SOFT = 3.0
-"""A shell that gives way is tried with panels so many times as thick, as nothing is known of it."""
-MARGIN = 1.02
-"""Panels are tried by so much thicker than the figures of the last trial ask for."""
 DEEPER = 1.5
 """The zigzag and the waves of g become so many times as deep at a time."""
 FEW = 4
 """Gussets are tried first in every column that is so many apart, then in twice as many."""
-AREAL = "workshop.areal_density"
-COLUMNS = {"all": "every column", 1: "every column", 2: "every second column"}
+COLUMNS = {"all": "every column", 1: "every column", 2: "every 2nd column"}
+PLACES = {"valleys": "valleys", "crests": "crests", "all": "valleys and on the crests"}
 Rows = Literal["valleys", "crests", "all"] | tuple[int, ...]
 FOLDS = {"deployment.ties": "folds"}
 
@@ -51,9 +45,8 @@ def stronger_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
         known = [getattr(made, each) for each in DIRECTIONS]
         has = [None if asked is None else getattr(asked, each) for each in DIRECTIONS]
         if None not in known and None in has:
-            yield Change(
-                {"structure.line_strength": {"kind": name}}, {"lines": f"a {name} in every crease"}
-            )
+            values = {"structure.line_strength": {"kind": name}}
+            yield Change(values, {"lines": f"{name} along every crease"})
 
 
 def ties_across_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -67,7 +60,7 @@ def fewer_ties(file: DesignFile, _: Analysis) -> Iterator[Change]:
     if file.deployment.ties != "folds" or file.tolerance is not None:
         return
     rows = range(1, file.pattern.rows + 1)
-    yield Change({"deployment.ties": "feet"}, {"ties": 'ties between feet (ties = "feet")'})
+    yield Change({"deployment.ties": "feet"}, {"ties": 'ties between feet only (ties = "feet")'})
     for each in (3, 2):
         chosen = list(rows[each // 2 :: each])
         if chosen:
@@ -83,82 +76,6 @@ def flaps(file: DesignFile, _: Analysis) -> Iterator[Change]:
         yield Change({"pattern.flap": "auto"}, {"flaps": 'flaps (flap = "auto")'})
 
 
-def thicker(file: DesignFile, found: Analysis) -> Iterator[Change]:
-    """Panels as thick as figures ask for."""
-    times = max(_times(case) for case in found.cases)
-    thickness = rounded(MARGIN * times * found.model.thickness, 2)
-    if thickness > found.model.thickness:
-        yield _thickness(file, thickness)
-
-
-def thinner(file: DesignFile, found: Analysis) -> Iterator[Change]:
-    """Panels as thin as they may be if stress is as the square of thickness, buckling as its cube.
-
-    Only where both are known: of crease lines thickness says little.
-    """
-    shares = [case.equilibrium.utilisation for case in found.cases if case.equilibrium is not None]
-    panels = max((each.panels or 0.0) for each in shares) ** 0.5
-    buckles = (LEAST_BUCKLING * max((each.buckling or 0.0) for each in shares)) ** (1 / 3)
-    moved = max(
-        case.equilibrium.displacement.share / LARGE_DISPLACEMENT
-        for case in found.cases
-        if case.equilibrium is not None
-    ) ** (1 / 3)
-    times = max(panels, buckles, moved, 0.5)
-    thickness = rounded(MARGIN * times * found.model.thickness, 2)
-    if thickness < 0.95 * found.model.thickness:
-        yield _thickness(file, thickness)
-
-
-def _thickness(file: DesignFile, thickness: float) -> Change:
-    """Panels of a thickness, and as much heavier where the file says what they weigh by area."""
-    key = "structure.thickness" if file.panel is None else "panel.thickness"
-    said = f"panels {Quantities(file.unit).displacement(thickness)} thick"
-    values = {key: thickness}
-    areal = value_at(file.tables, AREAL)
-    if areal:
-        values[AREAL] = rounded(areal * thickness / value_at(file.tables, key), 4)
-    return Change(values, {"thickness": said})
-
-
-def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
-    """Panels as heavy of a material that bends less."""
-    asked = file.structure
-    assert asked is not None
-    named = value_at(file.tables, "structure") or {}
-    if asked.material is None or {"modulus", "strength", "sandwich"} & named.keys():
-        return
-    metres, present = conversion(file.unit, "m"), materials()[asked.material]
-    thick = found.model.thickness * metres
-    weighs = value_at(file.tables, AREAL)
-    areal = weighs or present.density_of(thick) * thick
-    keys = ("structure.grain", "panel.density")
-    dropped = {key: None for key in keys if value_at(file.tables, key) is not None}
-    for name, made in materials().items():
-        other = _thickness_of(made, areal)
-        if _bending(made, other) > _bending(present, thick):
-            change = _thickness(file, rounded(other / metres, 2))
-            said = {"material": name, **change.said}
-            values = {"structure.material": name, **change.values, **dropped}
-            yield Change({**values, AREAL: weighs} if weighs else values, said)
-
-
-def _thickness_of(made: Material, areal: float) -> float:
-    """How thick (m) boards of a material are that weigh so much by their area (kg/m2)."""
-    if made.sandwich is None:
-        return areal / made.density
-    faces, core = 2 * made.sandwich.face * made.sandwich.face_density, made.sandwich.core_density
-    return 2 * made.sandwich.face + max(0.0, areal - faces) / core
-
-
-def _bending(made: Material, thickness: float) -> float:
-    """Bending stiffness (N m), of a sandwich that of its faces."""
-    if made.sandwich is None:
-        return made.modulus * thickness**3 / 12
-    face = made.sandwich.face
-    return made.modulus * face * (thickness - face) ** 2 / 2
-
-
 def gussets(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Gussets in few columns, of folds that look down or of all; then in more of them."""
     assert file.structure is not None
@@ -171,9 +88,9 @@ def gussets(file: DesignFile, _: Analysis) -> Iterator[Change]:
             "stiffeners.rows": rows if isinstance(rows, str) else list(rows),
             "stiffeners.columns": columns,
         }
-        said = COLUMNS.get(columns, f"columns {columns} apart")
-        said += f" of {rows}" if rows in ("valleys", "crests") else ""
-        yield Change({**placed, **finer}, {"gussets": f"gussets in {said}"})
+        which = PLACES[rows] if isinstance(rows, str) else f"rows {', '.join(map(str, rows))}"
+        said = f"gussets in the {which}, {COLUMNS.get(columns, f'every {columns}th column')}"
+        yield Change({**placed, **finer}, {"gussets": said})
 
 
 def _more_gussets(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:
@@ -201,7 +118,7 @@ def more_rows(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Two rows more: as they are odd, or even."""
     if file.tolerance is None and file.drawing is None:
         rows = file.pattern.rows + 2
-        yield Change({"pattern.rows": rows}, {"rows": f"{rows} rows"})
+        yield Change({"pattern.rows": rows}, {"rows": f"{rows} rows of vertices"})
 
 
 def deeper_waves(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -211,7 +128,7 @@ def deeper_waves(file: DesignFile, _: Analysis) -> Iterator[Change]:
     scale = value_at(file.tables, "target.g.scale") or 1.0
     x, y = scale if isinstance(scale, list) else (scale, scale)
     deeper = rounded(DEEPER * y, 3)
-    yield Change({"target.g.scale": [x, deeper]}, {"waves": f"g {deeper:g} times as deep"})
+    yield Change({"target.g.scale": [x, deeper]}, {"waves": f"deeper waves (g times {deeper:g})"})
 
 
 def deeper_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -219,7 +136,8 @@ def deeper_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
     depth = getattr(file.pattern, "depth", None)
     if isinstance(depth, float):
         deeper = rounded(DEEPER * depth, 2)
-        yield Change({"pattern.depth": deeper}, {"folds": f"folds {deeper:g} {file.unit} deep"})
+        said = Quantities(file.unit).displacement(deeper)
+        yield Change({"pattern.depth": deeper}, {"folds": f"folds {said} deep"})
 
 
 def locked_creases(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -242,20 +160,3 @@ DESIGNER: tuple[Step, ...] = (
 """In the order of somebody who may choose its shape first."""
 LIGHTER: tuple[Step, ...] = (thinner, fewer_ties, thinner)
 """What is taken away again where a shell carries."""
-
-
-def stiffer(case: CaseResult) -> float:
-    """How many times stiffer a shell in equilibrium should be."""
-    found = case.equilibrium
-    assert found is not None
-    buckles = found.utilisation.buckling or 0.0
-    return float(max(found.displacement.share / LARGE_DISPLACEMENT, LEAST_BUCKLING * buckles))
-
-
-def _times(case: CaseResult) -> float:
-    """By what thickness is to grow: moments are borne by its square, stiffness is its cube."""
-    found = case.equilibrium
-    if found is None:
-        return SOFT
-    bears = found.utilisation.panels or 0.0
-    return float(max(1.0, bears**0.5, stiffer(case) ** (1 / 3)))

@@ -70,7 +70,14 @@ def find_facts(found: Candidate, work: Work) -> Facts:
         cutting = find_cutting(design, file.workshop, found.feet, progress)
     analysis = None
     if work.asks("structure") and file.structure is not None:
-        analysis = analyse(design, file.structure, site, progress, built=lock.built)
+        analysis = analyse(
+            design,
+            file.structure,
+            site,
+            progress,
+            built=lock.built,
+            remedies=work.asks("remedies"),
+        )
         deployment = with_anchors(deployment, analysis.anchors)
         order = (*quantities.order, *rail_order(analysis.model))
         quantities = replace(quantities, order=order)

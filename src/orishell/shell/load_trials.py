@@ -23,7 +23,7 @@ FEW_CELLS = 2
 """Cells with which is tried first what is offered, where panels can have so few."""
 STANDING_CELLS = 4
 """Cells along a side of a panel with which gussets may end anywhere along edges."""
-LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification")
+LOADED: tuple[Step, ...] = (*MEASURES, "stock", "verification", "remedies")
 """All that does not tell what a shell bears."""
 TAUT = "ties that are not slack on the way"
 

@@ -29,10 +29,10 @@ class Clock:
 Step = Literal[
     "remedies", "verification", "deviation", "pack", "weight", "cutting", "stock", "structure"
 ]
-"""What would mend a design that is refused, or that packs badly; whether panels stay rigid; the
-distance from the surface; the smallest box and the largest thickness; own weight; what errors
-of cutting do, where the file gives them; the layout on the stock; the structure, where the file
-asks for it."""
+"""What would mend a design that is refused, that packs badly, or that its loads move; whether
+panels stay rigid; the distance from the surface; the smallest box and the largest thickness; own
+weight; what errors of cutting do, where the file gives them; the layout on the stock; the
+structure, where the file asks for it."""
 
 STEPS: tuple[Step, ...] = get_args(Step)
 """All of them: what is left is the design, how its motion ends, and its sizes."""

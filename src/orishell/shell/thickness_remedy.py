@@ -15,7 +15,8 @@ from orishell.conventions.errors import Remedy
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
 from orishell.design_file import DesignFile
-from orishell.shell.carry_steps import FOLDS, stiffer, thicker
+from orishell.shell.carry_boards import stiffer, thicker, thickness_key
+from orishell.shell.carry_steps import FOLDS
 from orishell.shell.load_trials import LoadTrials, Refused
 from orishell.structure.results import Analysis
 
@@ -56,7 +57,7 @@ class _Trials:
     def __init__(self, file: DesignFile, analysis: Analysis, progress: Progress) -> None:
         self.file, self.progress = file, progress
         self.first = self.last = analysis
-        self.key = "structure.thickness" if file.panel is None else "panel.thickness"
+        self.key = thickness_key(file)
         self.said = Quantities(file.unit)
         self.trials, self.ended = LoadTrials(file, analysis, progress), False
         self.tried: list[str] = []
@@ -85,6 +86,10 @@ class _Trials:
         for _ in range(TRIALS):
             change = next(thicker(self.file, self.last), None)
             if change is None:
+                return
+            if change.refused:
+                words = self._in_words({**others, **change.values})
+                self.tried.append(f"{words} ({change.refused})")
                 return
             before = self.last
             yield {**others, **change.values}

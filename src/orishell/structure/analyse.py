@@ -61,11 +61,13 @@ def analyse(
     progress: Progress = no_progress,
     *,
     built: BuiltPanels | None = None,
+    remedies: bool = True,
 ) -> Analysis:
     """Analyse a shell at its target.
 
     structure: What holds and loads it.
     built: Its panels, if they have a thickness.
+    remedies: Whether it is tried what would hold it where it moves.
     Raises InputError: If supports or loads do not fit the sheet, or its own weight is asked for and
     not known.
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
@@ -82,7 +84,7 @@ def analyse(
     model = Model(design, structure, site, structure.cells, built)
 
     def run(cells: int, told: Progress, *, last: bool) -> Run:
-        return _run(replace(model, cells=cells), told, last=last)
+        return _run(replace(model, cells=cells), told, last=last, remedies=remedies)
 
     found, cases, change, stopped = refined(model, run, progress)
     model = found.with_refinement(change, stopped)
@@ -92,7 +94,7 @@ def analyse(
     return Analysis(model, followed)
 
 
-def _run(model: Model, progress: Progress, *, last: bool) -> Run:
+def _run(model: Model, progress: Progress, *, last: bool, remedies: bool) -> Run:
     """All load cases, with the least stiffness of creases first; figures only if not ``last``."""
     found: list[tuple[CaseResult, Loaded | None]] = []
     compared: list[Figures] = []
@@ -106,7 +108,7 @@ def _run(model: Model, progress: Progress, *, last: bool) -> Run:
             linear = _equilibrium(model, solved, kept, modes=last) if solved.stands else None
             compared.append(figures(linear))
             if last:
-                case = _result(model, solved, linear)
+                case = _result(model, solved, linear, remedies=remedies)
                 how = Loaded(solved.case, solved.known, solved.response)
                 found.append((case, how if is_soft(case) else None))
     return model, found, compared
@@ -147,7 +149,9 @@ def _solve(model: Model, stiffness: float) -> Iterator[_Solved]:
         )
 
 
-def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseResult:
+def _result(
+    model: Model, solved: _Solved, linear: Equilibrium | None, *, remedies: bool
+) -> CaseResult:
     forces, response = solved.forces, solved.response
     motion = None
     if not solved.stands:
@@ -163,6 +167,7 @@ def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseRe
             soft=soft and not slides,
             slides=slides,
             unknown=response.unknown,
+            remedies=remedies,
         )
     return CaseResult(
         name=solved.case.name,

@@ -49,7 +49,8 @@ class FreeMotion:
     folding: bool  # whether it is the shell's own folding motion, not one of the shell as a whole
     # whether it opens the shell; it closes it otherwise. None where it is no folding motion
     opens: bool | None
-    holds: tuple[Remedy, ...] = ()  # what would hold the shell: each was tried with these loads
+    # what would hold the shell: each was tried with these loads; None if nothing was tried
+    holds: tuple[Remedy, ...] | None = ()
     # whether something resists it, but so little that it goes beyond the size of the shell
     soft: bool = False
     # whether its feet slip: it would stand if they stuck. Or whether they lift, or slip because
@@ -79,7 +80,7 @@ class FreeMotion:
         if self.holds:
             told = [REMEDIES[each].format(friction=self.friction) for each in self.holds]
             return f"{words}; {' or '.join(told)} would"
-        if self.soft:
+        if self.soft or self.holds is None:
             return words
         return f"{words}; neither ties between its feet nor pinned supports would"
 
@@ -93,6 +94,7 @@ def describe_motion(
     soft: bool = False,
     slides: bool = False,
     unknown: bool = False,
+    remedies: bool = True,
 ) -> FreeMotion:
     """Say of a free motion what it is, and what would hold the shell: that has been tried.
 
@@ -102,6 +104,7 @@ def describe_motion(
     soft: Whether something resists it, but too little.
     slides: Whether feet slip away, though forces within their friction could bear the loads.
     unknown: Whether that could be, and what feet do was not found.
+    remedies: Whether it is tried what would hold the shell.
     """
     drive = model.sheet.target_drive
     points = model.vertices(drive)
@@ -124,6 +127,9 @@ def describe_motion(
             ground = "slips"
         elif driven_motion(structure, loads, "anchored") is None:
             ground = "lifts"
+    opens = part < 0 if folds else None
+    if not remedies:
+        return FreeMotion(shape, folds, opens, None, soft, ground)
     friction = _enough_friction(structure, loads, model.size) if ground == "slips" else None
     holds: tuple[Remedy, ...] = tuple(
         name
@@ -132,7 +138,6 @@ def describe_motion(
     )
     if friction is not None:
         holds = ("friction", *holds)
-    opens = part < 0 if folds else None
     return FreeMotion(shape, folds, opens, holds, soft, ground, friction)
 
 

@@ -35,6 +35,8 @@ class Material:
     density: float  # mass by volume (kg/m3)
     source: str  # where the values come from
     conservative: str  # what is on the safe side in them, and what is not
+    sold: Sequence[float]  # how thick its boards are on the market, rising (m)
+    sold_source: str  # where these are from
     # by service class: factors of strength by duration of loads, and of creep; empty for what is no
     # wood-based board
     k_mod: Mapping[str, Sequence[float]] = field(default_factory=dict)

@@ -73,7 +73,7 @@ def doubts_of_shell(model: Model) -> Iterator[str]:
     yield from doubts(model.structure, unit, model.design.panel, model.mass * GRAVITY)
     if areal and not AREAL[0] <= areal <= AREAL[1]:
         yield f"panels weigh {plain(areal)} kg per square metre: paper weighs 0.1, steel of 1 mm 8"
-    widths = _widths(model)
+    widths = panel_widths(model)
     if (thin := widths * THICK < model.thickness).any():
         panel = int(thin.argmax())
         every = "every panel" if thin.all() else f"panel {list(model.panel_at(panel))}"
@@ -105,7 +105,7 @@ def _slopes(model: Model) -> Array:
     return np.arctan2(np.hypot(normals[:, 0], normals[:, 1]), np.abs(normals[:, 2]))
 
 
-def _widths(model: Model) -> Array:
+def panel_widths(model: Model) -> Array:
     """Widths (F,) of panels, area by longest edge."""
     seats = model.mesh.seats[:, [0, -1, -1, 0], [0, 0, -1, -1]]
     corners = model.mesh.facets.points[seats]
