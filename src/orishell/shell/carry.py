@@ -32,8 +32,6 @@ ROUNDS = 3
 """So many times all steps of an order are taken, as one may help after another."""
 GAIN = 0.95
 """A change stays that brings a shell to this share of what it uses, or nearer."""
-MOVES, OPEN = 1e6, 1e3
-"""What counts for a case under which a shell moves, and for one of which something is not known."""
 WORK = 100.0
 """Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
 PER_PANEL = 0.012
@@ -58,17 +56,25 @@ class _State:
         return self.analysis.carries is True
 
     @property
-    def lacks(self) -> float:
-        """How far it is from carrying: what its worst case uses, and what is not known."""
+    def lacks(self) -> tuple[int, bool, float]:
+        """How far it is from carrying, what counts most first.
+
+        The cases under which it moves; whether something is not known; what its worst case uses.
+        """
         used = [case.used for case in self.analysis.cases]
         known = [each for each in used if np.isfinite(each)]
-        moves, largest = len(used) - len(known), max(known, default=0.0)
         doubts = any(
             each.kind == "unknown" and each.excess is None
             for case in self.analysis.cases
             for each in case.findings
         )
-        return MOVES * moves + OPEN * doubts + largest
+        return len(used) - len(known), doubts, max(known, default=0.0)
+
+    def is_nearer(self, other: _State) -> bool:
+        """Whether it is nearer to carrying than another one, by more than is worth a change."""
+        *worse, used = self.lacks
+        *before, most = other.lacks
+        return worse < before or (worse == before and used <= GAIN * most)
 
     @property
     def weight(self) -> tuple[float, int]:
@@ -76,9 +82,9 @@ class _State:
         return round(self.analysis.model.mass or 0.0, 3), parts_on_site(self.facts)
 
     @property
-    def rank(self) -> tuple[bool, float, tuple[float, int]]:
+    def rank(self) -> tuple[bool, tuple[float, ...], tuple[float, int]]:
         """By which those that one step proposes are ranked: what carries by its weight."""
-        return not self.carries, 0.0 if self.carries else self.lacks, self.weight
+        return not self.carries, () if self.carries else self.lacks, self.weight
 
 
 def _ignored(_: tuple[str, ...]) -> None:
@@ -140,7 +146,7 @@ class _Search:
     def _walk(self, at: _State, order: Sequence[Step]) -> None:
         """Take every step that brings the shell nearer to carrying, until it does."""
         for step in chain.from_iterable(repeat(order, ROUNDS)):
-            better = self._best(at, step, lambda new, old: new.lacks <= GAIN * old.lacks)
+            better = self._best(at, step, _State.is_nearer)
             at = better or at
             if at.carries or self.work > self.until:
                 self.ended = self.ended or not at.carries

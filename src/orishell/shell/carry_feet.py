@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from orishell.conventions.formatting import rounded
@@ -15,6 +16,8 @@ from orishell.structure.results import Analysis
 RAILS = ((0.06, 0.04, 0.003), (0.1, 0.06, 0.004))
 """Width, height and walls (m) of hollow sections of EN 10219-2 that are tried as base rails."""
 Support = Mapping[str, Any]
+ANCHORED: Support = {"kind": "pinned"}
+ANCHORED_EDGES: Support = {**ANCHORED, "edges": True}
 
 
 def held_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -66,13 +69,17 @@ def more_ballast(file: DesignFile, found: Analysis) -> Iterator[Change]:
 
 def anchored(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Feet that may slide, or stand under ballast, are anchored in the ground: edges, or points."""
-    for held, said in (({"edges": True}, "along their edges"), ({}, "at points")):
+    for anchor, said in ((ANCHORED_EDGES, "along their edges"), (ANCHORED, "at points")):
         yield from _other_supports(
             file,
             lambda each: _slides(each) or bool(each.get("ballast")),
-            lambda each, held=held: {"at": each["at"], "kind": "pinned", **held},
+            partial(_at_place_of, anchor),
             {"edges": f"{{}} anchored {said}"},
         )
+
+
+def _at_place_of(held: Support, support: Support) -> Support:
+    return {"at": support["at"], **held}
 
 
 def _slides(support: Support) -> bool:
