@@ -14,7 +14,7 @@ from ezdxf.entities.lwpolyline import LWPolyline
 from kept import kept
 from pypdf import PdfReader
 
-from design_tables import formula
+from design_tables import Tables, formula
 from documents import EXAMPLES
 from orishell.design_file import check_design, read_design_file
 from orishell.shell import Shell, make_shell
@@ -26,7 +26,9 @@ CARD_SHELL = "figure1_card"
 
 STIFFENED = "stiffened"
 """36 boards and 15 gussets, tied at its feet; two seconds."""
-_ARCH = {
+OF_STEEL = "stiffened_of_steel"
+"""48 boards on a membrane, and 15 gussets of steel as thin as boards are not; two seconds."""
+_ARCH: Tables = {
     "shell": {"family": "orthodiagonal", "unit": "m"},
     "target": {"f": formula("-x**2", -1, 1), "g": formula("0.1*cos(2*pi*x)", 0, 2)},
     "pattern": {"rows": 5, "columns": 5, "flap": 0, "heading_deg": 90, "spacing": "equal"},
@@ -36,14 +38,23 @@ _ARCH = {
     "stiffeners": {"kind": "gussets"},
     "workshop": {"stock": [2.44, 1.22], "spacing": 0.01},
 }
+_LAMINATED = {"construction": "sandwich", "thickness": 0.01, "membrane": 0.001}
+_STIFFENED = {
+    STIFFENED: _ARCH,
+    OF_STEEL: {
+        **_ARCH,
+        "panel": {**_LAMINATED, "density": 500, "membrane_density": 900},
+        "stiffeners": {"kind": "gussets", "thickness": 0.004, "material": "steel"},
+    },
+}
 
 
 @kept
 def shell_of(name: str) -> Shell:
     """An example, with its pack and quantities; distances from its target are not measured."""
     skip = {*MEASURES} - {"pack", "weight", "stock"}
-    if name == STIFFENED:
-        return make_shell(check_design(_ARCH, Path("stiffened.toml")), skip=skip)
+    if name in _STIFFENED:
+        return make_shell(check_design(_STIFFENED[name], Path(f"{name}.toml")), skip=skip)
     return make_shell(read_design_file(EXAMPLES / f"{name}.toml"), skip=skip)
 
 

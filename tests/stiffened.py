@@ -11,12 +11,15 @@ import numpy as np
 
 from design_tables import Tables, formula, tables
 from orishell.conventions.errors import DesignError, InputError
+from orishell.design import Design
+from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import check_design
 from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
+from orishell.solids.gussets import Gussets
 from overlaps import solids
 
 FAMILIES = (
@@ -28,7 +31,10 @@ THIN, SHRUNK = 1e-8, 1e-3
 
 
 def random_design(number: int, attempt: int) -> Tables:
-    """One of four families and three builds, with gussets; panels from thin to too thick."""
+    """One of four families and three builds, with gussets; panels from thin to too thick.
+
+    In every second dozen gussets beside boards are a board of their own, thinner or thicker.
+    """
     draw = np.random.default_rng([number, attempt])
 
     def some(low: float, high: float) -> float:
@@ -52,6 +58,10 @@ def random_design(number: int, attempt: int) -> Tables:
         }
     if family != "longitudinal-linear-repeating" and design["pattern"].get("flap") != 0:
         design["deployment"] = {"flap_attachment": str(draw.choice(["folded", "clipped"]))}
+    if build != "none" and number % 24 >= 12:
+        design["stiffeners"]["thickness"] = round(thickness * some(0.1, 2.5), 5)
+        if draw.integers(2):
+            design["stiffeners"]["material"] = "steel"
     return design
 
 
@@ -130,6 +140,13 @@ def _drawn(design: Tables) -> Drawn | None:
 def without(design: Tables) -> Shell:
     """The shell of a design, its gussets left out."""
     return shell_of({key: value for key, value in design.items() if key != "stiffeners"})
+
+
+def gussets_of(tables: Tables, design: Design, at: Integers, share: float) -> Gussets:
+    """Gussets at vertices (G, 2), made as the table says; nobody proved that they fit."""
+    asked = Stiffeners.model_validate(tables["stiffeners"])
+    build = None if design.panel is None else asked.made_of(design.panel, 0.0)
+    return Gussets.of(design, at, share, build)
 
 
 def bodies(document: Document) -> tuple[list[str], list[Any]]:

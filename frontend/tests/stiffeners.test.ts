@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
-import { NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+import { AS_PANELS, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
 
 test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
   expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
@@ -21,6 +21,9 @@ test("a table of stiffeners says what is not usual, and is gone without a kind",
   const some = stiffened(stiffened(gussets, "rows", "all"), "columns", 2);
   expect(some).toEqual({ kind: "gussets", rows: "all", columns: 2 });
   expect(stiffened(stiffened(some, "rows", "valleys"), "columns", 1)).toEqual(gussets);
+  const own = stiffened(stiffened(gussets, "thickness", 0.004), "material", "steel");
+  expect(own).toEqual({ kind: "gussets", thickness: 0.004, material: "steel" });
+  expect(stiffened(stiffened(own, "thickness", 0), "material", AS_PANELS)).toEqual(gussets);
   expect(stiffened(some, "kind", NONE)).toBeUndefined();
   expect([undefined, "all", 3, [0, 2]].map(stepOf)).toEqual([1, 1, 3, null]);
 });

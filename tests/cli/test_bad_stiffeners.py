@@ -53,6 +53,18 @@ NOT_READ = {
     "share = nan": "a finite number",
     'share = "auto"': "expected a number",
     "size = 0.9": "unknown key",
+    "thickness = 0": "greater than 0",
+    "thickness = -0.004": "at least 0",
+    "thickness = 1e-20": "at least 1e-15",
+    "thickness = inf": "a finite number",
+    'thickness = "4 mm"': "expected a number",
+    "thickness = true": "expected a number",
+    "thickness = 0.004": "with a thickness",
+    'material = "wood"': '"birch plywood", ',
+    'material = "Steel"': '"steel"',
+    'material = ""': "no such material",
+    "material = 1": "expected a text",
+    'material = "steel"': "with a thickness",
 }
 """Lines of the table, and what is said of them; those without a kind are of gussets."""
 
@@ -78,10 +90,19 @@ def test_what_cannot_be_read_is_said_in_one_line(tmp_path: Path, line: str) -> N
 
 
 BEVEL = 'thickness = 0.02\ngap = 0.004\nconstruction = "bevel"'
+THIN = 'thickness = 0.005\ngap = 0.002\nconstruction = "bevel"'
+STRUCTURE = '[structure]\nmodulus = 8e9\nsupports = [{ at = "feet", kind = "pinned" }]'
 NOT_MADE = {
     "no room": ("share = 0.01", f"[panel]\n{BEVEL}", "0", 1, "too far off"),
     "whole boards": ("", '[panel]\nthickness = 0.01\nconstruction = "hinged"', "0", 2, "beside"),
     "between flaps": ("columns = [1]", "", "0.1", 2, "numbers from 2 to 2"),
+    "too thick": ("thickness = 2", f"[panel]\n{THIN}", "0", 1, "thickness = "),
+    "far too thick": ("thickness = 1e300", f"[panel]\n{THIN}", "0", 1, "too far off"),
+    "no room for a core": (
+        'thickness = 0.002\nmaterial = "GFRP skins on foam"',
+        f"[panel]\n{THIN}\n{STRUCTURE}",
+        *("0", 2, "faces leave no room for a core"),
+    ),
 }
 """Lines of the table, other tables, the width of flaps, the status and what is said."""
 

@@ -135,9 +135,20 @@ def test_how_far_a_plate_stands_off() -> None:
     """By hand: h (1 + |cos|)/sin off a board that stands across, h tan off one that ends before."""
     sine, tangent = np.sin(np.pi / 3), np.tan(np.deg2rad(1.0))
     wanted = [2.0, 2 * 1.5 / sine, 2 * 1.5 / sine, 2 * tangent]
-    found = stand_off(np.deg2rad([90.0, 60.0, 120.0, 179.0]), 2.0)
+    found = stand_off(np.deg2rad([90.0, 60.0, 120.0, 179.0]), 2.0, 2.0)
     np.testing.assert_allclose(found, wanted, rtol=1e-12)
-    assert np.isinf(stand_off(np.zeros(1), 1.0)[0])
+    assert np.isinf(stand_off(np.zeros(1), 1.0, 1.0)[0])
+
+
+def test_a_plate_of_another_thickness_stands_off_by_both() -> None:
+    """A plate of 6 and a panel of 4: clear by hand, and not a hair nearer, at the worst corner."""
+    angles = np.deg2rad([30.0, 90.0, 110.0, 150.0, 179.0])
+    half, panel = 3.0, 2.0
+    sine, cosine = np.sin(angles), np.cos(angles)
+    off = stand_off(angles, half, panel)
+    corners = np.stack([off * sine - side * half * cosine for side in (-1, 1)])
+    over, before = corners.min(axis=0) - panel, -(off * cosine + half * sine)
+    np.testing.assert_allclose(np.maximum(over, before), 0, atol=1e-12)
 
 
 @pytest.mark.parametrize(

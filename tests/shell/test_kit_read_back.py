@@ -13,6 +13,7 @@ from pypdf import PdfReader
 from cad_tools import require_build123d
 from kits import (
     CARD_SHELL,
+    OF_STEEL,
     STIFFENED,
     booklet_counts,
     names_in,
@@ -29,7 +30,8 @@ from samples import thorough
 
 KITS = ["shelter", "shelter_boards", "shelter_hinged", "dome", "dome_locked", "tunnel"]
 KIT = pytest.mark.parametrize(
-    "name", [CARD_SHELL, STIFFENED, *(pytest.param(name, marks=thorough) for name in KITS)]
+    "name",
+    [CARD_SHELL, STIFFENED, OF_STEEL, *(pytest.param(name, marks=thorough) for name in KITS)],
 )
 SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
 """What the booklet calls boards, and the tables their side."""
@@ -62,7 +64,10 @@ def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> N
 def _require_boards(kit: Path, counts: dict[str, int]) -> None:
     boards = rows_of(kit / "cut/boards.csv")
     sides = Counter(row["side"] for row in boards)
-    assert {SIDES[key]: count for key, count in counts.items() if key in SIDES} == sides
+    # Gussets of a stock of their own are not counted among boards.
+    own = {row["panel"] for row in boards if row["sheet"] in _sheets_of_gussets(kit)}
+    said = Counter({SIDES[key]: count for key, count in counts.items() if key in SIDES})
+    assert said + Counter(panel=len(own)) == sides
     drawings = names_in(
         file for file in (kit / "cut").glob("pattern-*.dxf") if "arms" not in file.stem
     )
@@ -70,6 +75,11 @@ def _require_boards(kit: Path, counts: dict[str, int]) -> None:
     assert counts.get("Gussets", 0) == len(gussets)
     parts = [row["part"] for row in boards]
     assert {part: drawings[part] for part in parts} == dict.fromkeys(parts, 1)
+
+
+def _sheets_of_gussets(kit: Path) -> set[str]:
+    """Numbers of the sheets that gussets alone are cut from."""
+    return {file.stem.rpartition("-")[2] for file in (kit / "cut").glob("pattern-gussets-*.dxf")}
 
 
 def _require_fittings(kit: Path, counts: dict[str, int]) -> None:
@@ -136,9 +146,30 @@ def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
     assert of_arms == pytest.approx(ordered.get("arms", 0.0), rel=1e-9)
 
 
+def test_gussets_of_steel_are_cut_and_weighed_apart(tmp_path: Path) -> None:
+    """4 mm of 7850 kg/m3 (EN 1991-1-1, table A.4: 77 to 78.5 kN/m3), of the area in boards.csv."""
+    write_kit(shell_of(OF_STEEL), tmp_path)
+    boards = rows_of(tmp_path / "cut/boards.csv")
+    own = [row for row in boards if row["panel"].startswith("gusset ")]
+    assert {row["sheet"] for row in own} == _sheets_of_gussets(tmp_path)
+    assert not {row["sheet"] for row in boards if row not in own} & _sheets_of_gussets(tmp_path)
+    cut = names_in((tmp_path / "cut").glob("pattern-gussets-*.dxf"))
+    assert cut == Counter(row["part"] for row in own)
+    covered = sum(float(row["area_m2"]) for row in own)
+    order = {row["item"]: row for row in rows_of(tmp_path / "order.csv")}
+    ordered = order["gusset boards"]
+    assert float(ordered["used"]) == pytest.approx(covered, rel=1e-9)
+    assert float(ordered["mass_kg"]) == pytest.approx(7850 * 0.004 * covered, rel=1e-9)
+    assert "4 mm thick of steel" in ordered["what"]
+    membrane = sum(part.areas().sum() for part in shell_of(OF_STEEL).document.parts[:1])
+    assert float(order["membrane"]["mass_kg"]) == pytest.approx(900 * 0.001 * membrane, rel=1e-9)
+    text = " ".join(PdfReader(tmp_path / "booklet/booklet.pdf").pages[1].extract_text().split())
+    assert "4 mm thick, of steel" in text
+
+
 @thorough
 @pytest.mark.parametrize(
-    "name", [CARD_SHELL, STIFFENED, "shelter_boards", "shelter_hinged", "dome"]
+    "name", [CARD_SHELL, STIFFENED, OF_STEEL, "shelter_boards", "shelter_hinged", "dome"]
 )
 def test_the_solids_of_step_are_the_parts_of_the_tables(name: str, tmp_path: Path) -> None:
     require_build123d()

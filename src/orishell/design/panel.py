@@ -196,6 +196,11 @@ class PanelSpec(Table):
         return 0.5 * self.thickness
 
     @property
+    def board(self) -> float:
+        """How thick each of its boards is (length)."""
+        return self.thickness if self.is_solid else 0.5 * (self.thickness - self.membrane)
+
+    @property
     def share(self) -> float:
         """Largest share of the way across a panel that set-backs may take."""
         return self.largest_setback.share

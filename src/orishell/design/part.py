@@ -84,6 +84,8 @@ class Part:
     names: tuple[str, ...] = field(default=(), repr=False)
     # what panels are made of; None if they have no thickness
     panel: PanelSpec | None = field(default=None, repr=False)
+    # what its boards are made of, by the name of a material, if that is not what the sheet's are
+    material: str = field(default="", repr=False)
     # what is built of the panels; None if they have no thickness
     boards: Boards | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"

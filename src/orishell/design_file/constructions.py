@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import conversion
 from orishell.design import PanelSpec
+from orishell.design.stiffeners import Stiffeners
 from orishell.families.tolerance import Tolerance
+from orishell.structure.materials import materials
 from orishell.structure.settings import Structure, StructureTable
 from orishell.workshop import Workshop
 
@@ -51,17 +54,76 @@ def require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> Non
 
 def require_a_core(structure: Structure, panel: PanelSpec | None) -> None:
     """Refuse boards that their faces fill, or more than that."""
-    board = structure.thickness if panel is None else panel.thickness
-    if panel is not None and not panel.is_solid:
-        board = 0.5 * (panel.thickness - panel.membrane)
+    board = structure.thickness if panel is None else panel.board
+    if board is not None:
+        _require_room(structure, board, ("structure.sandwich.face", "structure.material"))
+
+
+def _require_room(structure: Structure, board: float, keys: tuple[str, ...]) -> None:
     faces = 0.0 if structure.sandwich is None else 2 * structure.sandwich.core.face
-    if board is not None and faces >= board:
+    if faces >= board:
         raise InputError(
             "faces leave no room for a core",
-            keys=("structure.sandwich.face", "structure.material"),
+            keys=keys,
             got=f"twice {faces / 2:g} in boards of {board:g}",
             remedy="make boards thicker, or faces thinner",
         )
+
+
+def plates_of(
+    asked: Stiffeners | None, structure: Structure | None, panel: PanelSpec | None, unit: str
+) -> Stiffeners | None:
+    """Plates that stiffen the shell: of a material of their own, if that is not the structure's.
+
+    Raises InputError if there is no such material, it has no room for its core, or panels without a
+    thickness have no boards beside which such plates stand.
+    """
+    if asked is None:
+        return None
+    name, keys = asked.material, ("stiffeners.thickness", "stiffeners.material")
+    if name is not None and name not in materials():
+        raise InputError(
+            "there is no such material",
+            keys=keys[1:],
+            got=f'"{name}"',
+            expected="one of " + ", ".join(f'"{each}"' for each in materials()),
+        )
+    own = [key for key, each in zip(keys, (asked.thickness, name), strict=True) if each is not None]
+    if own and panel is None:
+        raise InputError(
+            "gussets have boards of their own only beside panels with a thickness",
+            keys=(own[0],),
+            got=str(asked.thickness or name),
+            expected="a table [panel] with a thickness",
+            remedy="add it, or remove the key",
+        )
+    if structure is not None and name == structure.material:
+        asked = asked.replace_unchecked(material=None)
+    if own and panel is not None and structure is not None:
+        made = structure if asked.material is None else structure.made_of(asked.material, unit)
+        _require_room(made, asked.made_of(panel, 0.0).board, (own[0], "structure.sandwich.face"))
+    return asked
+
+
+def plate_density(
+    asked: Stiffeners | None,
+    structure: StructureTable | None,
+    panels: tuple[PanelSpec, PanelSpec | None],
+    workshop: Workshop,
+    unit: str,
+) -> float:
+    """Mass by volume (kg/m^3) of plates that have boards of their own; 0 if it is not known.
+
+    panels: What panels are made of, as the file has it, and with the densities that it leaves open.
+    """
+    given, panel = panels
+    if asked is None or panel is None:
+        return 0.0
+    metres, weighed = conversion(unit, "m"), given.density or workshop.areal_density
+    name = asked.material or (None if weighed or structure is None else structure.material)
+    if name is not None:
+        return materials()[name].density_of(asked.made_of(panel, 0.0).thickness * metres)
+    return panel.density or workshop.areal_density / (panel.thickness * metres)
 
 
 def require_one_hinge_density(panel: PanelSpec | None, workshop: Workshop) -> None:

@@ -19,7 +19,12 @@ from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import MeshSurface, PanelSpec, PiecedSurface
 from orishell.design.stiffeners import Stiffeners
-from orishell.design_file.constructions import require_boards, require_one_hinge_density
+from orishell.design_file.constructions import (
+    plate_density,
+    plates_of,
+    require_boards,
+    require_one_hinge_density,
+)
 from orishell.design_file.faults import explain
 from orishell.design_file.fit import FitTable
 from orishell.design_file.inputs import input_files
@@ -74,6 +79,8 @@ class DesignFile:
     panel: PanelSpec | None = None  # what its panels are made of; None if they have no thickness
     # what is put into its folds where it stands; None if nothing is
     stiffeners: Stiffeners | None = None
+    # mass by volume of its boards, where these are its own; 0 if it is not known (kg/m^3)
+    plate_density: float = 0.0
     # how it is analysed as a structure; None if that was not asked for
     structure: Structure | None = None
     search: Search | None = None  # what is searched for among its variants; None if nothing is
@@ -259,6 +266,9 @@ def _checked(
         require_one_hinge_density(panel, workshop)
         require_boards(file.tolerance, panel)
         panel, workshop = weighed(file.structure, panel, workshop, unit)
+        stiffeners = plates_of(file.stiffeners, structure, panel, unit)
+        panels = file.panel, panel
+        density = plate_density(stiffeners, file.structure, panels, file.workshop, unit)
         if file.target is not None and file.target.fit is not None:
             file.target.fit.require_headroom(unit)
         if known == NOTHING and drawing is None and file.target is not None:
@@ -284,7 +294,8 @@ def _checked(
         ground=file.shell.ground,
         deployment=file.deployment,
         panel=panel,
-        stiffeners=file.stiffeners,
+        stiffeners=stiffeners,
+        plate_density=density,
         structure=structure,
         search=file.search,
         tables=raw,

@@ -135,9 +135,8 @@ def weighed(
         return panel, workshop
     made, metres = materials()[table.material], conversion(unit, "m")
     if panel is not None:
-        parts = 1 if panel.is_solid else 2
-        board = (panel.thickness - (0 if panel.is_solid else panel.membrane)) / parts * metres
-        return panel.replace_unchecked(density=panel.density or made.density_of(board)), workshop
+        density = panel.density or made.density_of(panel.board * metres)
+        return panel.replace_unchecked(density=density), workshop
     thickness = (table.thickness or 0.0) * metres
     density = made.density_of(thickness)
     return None, workshop.replace_unchecked(areal_density=density * thickness)

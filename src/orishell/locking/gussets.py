@@ -42,11 +42,14 @@ TRIED, LARGEST = 24, 0.98
 """So many smaller sizes are tried, and one that goes nearly to the end of edges."""
 
 
-def with_gussets(design: Design, lock: Lock, asked: Stiffeners | None, tolerance: float) -> Design:
+def with_gussets(
+    design: Design, lock: Lock, asked: Stiffeners | None, tolerance: float, density: float = 0.0
+) -> Design:
     """The design with the gussets that are asked for, proved to meet nothing at the target.
 
     lock: How its motion ends, with its boards.
     tolerance: By how much they may reach into others, relative to the flat sheet's diagonal.
+    density: Mass by volume of boards of their own (kg/m^3), 0 if unknown.
     Raises InputError: If there are no such rows or columns, or panels are whole boards.
     Raises DesignError: If there is no room for them.
     """
@@ -56,18 +59,22 @@ def with_gussets(design: Design, lock: Lock, asked: Stiffeners | None, tolerance
     at = _places(design, asked)
     _require_folds(design, at)
     place = Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
-    found = Gussets.of(design, at, asked.share)
+    build = None if design.panel is None else asked.made_of(design.panel, density)
+    found = Gussets.of(design, at, asked.share, build)
     fault = place.fault(found)
     if fault is not None:
         raise DesignError(
             fault.what,
             place="at the target",
-            keys=("stiffeners.share",),
+            keys=(
+                "stiffeners.share",
+                *([] if asked.thickness is None else ["stiffeners.thickness"]),
+            ),
             size=fault.size,
-            candidates=list(_others(place, asked.share)),
+            candidates=list(_others(place, found, asked)),
             excess=fault.excess,
         )
-    parts = gusset_parts(design, found, place.levels)
+    parts = gusset_parts(design, found, place.levels, asked.material or "")
     fixed_by, bare = _fixed_by(design, at), warn_of_no_lock(0.0)
     warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
     return replace(
@@ -246,11 +253,9 @@ class Place:
 
     def _met_by_boards(self, found: Gussets) -> tuple[int, int, float] | None:
         """The two panels whose boards reach farthest into each other, one a gusset's."""
-        build = self.design.panel
         assert self.boards is not None
-        assert build is not None
         faces, points, flat = self._with(found)
-        own = found.boards(np.zeros((len(found), 2)), build, self.levels)
+        own = found.boards(np.zeros((len(found), 2)), self.levels)
         own = replace(own, panels=own.panels + len(self.faces))
         boards = join_boards([self.boards, own])
         bodies = Bodies(boards, faces, flat)
@@ -286,15 +291,24 @@ class Place:
         return int(second[worst]), int(first[worst]), float(depths[worst])
 
 
-def _others(place: Place, share: float) -> Iterator[Remedy]:
-    """Gussets that fit: that go less or more far along edges, or in some of the columns only."""
-    shares = (rounded(share * SMALLER**power, 3) for power in range(1, TRIED))
-    for each in (*shares, LARGEST):
-        if place.fault(Gussets.of(place.design, place.at, each)) is None:
+def _others(place: Place, found: Gussets, asked: Stiffeners) -> Iterator[Remedy]:
+    """Gussets that fit: that go less or more far along edges, are thinner, or in fewer columns."""
+    design, build, share = place.design, found.build, asked.share
+    powers = [SMALLER**power for power in range(1, TRIED)]
+    for each in (*(rounded(share * less, 3) for less in powers), LARGEST):
+        if place.fault(Gussets.of(design, place.at, each, build)) is None:
             yield Remedy({"stiffeners.share": each})
             break
-    left, columns = Gussets.of(place.design, place.at, share).left(), place.at[:, 1]
+    if asked.thickness is not None and build is not None:
+        for thickness in (rounded(asked.thickness * less, 3) for less in powers):
+            thinner = build.replace_unchecked(thickness=thickness)
+            if place.fault(Gussets.of(design, place.at, share, thinner)) is None:
+                yield Remedy({"stiffeners.thickness": thickness})
+                break
+    left, columns = found.left(), place.at[:, 1]
     able = np.setdiff1d(columns, columns[left < LEAST_LEFT])
     some = place.at[np.isin(columns, able)]
-    if 0 < len(some) < len(place.at) and place.fault(Gussets.of(place.design, some, share)) is None:
+    if not 0 < len(some) < len(place.at):
+        return
+    if place.fault(Gussets.of(design, some, share, build)) is None:
         yield Remedy({"stiffeners.columns": able.tolist()})

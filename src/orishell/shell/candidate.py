@@ -55,7 +55,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     feet = find_feet(design)
     if file.ground == "z0":
         design, feet = stand(design, feet)
-    design = with_gussets(design, lock, file.stiffeners, file.contact_tolerance)
+    design = with_gussets(design, lock, file.stiffeners, file.contact_tolerance, file.plate_density)
     site = find_site(
         design,
         feet,

@@ -50,6 +50,7 @@ SHEET: Final = ("", "sandwich")
 FOLDERS: Final[tuple[tuple[str, str | None], ...]] = (
     ("pattern-boards-*", "cut"),
     ("pattern-panels*", "cut"),
+    ("pattern-gussets*", "cut"),
     ("pattern-top.*", "cut"),
     ("pattern-bottom.*", "cut"),
     ("pattern-arms.*", "cut"),
@@ -282,13 +283,20 @@ def _readme(
 
 
 def _named(names: Iterable[str]) -> str:
-    """Names of files, those that are numbered once with their number."""
-    groups: dict[str, list[str]] = {}
+    """Names of files, those that are numbered once with their numbers."""
+    groups: dict[str, list[int]] = {}
     for name in names:
         stem, dot, ending = name.rpartition(".")
         head, _, number = stem.rpartition("-")
-        groups.setdefault(f"{head}-N{dot}{ending}" if number.isdecimal() else name, []).append(name)
+        if number.isdecimal():
+            groups.setdefault(f"{head}-N{dot}{ending}", []).append(int(number))
+        else:
+            groups[name] = []
     return ", ".join(
-        f"{group} (N = 1 to {len(each)})" if len(each) > 1 else each[0]
+        f"{group} (N = {min(each)} to {max(each)})"
+        if len(each) > 1
+        else group.replace("-N.", f"-{each[0]}.")
+        if each
+        else group
         for group, each in groups.items()
     )

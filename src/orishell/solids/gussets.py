@@ -4,17 +4,17 @@ At its vertex x a gusset goes along the edges u and v of the column, above and b
 of each: its corners are x, x + a u and x + a v. It is in the plane of u and v, so it lies in one of
 the two angles between a panel beside u and the plane through u that it is in itself.
 
-A plate that is 2 h thick keeps off panels that are as thick, which reach h to either side. In the
+A plate that is 2 g thick keeps off panels that are 2 h thick, and reach h to either side. In the
 section square to u let alpha be the angle between gusset and panel. The edge of the gusset, cut
-square and d from u, has its corners d sin(alpha) -+ h cos(alpha) over the panel's plane: above the
+square and d from u, has its corners d sin(alpha) -+ g cos(alpha) over the panel's plane: above the
 board if
 
-    d >= h (1 + abs(cos(alpha)))/sin(alpha).
+    d >= (h + g abs(cos(alpha)))/sin(alpha).
 
 Boards end at their creases. So where alpha is more than a right angle the gusset is clear of the
 board, too, if it ends before the plane through u square to the panel,
 
-    d >= -h tan(alpha).
+    d >= -g tan(alpha).
 
 The less of both will do, and the most of all panels beside u and v is taken for each.
 """
@@ -49,30 +49,36 @@ class Gussets:
     corners: Array  # x, x + a u, the middle of the outer side, and x + a v (G, 4, 3)
     # how far they stand off the edges u and v (G, 2), infinite where there is no room
     off: Array
+    build: PanelSpec | None = None  # what they are made of; None if they have no thickness
 
     @classmethod
-    def of(cls, design: Design, at: Integers, share: float) -> Gussets:
+    def of(
+        cls, design: Design, at: Integers, share: float, build: PanelSpec | None = None
+    ) -> Gussets:
         """Gussets at vertices.
 
         at: Rows and columns (G, 2) of the sheet's vertices.
         share: How far they go along edges.
+        build: What they are made of; None if that is what panels are made of.
         """
+        build = build or design.panel
         points = design.mechanism.positions(design.mechanism.target_drive)
         row, column = at.T
         x = points[row, column]
         up, down = points[row - 1, column] - x, points[row + 1, column] - x
         ends = x + share * up, x + share * down
         corners = np.stack([x, ends[0], 0.5 * (ends[0] + ends[1]), ends[1]], axis=1)
-        last, half = points.shape[1] - 1, 0.0 if design.panel is None else design.panel.height
+        last = points.shape[1] - 1
+        halves = [0.0 if each is None else each.height for each in (build, design.panel)]
         off = np.zeros((len(at), 2))
         for side in (-1, 1):
             there = np.flatnonzero((column + side >= 0) & (column + side <= last))
             across = points[row[there], column[there] + side] - x[there]
             for number, (along, inwards) in enumerate(((up, down), (down, up))):
                 angle = angle_about(along[there], inwards[there], across)
-                needed = stand_off(angle, half)
+                needed = stand_off(angle, *halves)
                 off[there, number] = np.maximum(off[there, number], needed)
-        return cls(at, share, corners, off)
+        return cls(at, share, corners, off, build)
 
     def __len__(self) -> int:
         return len(self.at)
@@ -112,12 +118,15 @@ class Gussets:
         lengths = np.linalg.norm(np.stack([q, r], axis=1), axis=-1)
         return np.asarray(1 - (self.off * lengths).sum(axis=1) / twice)
 
-    def boards(self, flat: Array, build: PanelSpec, levels: int) -> Boards:
+    def boards(self, flat: Array, levels: int) -> Boards:
         """Their boards, as panels of their own whose first corners lie at places (G, 2).
 
-        build: What they are made of: one board, or two on a membrane.
+        Each has one, or two on a membrane.
+
         levels: At how many heights boards have outlines.
         """
+        build = self.build
+        assert build is not None
         half, inner = build.height, 0.5 * build.membrane
         layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
         low, high = np.transpose(list(layers.values()))
@@ -148,15 +157,16 @@ def angle_about(along: Array, one: Array, other: Array) -> Array:
     return np.asarray(np.arctan2(sine, (first * second).sum(axis=1)))
 
 
-def stand_off(angle: Array, half: float) -> Array:
+def stand_off(angle: Array, half: float, panel: float) -> Array:
     """How far (N,) a plate stands off an edge, by its angle (N,) to a panel there.
 
-    half: Half the thickness of both.
+    half: Half its thickness.
+    panel: Half that of the panel.
     """
     sine, cosine = np.sin(angle), np.cos(angle)
     room = sine > OFF_PLANE
     above = np.full(len(angle), np.inf)
-    above[room] = half * (1 + np.abs(cosine[room])) / sine[room]
+    above[room] = (panel + half * np.abs(cosine[room])) / sine[room]
     blunt = cosine < -OFF_PLANE
     before = np.full(len(angle), np.inf)
     before[blunt] = half * sine[blunt] / -cosine[blunt]
@@ -170,17 +180,20 @@ def _unit(vectors: Array) -> Array:
 LETTERS = ("B", "B", "B", "B")
 
 
-def gusset_parts(design: Design, gussets: Gussets, levels: int) -> Iterator[Part]:
+def gusset_parts(
+    design: Design, gussets: Gussets, levels: int, material: str = ""
+) -> Iterator[Part]:
     """Gussets as parts, each beside the vertex of the flat sheet that it goes to.
 
     levels: At how many heights boards have outlines.
+    material: Of their boards, if that is not what panels are made of.
     """
-    mechanism, panel = design.mechanism, design.panel
+    mechanism, build = design.mechanism, gussets.build
     across, drive = mechanism.grid.columns, float(np.rad2deg(mechanism.target_drive))
     row, column = gussets.at.T
     places = points_of(mechanism, 0.0)[row * across + column, :2]
     flat = gussets.lying() + places[:, None]
-    boards = None if panel is None else gussets.boards(places, panel, levels)
+    boards = None if build is None else gussets.boards(places, levels)
     mesh, shares = build_mesh(np.array([[0, 1, 2, 3]]), 4), _borne(gussets.share)
     for number, name in enumerate(gussets.names):
         at: Vertex = (int(row[number]), int(column[number]))
@@ -198,7 +211,8 @@ def gusset_parts(design: Design, gussets: Gussets, levels: int) -> Iterator[Part
             states=(DocumentState(gussets.corners[number], np.zeros(4), drive),),
             named={SHELL: 0},
             names=(name,),
-            panel=panel,
+            panel=build,
+            material=material,
             boards=own,
             kind="gusset",
             borne_at=np.array([at, (at[0] - 1, at[1]), (at[0] + 1, at[1])]),

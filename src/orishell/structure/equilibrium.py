@@ -122,12 +122,14 @@ class Equilibrium:
     def crept(self) -> float:
         """The largest displacement once it has crept (length): EN 1995-1-1, 2.2.3.
 
-        It grows only under loads all of which last.
+        It grows only under loads all of which last, by the most that any of its parts creeps.
         """
-        asked, size = self.model.structure, self.displacement.size
-        if asked.material is None or self.duration != "permanent":
+        size = self.displacement.size
+        if self.duration != "permanent":
             return size
-        return size * (1 + materials()[asked.material].creeps(asked.service_class))
+        made = [each for each in (self.model.structure, self.model.of_plates) if each.material]
+        factors = [materials()[each.material or ""].creeps(each.service_class) for each in made]
+        return size * (1 + max(factors, default=0.0))
 
     @property
     def friction(self) -> float | None:
@@ -268,7 +270,9 @@ class Equilibrium:
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
-            gussets=used_of_plates(asked, self.in_plates, self.duration, self.model.site.unit),
+            gussets=used_of_plates(
+                self.model.of_plates, self.in_plates, self.duration, self.model.site.unit
+            ),
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             rail=used_rail(self.rail, asked, self.duration, self.model.site.unit),
             buckling=None if self.buckling is None else 1 / self.buckling,

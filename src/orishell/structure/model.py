@@ -217,9 +217,15 @@ class Model:
         return stops_of([each.corner[0] for each in plates], [each.share for each in plates])
 
     @cached_property
+    def of_plates(self) -> Structure:
+        """What is asked of plates that stiffen the sheet: the same, of their own material."""
+        own = {part.material for part in self.design.plates if part.material}
+        return self.structure.made_of(own.pop(), self.site.unit) if own else self.structure
+
+    @cached_property
     def plate_section(self) -> Section:
-        """Section of plates that stiffen the sheet: they are made as panels are."""
-        return whole_section(self.structure, self.design.panel)
+        """Section of plates that stiffen the sheet, all of which are made alike."""
+        return whole_section(self.of_plates, self.design.plates[0].panel)
 
     def vertices(self, drive: float) -> Array:
         """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).

@@ -239,6 +239,18 @@ class StructureTable(Table):
             sandwich=sandwich, **{key: each for key, each in known.items() if key not in given}
         )
 
+    def made_of(self, material: str, unit: str) -> Self:
+        """The same of another material, by its name, per square of a unit."""
+        made, area = materials()[material], conversion(unit, "m") ** 2
+        return self.replace_unchecked(
+            material=material,
+            modulus=made.modulus * area,
+            poisson=made.poisson,
+            strength=None,
+            grain=None,
+            sandwich=None if made.sandwich is None else Sandwich().filled(made.sandwich, unit),
+        )
+
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:
         """The structure under load cases; its modulus is known."""
         made = Structure.model_construct(**dict(self), cases=cases)

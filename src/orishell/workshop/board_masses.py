@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.document import Part
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import laid_flat
 
 
@@ -20,11 +20,20 @@ def densities_of_boards(document: Part) -> Array:
     return np.concatenate([np.zeros(0), *found])
 
 
-def mass_of_boards(document: Part) -> float | None:
-    """Mass of all boards, arms left out (kg); None if a density is not known."""
+def mass_of_boards(document: Part, numbers: Integers | None = None) -> float | None:
+    """Mass of all boards, or of some, arms left out (kg); None if a density is not known.
+
+    Parameters
+    ----------
+    numbers
+        Which of :func:`~orishell.workshop.assembly.laid_flat`; all if None.
+    """
     boards, densities = laid_flat(document).boards, densities_of_boards(document)
     assert boards is not None
-    volumes, own = boards.volumes()[~boards.arms], densities[~boards.arms]
+    chosen = (
+        ~boards.arms if numbers is None else ~boards.arms & np.isin(range(len(boards)), numbers)
+    )
+    volumes, own = boards.volumes()[chosen], densities[chosen]
     cubic = conversion(document.unit, "m") ** 3
     each = [cubic * float(volumes[own == one].sum()) * one for one in np.unique(own).tolist()]
     return (sum(each) or None) if all(each) else None

@@ -7,7 +7,9 @@ that their part numbers can be read when they are glued on. Solid panels are see
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import lru_cache
+from itertools import product
 
 import numpy as np
 
@@ -15,13 +17,15 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.boards import ARM, KNUCKLE
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import laid_flat, short_creases
+from orishell.workshop.board_stock import BoardStock, stocks_of_boards
 from orishell.workshop.boards import (
     MIRRORED,
     SIDES,
     board_labels,
     distinct_corners,
+    has_membrane,
     seen_from_outside,
     solid_marks,
 )
@@ -83,23 +87,53 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
 
 
 def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]:
-    """Where boards lie on the stock, within its margins; one for each of :func:`board_parts`."""
-    document = laid_flat(document)
+    """Where boards lie on the stock, within its margins; one for each of :func:`board_parts`.
+
+    Sheets of boards of another thickness or material follow those of the sheet's own.
+    """
+    if document.boards is None:
+        return ()
+    numbers = _numbers(document)
+    everything = laid_flat(document)
     outlines = [
         distinct_corners(outline)
         for side in SIDES
-        for outline in seen_from_outside(document, side).outlines
+        for outline in seen_from_outside(everything, side).outlines
     ]
-    if not outlines:
-        return ()
-    return _nest(Known.by(outlines, outlines), *workshop.usable_stock, workshop.spacing)
+    found: dict[int, Placement] = {}
+    first = 0
+    for stock in stocks_of_boards(document):
+        of = np.flatnonzero(np.isin(numbers, stock.boards)).tolist()
+        mine = [outlines[k] for k in of]
+        placed = _nest(Known.by(mine, mine), *workshop.usable_stock, workshop.spacing)
+        found |= {
+            k: replace(each, sheet=first + each.sheet) for k, each in zip(of, placed, strict=True)
+        }
+        first += 1 + max((each.sheet for each in placed), default=-1)
+    return tuple(found[k] for k in range(len(numbers)))
+
+
+def _numbers(document: Document) -> Integers:
+    """Numbers (B,) of boards in the order in which they are drawn."""
+    everything = laid_flat(document)
+    return np.concatenate([seen_from_outside(everything, side).numbers for side in SIDES])
 
 
 def count_board_sheets(document: Document, workshop: Workshop) -> int | None:
     """How many sheets of stock all boards take; None without stock."""
-    if workshop.stock is None:
-        return None
-    return 1 + max((placed.sheet for placed in nest_boards(document, workshop)), default=-1)
+    return None if workshop.stock is None else sum(map(len, sheets_of_stocks(document, workshop)))
+
+
+def sheets_of_stocks(document: Document, workshop: Workshop) -> tuple[range, ...]:
+    """The sheets, numbered from 0, that boards of every stock are cut from."""
+    numbers = _numbers(document)
+    sheets = np.array([placed.sheet for placed in nest_boards(document, workshop)])
+    found, begin = [], 0
+    for stock in stocks_of_boards(document):
+        mine = sheets[np.isin(numbers, stock.boards)]
+        found.append(range(begin, 1 + int(mine.max(initial=begin - 1))))
+        begin = found[-1].stop
+    return tuple(found)
 
 
 @lru_cache(KEPT)
@@ -118,7 +152,7 @@ _CALLED = {1: "upper boards", -1: "lower boards", 0: "panels", ARM: "arms", KNUC
 class BoardLayer:
     """The boards of one layer, drawn apart so that no cut is made twice."""
 
-    ending: str  # how its file's name ends: "top", "bottom" or "panels"
+    ending: str  # how its file's name ends: "top", "bottom" or "panels", or "gussets"
     title: str
     content: Content
     facts: tuple[str, ...]  # what the title block says
@@ -129,7 +163,9 @@ def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, D
 
     Without stock there is one for each layer: "-top" and "-bottom", or "-panels" if they are solid.
     With stock the boards of both layers are nested together: "-boards-1", ..., or "-panels-1", ...
-    Arms of whole boards are drawn one of each kind: "-arms".
+    Boards of another thickness or material than the sheet's are drawn by themselves, called by the
+    kind of their parts: "-gussets", or "-gussets-9" after eight sheets of other boards. Arms of
+    whole boards are drawn one of each kind: "-arms".
     """
     if document.boards is None:
         return
@@ -146,12 +182,20 @@ def _draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, 
             yield f"-{layer.ending}", page
         return
     parts = board_parts(document)
-    name = "boards" if any(part.side for part in parts) else LAYERS[0]
+    usual = "boards" if has_membrane(document) else LAYERS[0]
     contents = (part.content() for part in parts)
     placed = [*zip(contents, nest_boards(document, workshop), strict=True)]
-    title = f"{document.title}, {name}"
-    sheets = draw_stock_sheets(placed, title, document.unit, workshop, numbered=True)
-    yield from ((f"-{name}-{number}", sheet) for number, sheet in enumerate(sheets, 1))
+    stocks = zip(stocks_of_boards(document), sheets_of_stocks(document, workshop), strict=True)
+    for stock, numbers in stocks:
+        name = f"{stock.kind}s" if stock.kind else usual
+        title = f"{document.title}, {name}{_in_words(stock, document.unit)}"
+        sheets = draw_stock_sheets(placed, title, document.unit, workshop, numbers)
+        yield from zip((f"-{name}-{1 + number}" for number in numbers), sheets, strict=True)
+
+
+def _in_words(stock: BoardStock, unit: str) -> str:
+    """What boards of another stock than the sheet's are; nothing of those of the sheet's."""
+    return f" {plain(stock.thickness)} {unit} thick{stock.of}" if stock.kind else ""
 
 
 def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ...]:
@@ -162,15 +206,18 @@ def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ..
     parts = board_parts(document)
     moves = _moves_apart(laid_flat(document), workshop)
     layers = []
-    for side, ending in LAYERS.items():
-        mine = [part for part in parts if part.side == side]
+    for stock, (side, ending) in product(stocks_of_boards(document), LAYERS.items()):
+        there = {*stock.boards.tolist()}
+        mine = [part for part in parts if part.side == side and part.number in there]
         if mine:
             mirror = MIRRORED if side < 0 else 1.0
             content = gathered(
                 shifted(part.content(), *(moves[part.panel] * mirror).tolist()) for part in mine
             )
-            title, facts = f"{document.title}, {_CALLED[side]}", _facts(document, mine, content)
-            layers.append(BoardLayer(ending, title, content, facts))
+            own = f"{stock.kind}s" if stock.kind else ""
+            title = f"{document.title}, {own or _CALLED[side]}"
+            facts = _facts(document, stock, mine, content)
+            layers.append(BoardLayer(own or ending, title, content, facts))
     return tuple(layers)
 
 
@@ -192,10 +239,14 @@ def _moves_apart(document: Document, workshop: Workshop) -> Array:
     return np.asarray(centres * (clear / float(across.min())))
 
 
-def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> tuple[str, str]:
-    assert document.panel is not None
-    build, unit = document.panel, document.unit
+def _facts(
+    document: Document, stock: BoardStock, parts: Sequence[BoardPart], content: Content
+) -> tuple[str, str]:
+    build, unit = stock.build, document.unit
     size = quoted_size(drawn_box(content)[1], unit)
+    if stock.kind:
+        said = _in_words(stock, unit)
+        return f"{len(parts)} {stock.kind}s,{said}, {size}", "Cut square, seen from above"
     if build.construction == "hinged":
         return (
             f"{len(parts)} whole boards, {build.thickness:g} {unit} thick, {size}",
@@ -207,10 +258,9 @@ def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> 
             f"{len(parts)} solid panels, {build.thickness:g} {unit} thick, {size}",
             "Cut on the hinge plane; chamfers at the top (T) and bottom (B) in degrees",
         )
-    thick = 0.5 * (build.thickness - build.membrane)
     below = parts[0].side < 0
     return (
-        f"{len(parts)} boards, {plain(thick)} {unit} thick, {size}",
+        f"{len(parts)} boards, {plain(stock.thickness)} {unit} thick, {size}",
         "Lower face, seen from below" if below else "Upper face, seen from above",
     )
 

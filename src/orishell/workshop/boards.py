@@ -108,6 +108,12 @@ def has_sheet(document: Part) -> bool:
     return document.boards is None or build is None or not build.is_solid
 
 
+def cut_of_sheet(document: Document) -> Document:
+    """The document with those parts only that are cut from the flat sheet, or from its membrane."""
+    parts = tuple(part for part in document.attached if has_sheet(part))
+    return document if len(parts) == len(document.attached) else replace(document, attached=parts)
+
+
 def has_membrane(document: Document) -> bool:
     """Whether boards are glued on the sheet, on one face or on both."""
     return document.boards is not None and bool(document.boards.sides.any())
@@ -169,10 +175,11 @@ def solid_marks(document: Document) -> list[Content]:
     Edges of both faces where they are chamfered, the chamfer's angle against a square cut with T or
     B for the face that it takes from, where there is room for it, and the part number.
     """
+    assert document.boards is not None
     solids = seen_from_outside(document, 0)
     size = mean_edge(document)
-    chamfers = _find_chamfers(_solid_levels(document), FLUSH * size)
-    inner = _common_faces(document)
+    chamfers = _find_chamfers(_solid_levels(document.boards), FLUSH * size)
+    inner = _common_faces(document.boards)
     words = tuple(
         f"{angle:.1f}°{'T' if side > 0 else 'B'}"
         for angle, side in zip(chamfers.angles_deg, chamfers.sides, strict=True)
@@ -203,7 +210,7 @@ def solid_marks(document: Document) -> list[Content]:
 
 def chamfer_angles(boards: Boards) -> Array:
     """How far all chamfers (C,) of solid panels lean from a square cut (degrees)."""
-    levels = boards.outlines[boards.sides == 0]
+    levels = _solid_levels(boards)
     if not len(levels):
         return np.zeros(0)
     sides = np.diff(levels[:, 1, :, :2], axis=1, append=levels[:, 1, :1, :2])
@@ -234,14 +241,14 @@ def _find_chamfers(levels: Array, flush: float) -> _Chamfers:
     return _Chamfers(*(np.concatenate(each) for each in zip(*found, strict=True)))
 
 
-def _common_faces(document: Document) -> Array:
+def _common_faces(boards: Boards) -> Array:
     """Corners (S, K, 2) of what both faces of every solid panel have in common, seen from above.
 
     Where that is nothing, those of its outline on the hinge plane.
     """
     import shapely
 
-    levels = _solid_levels(document)[..., :2]
+    levels = _solid_levels(boards)[..., :2]
     bottom, middle, top = (np.asarray(shapely.polygons(levels[:, k])) for k in range(3))
     common = np.asarray(shapely.intersection(bottom, top))
     empty = shapely.area(common) <= FLUSH * shapely.area(middle)
@@ -253,6 +260,10 @@ def _common_faces(document: Document) -> Array:
     return np.asarray(clockwise[:, ::-1])
 
 
-def _solid_levels(document: Document) -> Array:
-    assert document.boards is not None
-    return np.asarray(document.boards.outlines[document.boards.sides == 0])
+def _solid_levels(boards: Boards) -> Array:
+    """Corners (S, 3, K, 3) of solid boards: lowest, on the hinge plane, highest.
+
+    Those that are cut square have no outline between.
+    """
+    levels = boards.outlines[boards.sides == 0]
+    return np.asarray(levels[:, [0, levels.shape[1] // 2, -1]])

@@ -15,7 +15,14 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import laid_flat
-from orishell.workshop.boards import SIDES, Side, has_membrane, has_sheet, seen_from_outside
+from orishell.workshop.boards import (
+    SIDES,
+    Side,
+    cut_of_sheet,
+    has_membrane,
+    has_sheet,
+    seen_from_outside,
+)
 from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
 from orishell.workshop.nesting import nest_parts
@@ -65,8 +72,12 @@ class Layout:
 
 
 def lay_out(document: Document, workshop: Workshop) -> Layout:
-    """Split the sheet as the stock asks for, and lay the parts on it: those of `laid_flat`."""
+    """Split the sheet as the stock asks for, and lay the parts on it: those of `laid_flat`.
+
+    Parts that have neither sheet nor membrane are left out.
+    """
     _require_sheet(document, workshop)
+    document = cut_of_sheet(document)
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
         return Layout((whole_sheet(laid_flat(document)),), None)
@@ -93,7 +104,8 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     _require_sheet(document, workshop)
     own_roll = on_its_roll(document, workshop) is not workshop
     # On a membrane of the same stock boards are no larger than their panels.
-    if workshop.stock is None or document.boards is None or (has_sheet(document) and not own_roll):
+    on_membrane = all(map(has_sheet, document.parts)) and not own_roll
+    if workshop.stock is None or document.boards is None or on_membrane:
         return
     everything = laid_flat(document)
     outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
@@ -106,7 +118,7 @@ def _require_sheet(document: Document, workshop: Workshop) -> None:
     laid = on_its_roll(document, workshop)
     if laid.stock is None or not has_sheet(document):
         return
-    everything = laid_flat(document)
+    everything = laid_flat(cut_of_sheet(document))
     width, height = laid.usable_stock
     if len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         return

@@ -39,16 +39,20 @@ def mass_of_ties(document: Document, workshop: Workshop) -> float | None:
 def mass_by_area(document: Document, workshop: Workshop) -> float | None:
     """Mass by the areal density, and of hinges in creases and ties where known (kg).
 
-    None if the areal density is not known.
+    Parts that are not made as the sheet is weigh what their boards do. None if the areal density is
+    not known.
     """
-    area = conversion(document.unit, "m") ** 2 * float(laid_flat(document).areas().sum())
     if not workshop.areal_density:
         return None
+    metres = conversion(document.unit, "m")
+    by_area = workshop.areal_density * metres**2
+    panels = sum(
+        part.mass(by_area, metres) if part.panel != document.panel else by_area * part.areas().sum()
+        for part in document.parts
+    )
     whole = fittings_of(laid_flat(document)) is not None
     hinges = 0.0 if whole else mass_of_hinges(document, workshop)
-    return (
-        area * workshop.areal_density + (hinges or 0.0) + (mass_of_ties(document, workshop) or 0.0)
-    )
+    return float(panels) + (hinges or 0.0) + (mass_of_ties(document, workshop) or 0.0)
 
 
 def centre_of_mass(document: Document, workshop: Workshop) -> tuple[float, float, float]:

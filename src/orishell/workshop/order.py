@@ -16,8 +16,9 @@ from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars, cut_bars
 from orishell.workshop.board_masses import mass_of_boards
-from orishell.workshop.board_sheets import count_board_sheets
-from orishell.workshop.boards import has_membrane, has_sheet
+from orishell.workshop.board_sheets import sheets_of_stocks
+from orishell.workshop.board_stock import BoardStock, stocks_of_boards
+from orishell.workshop.boards import cut_of_sheet, has_membrane, has_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll
 from orishell.workshop.schedule import BY_LENGTH, WEIGHED, Schedule, find_schedule
@@ -77,11 +78,14 @@ def find_order(
 def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[OrderRow]:
     everything = laid_flat(document)
     if has_membrane(everything) or not has_sheet(everything):
-        sheets = count_board_sheets(document, workshop) if nested else None
-        yield _boards(document, workshop, sheets)
+        stocks, on_stock = stocks_of_boards(document), nested and workshop.stock is not None
+        sheets = sheets_of_stocks(document, workshop) if on_stock else [None] * len(stocks)
+        for stock, own in zip(stocks, sheets, strict=True):
+            yield _boards(document, workshop, stock, None if own is None else len(own))
     if has_sheet(everything):
         laid = nested and on_its_roll(document, workshop).stock is not None
-        yield _sheet(everything, workshop, measure_waste(document, workshop) if laid else None)
+        of_sheet = laid_flat(cut_of_sheet(document))
+        yield _sheet(of_sheet, workshop, measure_waste(document, workshop) if laid else None)
     if fittings_of(everything) is not None:
         yield from _arms(everything)
     schedule = find_schedule(document, workshop)
@@ -92,22 +96,24 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
         yield _ties(document, workshop)
 
 
-def _boards(document: Document, workshop: Workshop, sheets: int | None) -> OrderRow:
-    build, boards = document.panel, laid_flat(document).boards
-    assert build is not None
+def _boards(
+    document: Document, workshop: Workshop, stock: BoardStock, sheets: int | None
+) -> OrderRow:
+    boards = laid_flat(document).boards
     assert boards is not None
+    boards = boards.chosen(stock.boards)
     boards = boards.chosen(~boards.arms)
-    thick = build.thickness if build.is_solid else 0.5 * (build.thickness - build.membrane)
-    return _flat_row(
+    row = _flat_row(
         document.unit,
-        "boards",
-        ("sheet", thick),
+        f"{stock.kind} boards".strip(),
+        ("sheet", stock.thickness),
         sides=workshop.stock if sheets is not None else None,
         count=sheets,
         used=float(boards.areas().sum()),
-        mass=mass_of_boards(document) or 0.0,
-        price=workshop.stock_price,
+        mass=mass_of_boards(document, stock.boards) or 0.0,
+        price=0.0 if stock.kind else workshop.stock_price,  # which is that of the sheet's boards
     )
+    return replace(row, what=row.what + stock.of)
 
 
 def _sheet(document: Document, workshop: Workshop, stock: Waste | None) -> OrderRow:

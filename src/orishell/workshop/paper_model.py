@@ -13,7 +13,7 @@ from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import board_layers
-from orishell.workshop.boards import back_of, sheet_title, with_glue_areas
+from orishell.workshop.boards import back_of, cut_of_sheet, sheet_title, with_glue_areas
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.palettes import Layer, Line, Text, load_palette
@@ -56,7 +56,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     workshop = workshop.replace_unchecked(
         creases="score", corner_gap="auto", relief_hole=0.0, stock=None
     )
-    document = laid_flat(document)
+    document = laid_flat(cut_of_sheet(document))
     require_drawable(document)
     part = with_glue_areas(document, whole_sheet(document))
     content = part_lines(document, part, workshop)
@@ -72,7 +72,7 @@ def make_board_models(
     if document.boards is None:
         return
     workshop = workshop.replace_unchecked(paper_scale=scale, stock=None)
-    everything = laid_flat(document)
+    everything = laid_flat(cut_of_sheet(document))
     if (document.boards.sides < 0).any():
         back, title = back_of(everything, whole_sheet(everything)), f"{sheet_title(document)}, back"
         yield "-back", _to_scale(back, title, document.unit, _hull(back), workshop)

@@ -95,20 +95,21 @@ def draw_stock_sheets(
     title: str,
     unit: str,
     workshop: Workshop,
-    *,
-    numbered: bool = False,
+    numbers: range | None = None,
 ) -> Iterator[Drawing]:
     """Drawings exactly of the stock's size, in the order of work: marks, creases, holes, cuts.
 
     Parts are in their own coordinates, placements within the margins. The title stands in the
-    margin, if there is one, with the sheet's number, if there are several or they are ``numbered``.
+    margin, if there is one, with the sheet's number, if there are several. If ``numbers`` are given
+    only these sheets are drawn, numbered even if there is one.
     """
     if workshop.stock is None:
         raise AssertionError("only stock is drawn sheet by sheet")
     (wide, high), margin = workshop.stock, workshop.margin
     count = 1 + max((placement.sheet for _, placement in parts), default=-1)
-    for number in range(count):
-        called = f"{title}, sheet {number + 1} of {count}" if numbered or count > 1 else title
+    for number in range(count) if numbers is None else numbers:
+        several = numbers is not None or count > 1
+        called = f"{title}, sheet {number + 1} of {count}" if several else title
         lines, circles, texts = gathered(
             replace(placement, shift=placement.shift + margin).move_all(content)
             for content, placement in parts

@@ -14,6 +14,7 @@ from orishell.document import Document
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_masses import mass_of_boards
 from orishell.workshop.board_sheets import count_board_sheets
+from orishell.workshop.boards import cut_of_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.layout import on_its_roll, require_stock
 from orishell.workshop.masses import (
@@ -96,7 +97,8 @@ def measure_panels(
         return None
     boards = boards.chosen(~boards.arms)  # arms are not of their stock
     areas = boards.areas()
-    membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
+    sandwich = build.construction == "sandwich"
+    membrane = float(laid_flat(cut_of_sheet(document)).areas().sum()) if sandwich else 0.0
     length = everything.edge_lengths()
     cubic = conversion(document.unit, "m") ** 3
     board_mass = mass_of_boards(document)

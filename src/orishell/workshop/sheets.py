@@ -16,6 +16,7 @@ from orishell.workshop.assembly import draw_map, laid_flat, number_text
 from orishell.workshop.board_sheets import count_board_sheets, draw_boards, draw_plan
 from orishell.workshop.boards import (
     back_of,
+    cut_of_sheet,
     distinct_corners,
     has_sheet,
     seen_from_outside,
@@ -66,6 +67,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     """
     if not has_sheet(document):
         return (draw_plan(document, workshop),)
+    document = cut_of_sheet(document)
     everything = replace(laid_flat(document), title=sheet_title(document))
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
@@ -91,6 +93,7 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
 
     None where there is no membrane, or no board on its lower face.
     """
+    document = cut_of_sheet(document)
     everything = replace(laid_flat(document), title=sheet_title(document))
     if everything.boards is None or not (everything.boards.sides < 0).any():
         return ()
@@ -134,6 +137,8 @@ def draw_sheet_files(
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet, or else the solid panels, need and waste; cuts and creases."""
     workshop = on_its_roll(document, workshop)
+    if has_sheet(document):
+        document = cut_of_sheet(document)
     everything = laid_flat(document)
     within, creases = 0.0, 0.0  # lengths
     if has_sheet(document):

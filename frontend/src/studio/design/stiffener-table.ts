@@ -5,7 +5,9 @@ type Table = Record<string, unknown>;
 export const NONE = "";
 /** What a file means that says nothing. */
 export const ROWS = "valleys", SHARE = 0.9;
-const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE };
+/** Boards as those of panels: no thickness, and no material, of their own. */
+export const AS_PANELS = "";
+const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE, thickness: 0, material: AS_PANELS };
 
 /** The table with another value; none without a kind. What says nothing new is left out. */
 export function stiffened(table: Table | undefined, key: string, value: unknown): Table | undefined {

@@ -3,10 +3,11 @@
 import type { KeyWords } from "../../shared/api-types.ts";
 import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
+import { capital } from "../../shared/words.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import { listed } from "./row-list.ts";
-import { NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+import { AS_PANELS, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
 
 export class StiffenerControls {
   readonly element: HTMLElement;
@@ -14,17 +15,34 @@ export class StiffenerControls {
   private readonly rows: Segmented<string>;
   private readonly step: HTMLInputElement;
   private readonly share: HTMLInputElement;
+  private readonly thickness: HTMLInputElement;
+  private readonly material: HTMLSelectElement;
+  private readonly unit = h("span", { class: "unit" });
   private readonly note = h("p", { class: "note" });
   private readonly rest: HTMLElement;
 
   constructor(private readonly store: Store) {
     const { label, keys } = store.info.tables["stiffeners"]!;
-    const { kind, rows, columns, share } = keys;
+    const { kind, rows, columns, share, thickness, material } = keys;
     this.kind = this.segments("kind", { ...kind!, choices: { [NONE]: "None", ...kind!.choices } });
     this.rows = this.segments("rows", rows!);
     this.step = this.box("columns", { min: 1, step: 1 });
     this.share = this.box("share", { min: 0, max: 1, step: "any" });
-    this.rest = h("div", { class: "parameter-list" }, named(rows!, this.rows), row("columns", columns!, this.step), row("share", share!, this.share), this.note);
+    this.thickness = this.box("thickness", { min: 0, step: "any", placeholder: "as panels" });
+    // Emptied it is as panels again, which no number says.
+    this.thickness.addEventListener("change", () => this.thickness.value === "" && this.set("thickness", 0));
+    this.material = h("select", { id: "stiffeners-material", "data-testid": "stiffeners-material", "aria-label": material!.label, onchange: () => this.set("material", this.material.value) });
+    this.material.append(new Option("As panels", AS_PANELS), ...store.info.materials.map(({ name }) => new Option(capital(name), name)));
+    this.rest = h(
+      "div",
+      { class: "parameter-list" },
+      named(rows!, this.rows),
+      row("columns", columns!, this.step),
+      row("share", share!, this.share),
+      row("thickness", thickness!, this.thickness, this.unit),
+      row("material", material!, this.material),
+      this.note,
+    );
     this.element = h(
       "section",
       { class: "stiffeners", "aria-labelledby": "stiffeners-title" },
@@ -32,7 +50,7 @@ export class StiffenerControls {
       named(kind!, this.kind),
       this.rest,
     );
-    store.design.bind(({ stiffeners }) => this.show(stiffeners));
+    store.design.bind(({ stiffeners, shell }) => this.show(stiffeners, String(shell["unit"] ?? "")));
   }
 
   private set(key: string, value: unknown, gesture = ""): void {
@@ -49,8 +67,8 @@ export class StiffenerControls {
     return numberBox({ ...limits, id: `stiffeners-${key}`, "data-testid": `stiffeners-${key}` }, (value) => this.set(key, value, `type-stiffeners-${key}`));
   }
 
-  private show(table: Record<string, unknown> | undefined): void {
-    const { kind = NONE, rows = ROWS, columns, share = SHARE } = table ?? {};
+  private show(table: Record<string, unknown> | undefined, unit: string): void {
+    const { kind = NONE, rows = ROWS, columns, share = SHARE, thickness, material = AS_PANELS } = table ?? {};
     this.rest.hidden = !table;
     this.kind.set(String(kind));
     this.rows.set(String(rows));
@@ -58,14 +76,17 @@ export class StiffenerControls {
     setNumber(this.step, step === null ? "" : short(step));
     this.step.placeholder = step === null ? "listed" : "";
     setNumber(this.share, short(Number(share)));
+    setNumber(this.thickness, thickness === undefined ? "" : short(Number(thickness)));
+    this.unit.textContent = unit;
+    this.material.value = String(material);
     const words = Object.entries({ Rows: rows, Columns: columns }).flatMap(([name, each]) => (Array.isArray(each) ? [`${name} listed in the file: ${listed(each)}.`] : []));
     this.note.textContent = words.join(" ");
     this.note.hidden = !words.length;
   }
 }
 
-function row(key: string, { label, help }: KeyWords, control: HTMLElement): HTMLElement {
-  return h("div", { class: "parameter-head", title: help }, h("label", { for: `stiffeners-${key}` }, label), control);
+function row(key: string, { label, help }: KeyWords, ...controls: HTMLElement[]): HTMLElement {
+  return h("div", { class: "parameter-head", title: help }, h("label", { for: `stiffeners-${key}` }, label), ...controls);
 }
 
 function named({ label, help }: KeyWords, { element }: Segmented<string>): HTMLElement {

@@ -81,6 +81,8 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         "Strength of ties",
         _known(asked.tie_strength, lambda force: quantity(force, "N")),
     )
+    if model.design.plates:
+        yield "Gussets", _plates_in_words(model, said)
     if asked.rail is not None:
         of = model.rails
         length, count = (
@@ -97,6 +99,20 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} degrees of freedom",
     )
     yield "Refinement", _changes_in_words(model)
+
+
+def _plates_in_words(model: Model, said: Quantities) -> str:
+    """How many plates stiffen it, and what they are made of."""
+    plates, own = model.design.plates, model.of_plates
+    first = plates[0]
+    if first.panel == model.design.panel and not first.material:
+        return f"{len(plates)}, made as panels are"
+    assert first.panel is not None
+    of = f" of {first.material}" if first.material else ""
+    return (
+        f"{len(plates)}, {said.displacement(first.panel.board)} thick{of}; Young\u2019s modulus "
+        f"{said.stress(own.modulus)}"
+    )
 
 
 def _changes_in_words(model: Model) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import compress
 
 import numpy as np
@@ -16,7 +17,14 @@ from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest, largest_of
 from orishell.workshop.assembly import laid_flat
-from orishell.workshop.boards import SIDES, distinct_corners, has_sheet, seen_from_outside
+from orishell.workshop.board_stock import BoardStock, stock_of_part, stocks_of_boards
+from orishell.workshop.boards import (
+    SIDES,
+    cut_of_sheet,
+    distinct_corners,
+    has_sheet,
+    seen_from_outside,
+)
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.hinge_parts import fittings_of
 from orishell.workshop.kit.facts import KitFacts
@@ -39,7 +47,7 @@ class KitPart:
 
 def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[KitPart, ...]:
     """All kinds of parts, in the order in which they are used; counts are those of the drawings."""
-    everything, unit = laid_flat(document), document.unit
+    unit = document.unit
     parts: list[KitPart] = []
     cut = CutCounts.of(document, workshop)
     if facts.construction in ("", "sandwich"):
@@ -58,7 +66,7 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
     if cut.strips:
         parts.append(KitPart("strip", cut.strips, {}, (_rectangle(-1.0, -0.2, 1.0, 0.2),)))
     if facts.construction:
-        parts += _boards(everything)
+        parts += _boards(document)
     fittings = fittings_of(document)
     if fittings is not None:
         parts += _hinges(fittings, unit)
@@ -67,11 +75,11 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         values = {"length": low if low == high else f"{low} - {high}"}
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
         parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
-    parts += _beside(document, cut, "" if facts.construction else "_plain")
+    parts += _beside(document, cut)
     return tuple(parts)
 
 
-def _beside(document: Document, cut: CutCounts, plain: str) -> Iterator[KitPart]:
+def _beside(document: Document, cut: CutCounts) -> Iterator[KitPart]:
     """Parts that go with the sheet by their kind, in the order of their numbers."""
     last = cut.sheet
     for kind in dict.fromkeys(part.kind for part in document.attached):
@@ -85,7 +93,12 @@ def _beside(document: Document, cut: CutCounts, plain: str) -> Iterator[KitPart]
             "last": str(last),
         }
         quads = mine[0].require_flat()[mine[0].mesh.faces]
-        note = f"{kind}{plain}{'_cut' if last > first else ''}_note"
+        how = ("_plain" if document.boards is None else "") + ("_cut" if last > first else "")
+        stock = stock_of_part(document, mine[0])
+        if stock is not None:
+            how = "_own_of" if stock.material else "_own"
+            values |= _said_of(stock, document) | {"material": stock.material}
+        note = f"{kind}{how}_note"
         yield KitPart(kind, len(mine), values, tuple(map(_closed, quads)), note)
 
 
@@ -104,31 +117,40 @@ class CutCounts:
         if not has_sheet(document):
             return cls(0, tuple(0 for _ in document.attached), 0)
         parts = lay_out(document, workshop).parts
-        ends = np.cumsum([len(part.mesh.faces) for part in document.parts])
+        drawn = cut_of_sheet(document)
+        ends = np.cumsum([len(part.mesh.faces) for part in drawn.parts])
         # Panels of a part are of the sheet, or of one that goes with it.
         of = [
             int(np.searchsorted(ends, part.panels.min(initial=ends[-1]), "right")) for part in parts
         ]
         numbered = [of for of, part in zip(of, parts, strict=True) if part.number]
-        beside = tuple(numbered.count(1 + k) for k in range(len(document.attached)))
+        counts = iter([numbered.count(1 + k) for k in range(len(drawn.attached))])
+        beside = tuple(next(counts) if has_sheet(part) else 0 for part in document.attached)
         return cls(of.count(0), beside, of.count(len(ends)))
 
 
-def _boards(everything: Document) -> Iterator[KitPart]:
-    """Boards by the face that they are on, those that are clipped on included."""
-    boards, build, unit = everything.boards, everything.panel, everything.unit
+def _boards(document: Document) -> Iterator[KitPart]:
+    """Boards of the sheet's stock by the face that they are on, those clipped on included."""
+    everything, (stock, *_) = laid_flat(document), stocks_of_boards(document)
+    boards = everything.boards
     assert isinstance(boards, Boards)
-    assert build is not None
-    sandwich = build.construction == "sandwich"
-    thick = 0.5 * (build.thickness - build.membrane) if sandwich else build.thickness
     for side in SIDES:
         seen = seen_from_outside(everything, side)
-        if not len(seen.numbers):
+        there = np.isin(seen.numbers, stock.boards)
+        if not there.any():
             continue
-        areas = boards.areas()[seen.numbers]
-        largest = distinct_corners(seen.outlines[first_largest(areas)])
-        values = {"thick": size(thick, unit), "area": area(float(areas.sum()), unit)}
-        yield KitPart(LAYERS[side], len(seen.numbers), values, (_closed(largest),))
+        areas, numbers = boards.areas(), seen.numbers[there]
+        largest = distinct_corners(seen.outlines[there][first_largest(areas[numbers])])
+        values = _said_of(replace(stock, boards=numbers), document)
+        yield KitPart(LAYERS[side], len(numbers), values, (_closed(largest),))
+
+
+def _said_of(stock: BoardStock, document: Document) -> dict[str, str]:
+    """How thick boards are, and their area."""
+    boards = laid_flat(document).boards
+    assert boards is not None
+    covered = float(boards.areas()[stock.boards].sum())
+    return {"thick": size(stock.thickness, document.unit), "area": area(covered, document.unit)}
 
 
 def _hinges(fittings: Fittings, unit: str) -> Iterator[KitPart]:
@@ -176,7 +198,8 @@ def kit_tools(
     if facts.construction in ("", "sandwich"):
         yield "knife", {}
     if facts.construction:
-        yield "saw", next(there[side].values for side in LAYERS.values() if side in there)
+        sawn = [part.values for part in parts if "thick" in part.values]
+        yield from (("saw", each) for each in {each["thick"]: each for each in sawn}.values())
     if facts.construction == "sandwich":
         glued = signed_areas(_faces(document)).sum()
         yield "glue", {"area": area(float(glued), document.unit)}
@@ -203,10 +226,10 @@ def kit_tools(
 
 
 def _faces(document: Document) -> Array:
-    """Outlines (B, K, 2) of all boards on the face that is glued."""
+    """Outlines (B, K, 2) of all boards that are glued on, on the face that is."""
     boards = laid_flat(document).boards
     assert boards is not None
-    return np.asarray(boards.outlines[:, 0, :, :2])
+    return np.asarray(boards.outlines[boards.sides != 0, 0, :, :2])
 
 
 def _all(facts: KitFacts, unit: str) -> str:
