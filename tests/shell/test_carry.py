@@ -200,6 +200,8 @@ def test_panels_are_as_thick_as_boards_are_sold(
     assert "no thicker board of birch plywood is on the market (40 mm)" in beyond.refused.replace(
         SPACE, " "
     )
+    foam = file.tried({"structure.material": "GFRP skins on foam", "panel.thickness": 0.023})
+    assert carry_boards.offer(foam, begun.model).at_least(0.0231) == 0.028
     # Two boards of 4 mm on a membrane of 0.5 mm.
     on_membrane = file.tried({
         "panel.construction": "sandwich", "panel.membrane": 0.0005, "panel.gap": None
@@ -231,6 +233,15 @@ def test_what_a_refusal_offers_is_rounded_to_what_is_sold(
     assert bought.values == {"panel.thickness": 0.012}
     assert bought.words.replace(SPACE, " ") == "panels 12 mm thick"
     assert carry_boards.as_sold(file, offered, Change({"panel.thickness": 0.001}, {})) is None
+    metal = Change(
+        {"structure.material": "steel", "panel.thickness": 0.004},
+        {"material": "made of steel", "thickness": "panels 4 mm thick"},
+    )
+    thinner = metal.fitted(Remedy({"panel.thickness": 0.0031}), "panel.thickness")
+    assert thinner is not None
+    bought = carry_boards.as_sold(file, carry_boards.offer(file, begun.model, "steel"), thinner)
+    assert bought is not None
+    assert bought.words.replace(SPACE, " ") == "made of steel, panels 3 mm thick"
     assert carry_boards.as_sold(file, offered, Change(carry_steps.FOLDS, {})) is not None
 
 
@@ -333,6 +344,11 @@ def test_ballast_grows_to_what_the_feet_need(tmp_path: Path) -> None:
     assert masses == sorted(set(masses))
     assert change is None
     assert made is not None
+    # Anchors take its place, in words as well.
+    heavy = Change({}, {"ballast": "ballast of 9 kg at every foot"})
+    for each in carry_feet.anchored(file, made):
+        assert "ballast" not in each.values["structure.supports"][0]
+        assert (heavy | each).words == each.words
     assert all(each.kind not in ("lifts off", "slips") for each in made.cases[0].findings)
 
 

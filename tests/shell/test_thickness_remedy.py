@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.quantities import SPACE
 from orishell.design_file import read_design_file
 from orishell.shell import Shell, make_shell
 from orishell.shell.steps import MEASURES
+from orishell.structure.materials import materials
 from small_arch import SMALL_ARCH
 
 ARCH = (
@@ -66,6 +68,29 @@ def test_no_thickness_holds_what_gives_way(tmp_path: Path) -> None:
     assert loose.analysis is not None
     assert loose.analysis.carries is False
     assert offer(loose).startswith("tried, and not enough: ties across the folds")
+
+
+def of_plywood(directory: Path, thickness: float, snow: float) -> Shell:
+    """The arch of birch plywood under so much snow."""
+    path = directory / "arch.toml"
+    text = ARCH.replace("modulus = 9e9\nstrength = 40e6", 'material = "birch plywood"')
+    text = text.replace("20000", f"{snow:g}")
+    path.write_text(text.format(thickness=thickness, kind="pinned", cells=1))
+    skip = ("verification", *MEASURES)
+    return make_shell(read_design_file(path), clash="unexamined", skip=skip)
+
+
+def test_boards_of_a_material_are_offered_as_they_are_sold(tmp_path: Path) -> None:
+    """And none beyond the thickest on the market, which is said."""
+    weak = of_plywood(tmp_path, 0.005, 5000)
+    row = next(row for row in weak.report.verdict if row.subject == "stands")
+    assert row.changes["structure.thickness"] in materials()["birch plywood"].sold
+    thickest = of_plywood(tmp_path, 0.04, 4e6)
+    assert thickest.analysis is not None
+    assert thickest.analysis.carries is False
+    assert ": no thicker board of birch plywood is on the market (40 mm)" in offer(
+        thickest
+    ).replace(SPACE, " ")
 
 
 def test_it_is_not_tried_where_every_case_would_be_followed_again(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from orishell.conventions.progress import Progress, no_progress, rising, stretch
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.analyse import require_structure
-from orishell.shell.carry_boards import as_sold, offer
+from orishell.shell.carry_boards import as_sold, offer, thickness_key
 from orishell.shell.carry_change import NOTHING, Change, Step
 from orishell.shell.carry_found import Carrying, CarrySearch, parts_on_site
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
@@ -205,7 +205,7 @@ class _Search:
     def _fitting(self, before: Change, change: Change, refused: Refused) -> Change | None:
         """What a refusal offers in place of a change, as it is sold; None if it offers nothing."""
         offered = next(iter(refused.candidates), None)
-        fitted = None if offered is None else change.fitted(offered)
+        fitted = None if offered is None else change.fitted(offered, thickness_key(self.file))
         if fitted is None:
             return None
         try:

@@ -81,7 +81,8 @@ def offer(file: DesignFile, model: Model, material: str | None = None) -> Offer:
 def named_material(file: DesignFile) -> str | None:
     """The material of the panels of a file, as it is sold; None if the file has its own make."""
     assert file.structure is not None
-    return file.structure.material if file.structure.sandwich is None else None
+    own = value_at(file.tables, "structure.sandwich") is not None
+    return None if own else file.structure.material
 
 
 def thicker(file: DesignFile, found: Analysis) -> Iterator[Change]:

@@ -16,8 +16,6 @@ from orishell.structure.results import Analysis
 RAILS = ((0.06, 0.04, 0.003), (0.1, 0.06, 0.004))
 """Width, height and walls (m) of hollow sections of EN 10219-2 that are tried as base rails."""
 Support = Mapping[str, Any]
-ANCHORED: Support = {"kind": "pinned"}
-ANCHORED_EDGES: Support = {**ANCHORED, "edges": True}
 
 
 def held_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
@@ -36,7 +34,7 @@ def clamped(file: DesignFile, _: Analysis) -> Iterator[Change]:
         file,
         lambda each: each["kind"] == "pinned",
         lambda each: {**each, "kind": "fixed"},
-        {"clamped": "{} clamped, so that panels cannot turn there"},
+        {"clamped": "{} clamped (panels cannot turn there)"},
     )
 
 
@@ -69,17 +67,18 @@ def more_ballast(file: DesignFile, found: Analysis) -> Iterator[Change]:
 
 def anchored(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Feet that may slide, or stand under ballast, are anchored in the ground: edges, or points."""
-    for anchor, said in ((ANCHORED_EDGES, "along their edges"), (ANCHORED, "at points")):
+    for edges, said in ((True, "along their edges"), (False, "at points")):
         yield from _other_supports(
             file,
             lambda each: _slides(each) or bool(each.get("ballast")),
-            partial(_at_place_of, anchor),
-            {"edges": f"{{}} anchored {said}"},
+            partial(_anchored, edges=edges),
+            {"edges": f"{{}} anchored {said}", "ballast": ""},
         )
 
 
-def _at_place_of(held: Support, support: Support) -> Support:
-    return {"at": support["at"], **held}
+def _anchored(support: Support, *, edges: bool) -> Support:
+    kind = "fixed" if support["kind"] == "fixed" else "pinned"
+    return {"at": support["at"], "kind": kind, **({"edges": True} if edges else {})}
 
 
 def _slides(support: Support) -> bool:

@@ -89,7 +89,7 @@ class _Trials:
                 return
             if change.refused:
                 words = self._in_words({**others, **change.values})
-                self.tried.append(f"{words} ({change.refused})")
+                self.tried.append(f"{words} (cannot be made: {change.refused})")
                 return
             before = self.last
             yield {**others, **change.values}

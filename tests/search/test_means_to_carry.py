@@ -1,0 +1,75 @@
+"""A search varies by their keys what a builder has a shell carry by: gussets, material, ties."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from orishell.conventions.toml_file import parse_toml
+from orishell.design_file import check_design
+from orishell.search.evaluate import evaluate, job_of
+from orishell.search.problem import parse_problem
+from orishell.shell import make_shell
+from orishell.shell.steps import MEASURES
+from search.problems import PATH
+from small_arch import SMALL_ARCH
+
+VARIABLES: dict[str, list[Any]] = {
+    "stiffeners.columns": [2, "all"],
+    "structure.material": ["birch plywood", "aluminium"],
+    "deployment.ties": ["feet", "folds"],
+}
+ARCH = (
+    SMALL_ARCH
+    + """[deployment]
+from = "pack"
+[panel]
+thickness = 0.006
+construction = "bevel"
+gap = 0.002
+[stiffeners]
+kind = "gussets"
+rows = "valleys"
+[structure]
+material = "birch plywood"
+crease_stiffness = "free"
+tie_stiffness = 1e6
+tie_strength = 20e3
+line_strength = 150e3
+cells = 4
+supports = [{ at = "feet", kind = "pinned" }]
+[[load_case]]
+name = "snow"
+self_weight = true
+snow = { ground = 500 }
+[search]
+minimise = ["mass", "deflection"]
+method = "grid"
+subject_to = { utilisation = { most = 1e4 } }
+"""
+)
+
+
+@pytest.mark.slow
+def test_gussets_material_and_ties_are_variables() -> None:
+    """Figures are those of the whole designs; what holds more moves less, what is denser weighs."""
+    raw = parse_toml(ARCH)
+    raw["search"]["variables"] = VARIABLES
+    problem = parse_problem(raw, PATH)
+    first = {key: values[0] for key, values in VARIABLES.items()}
+    others = [{**first, key: values[1]} for key, values in VARIABLES.items()]
+    found = evaluate(job_of(problem), [first, *others])
+    assert all(each.figures for each in found), [each.reason for each in found]
+    few, every_column, metal, tied = (each.figures for each in found)
+    assert every_column["deflection"] < few["deflection"]
+    assert every_column["mass"] > few["mass"]
+    assert metal["mass"] > 3 * few["mass"]
+    assert tied["deflection"] < few["deflection"]
+    tables = {key: each for key, each in raw.items() if key != "search"}
+    skip = ("remedies", "verification", "stock", *MEASURES)
+    whole = make_shell(check_design(tables, PATH).changed(others[0]), skip=skip)
+    assert whole.analysis is not None
+    assert every_column["utilisation"] == pytest.approx(
+        max(case.used for case in whole.analysis.cases)
+    )
