@@ -65,6 +65,15 @@ NOT_READ = {
     'material = ""': "no such material",
     "material = 1": "expected a text",
     'material = "steel"': "with a thickness",
+    "bolts = 0.1": "expected a table",
+    "bolts = { hole = 0.006 }": "key is missing",
+    "bolts = { hole = 0, spacing = 0.1 }": "greater than 0",
+    "bolts = { hole = 0.006, spacing = -0.1 }": "at least 0",
+    "bolts = { hole = 0.006, spacing = 0.01 }": "two diameters, 0.012",
+    "bolts = { hole = 0.006, spacing = 0.1, edge = 0.005 }": "diameter of a hole, 0.006",
+    'bolts = { hole = 0.006, spacing = "auto" }': "expected a number",
+    "bolts = { hole = 0.006, spacing = 0.1, nuts = 2 }": "unknown key",
+    "bolts = { hole = 0.006, spacing = 0.1 }": "with a thickness",
 }
 """Lines of the table, and what is said of them; those without a kind are of gussets."""
 
@@ -97,6 +106,14 @@ NOT_MADE = {
     "whole boards": ("", '[panel]\nthickness = 0.01\nconstruction = "hinged"', "0", 2, "beside"),
     "between flaps": ("columns = [1]", "", "0.1", 2, "numbers from 2 to 2"),
     "too thick": ("thickness = 2", f"[panel]\n{THIN}", "0", 1, "thickness = "),
+    "farther apart than edges are long": (
+        "bolts = { hole = 0.006, spacing = 3 }",
+        *(f"[panel]\n{THIN}", "0", 1, "no two bolts along an edge"),
+    ),
+    "no room for holes": (
+        "bolts = { hole = 0.2, spacing = 0.4 }",
+        *(f"[panel]\n{THIN}", "0", 1, "room for 0 between holes"),
+    ),
     "far too thick": ("thickness = 1e300", f"[panel]\n{THIN}", "0", 1, "too far off"),
     "no room for a core": (
         'thickness = 0.002\nmaterial = "GFRP skins on foam"',

@@ -11,14 +11,15 @@ import pytest
 from documents import design_of
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design import Design, PanelSpec
-from orishell.design.stiffeners import Stiffeners
+from orishell.design.stiffeners import Bolts, Stiffeners
 from orishell.families.flat_foldable import FlatFoldablePattern, design_flat_foldable
 from orishell.locking import find_lock
 from orishell.locking.gussets import with_gussets
 from orishell.locking.result import Lock
 from orishell.motion import diagonal, find_assignment
 from orishell.motion.layout import mesh_of, points_of
-from orishell.solids.gussets import stand_off
+from orishell.numerics.arrays import Array
+from orishell.solids.gussets import Gussets, stand_off
 from overlaps import solids
 from rigid_rank import freedoms_with_plates
 
@@ -138,6 +139,40 @@ def test_how_far_a_plate_stands_off() -> None:
     found = stand_off(np.deg2rad([90.0, 60.0, 120.0, 179.0]), 2.0, 2.0)
     np.testing.assert_allclose(found, wanted, rtol=1e-12)
     assert np.isinf(stand_off(np.zeros(1), 1.0, 1.0)[0])
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_bolts_are_off_the_edges_and_so_far_apart(family: str) -> None:
+    """Along both edges of the column, as many as there is room for, none nearer to any edge."""
+    design, _ = thick(family, 5e-4, construction="bevel", gap=0.2)
+    at = np.array([[1, 1], [3, 2]])
+    found = Gussets.of(design, at, 0.7)
+    corners = found.cut()
+    shortest = float(np.linalg.norm(corners[:, 1:] - corners[:, :1], axis=-1).min())
+    bolts = Bolts(hole=0.005 * shortest, spacing=0.07 * shortest)
+    for holes, (x, u, v) in zip(found.holes(bolts), corners, strict=True):
+        off = np.stack([_away(holes.middles, *side) for side in ((x, u), (u, v), (v, x))])
+        assert off.min() > bolts.off * (1 - 1e-9)
+        on_first, on_second = np.isclose(off[[0, 2]], bolts.off, rtol=1e-9)
+        assert (on_first ^ on_second).all()
+        for on, end, other in ((on_first, u, (v, x)), (on_second, v, (x, u))):
+            along = (end - x) / np.linalg.norm(end - x)
+            row = np.sort(holes.middles[on] @ along)
+            np.testing.assert_allclose(np.diff(row), bolts.spacing, rtol=1e-9)
+            assert holes.lengths[on].sum() == pytest.approx(np.linalg.norm(end - x), rel=1e-12)
+            # With one more in the middle between them, both ends would be too near to a side.
+            middles = holes.middles[on][np.argsort(holes.middles[on] @ along)]
+            inner, outer = middles[[0, -1]] + 0.5 * bolts.spacing * np.outer([-1, 1], along)
+            assert _away(inner, *other) < 2 * bolts.off
+            assert _away(outer, u, v) < bolts.off
+        apart = np.linalg.norm(holes.middles[:, None] - holes.middles, axis=-1)
+        assert apart[~np.eye(len(holes), dtype=bool)].min() >= bolts.off * (1 - 1e-9)
+
+
+def _away(points: Array, start: Array, end: Array) -> Array:
+    """How far points (..., 2) are to the left of a line."""
+    x, y = (end - start) / np.linalg.norm(end - start)
+    return np.asarray((points - start) @ np.array([-y, x]))
 
 
 def test_a_plate_of_another_thickness_stands_off_by_both() -> None:

@@ -103,5 +103,6 @@ def test_boards_overlap_just_beyond_a_contact_that_is_found(number: int) -> None
     for share, meets in ((low * (1 - NEAR), True), (high * (1 + NEAR), False)):
         met = common(*bodies(with_parts(shell, nearer(share))))
         assert (max(met.values(), default=0.0) > 0) == meets
-        if meets:
-            assert max(met, key=lambda pair: met[pair]) in {tuple(named), tuple(named)[::-1]}
+        if meets:  # panels on either side of a gusset may be met alike, but for rounding
+            own = max(volume for pair, volume in met.items() if {*pair} == named)
+            assert own >= (1 - 1e-6) * max(met.values())

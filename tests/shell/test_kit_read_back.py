@@ -98,6 +98,17 @@ def _require_fittings(kit: Path, counts: dict[str, int]) -> None:
     ]
     assert all(isinstance(each, Circle) for each in drilled)
     assert len(drilled) == in_boards
+    bolted = [
+        each.dxf.radius
+        for file in (kit / "cut").glob("pattern-gussets*.dxf")
+        for each in read_sound(file).modelspace().query('CIRCLE[layer=="CUT"]')
+    ]
+    assert counts.get("Brackets", 0) == len(bolted)
+    assert not bolted or {*bolted} == {0.004}
+    ordered = [row["what"] for row in rows_of(kit / "order.csv") if row["item"] == "brackets"]
+    count = len(bolted)
+    said = f"{count} brackets, {2 * count} bolts for holes of 8 mm"
+    assert ordered == ([said] if bolted else [])
     plan = names_in((kit / "hinges").glob("pattern.dxf"))
     names = [row["hinge"] for row in hinges]
     assert {name: plan[name] for name in names} == dict.fromkeys(names, 1)
@@ -130,8 +141,8 @@ def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
         assert not all(row["mass_kg"] for row in rows)
         assert "Mass" not in text + readme
         return
-    # Hinges in creases weigh what nobody says, and are not in the whole.
-    known = [row for row in rows if row["mass_kg"] or row["item"] != "hinges"]
+    # Hinges in creases, and brackets, weigh what nobody says, and are not in the whole.
+    known = [row for row in rows if row["mass_kg"] or row["item"] not in ("hinges", "brackets")]
     assert sum(float(row["mass_kg"]) for row in known) == pytest.approx(whole, rel=1e-9)
     assert f"Mass: {plain(whole, 3)} kg" in text
     assert f"- Mass: {plain(whole, 3)} kg" in readme
@@ -153,6 +164,7 @@ def test_gussets_of_steel_are_cut_and_weighed_apart(tmp_path: Path) -> None:
     own = [row for row in boards if row["panel"].startswith("gusset ")]
     assert {row["sheet"] for row in own} == _sheets_of_gussets(tmp_path)
     assert not {row["sheet"] for row in boards if row not in own} & _sheets_of_gussets(tmp_path)
+    assert booklet_counts(tmp_path / "booklet/booklet.pdf")["Brackets"] > 2 * len(own)
     cut = names_in((tmp_path / "cut").glob("pattern-gussets-*.dxf"))
     assert cut == Counter(row["part"] for row in own)
     covered = sum(float(row["area_m2"]) for row in own)

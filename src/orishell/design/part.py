@@ -14,6 +14,7 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.design.holes import Holes
 from orishell.design.panel import PanelSpec
 from orishell.design.stiffeners import Plate
 from orishell.motion.boards import Boards
@@ -88,6 +89,8 @@ class Part:
     material: str = field(default="", repr=False)
     # what is built of the panels; None if they have no thickness
     boards: Boards | None = field(default=None, repr=False)
+    # what is drilled through its boards; None if nothing is
+    holes: Holes | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"
     kind: str = field(default="sheet", repr=False)
     # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself

@@ -2,16 +2,48 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from orishell.conventions.record import record
-from orishell.conventions.table import Number, Several, Size, Table
+from orishell.conventions.table import Number, Several, Size, Table, misfit
 from orishell.design.panel import PanelSpec
 from orishell.motion.grid import Vertex
 
 Index = Annotated[int, Field(ge=0)]
+
+
+Length = Annotated[Size, Field(gt=0)]
+
+BOLT_EDGE = 4.0
+"""How far holes of bolts are from edges, in diameters: what EN 1995-1-1, table 8.4 asks at most of
+bolts beside a loaded edge of wood."""
+
+
+class Bolts(Table):
+    """Bolts along the edges of gussets, through brackets that others hold on panels (lengths).
+
+    ``hole`` is the diameter of holes, ``spacing`` their distance, ``edge`` how far their middles
+    are from the edges of a gusset.
+    """
+
+    hole: Length
+    spacing: Length
+    edge: Length | Literal["auto"] = "auto"
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.spacing < 2 * self.hole:
+            raise misfit(f"at least two diameters, {2 * self.hole:g}", self.spacing, "spacing")
+        if self.edge != "auto" and self.edge < self.hole:
+            raise misfit(f"at least the diameter of a hole, {self.hole:g}", self.edge, "edge")
+        return self
+
+    @property
+    def off(self) -> float:
+        """How far middles of holes are from edges (length)."""
+        return BOLT_EDGE * self.hole if self.edge == "auto" else self.edge
 
 
 class Stiffeners(Table):
@@ -22,15 +54,16 @@ class Stiffeners(Table):
     below, by ``share`` of each. ``columns`` are all, every so many of them with the last, or a
     list. They are made as panels are, of the same boards, unless they have a ``thickness`` (length)
     or a ``material`` of their own: then each is one board, as thick as panels if nothing else is
-    said.
+    said. They are clipped in, or bolted on along both edges if there are ``bolts``.
     """
 
     kind: Literal["gussets"]
     rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"
     columns: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
     share: Annotated[Number, Field(gt=0, lt=1)] = 0.9
-    thickness: Annotated[Size, Field(gt=0)] | None = None
+    thickness: Length | None = None
     material: str | None = None
+    bolts: Bolts | None = None
 
     def made_of(self, panel: PanelSpec, density: float) -> PanelSpec:
         """What they are made of, beside panels.

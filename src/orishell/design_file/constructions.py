@@ -89,11 +89,12 @@ def plates_of(
             expected="one of " + ", ".join(f'"{each}"' for each in materials()),
         )
     own = [key for key, each in zip(keys, (asked.thickness, name), strict=True) if each is not None]
-    if own and panel is None:
+    needed = [*own, *([] if asked.bolts is None else ["stiffeners.bolts"])]
+    if needed and panel is None:
         raise InputError(
-            "gussets have boards of their own only beside panels with a thickness",
-            keys=(own[0],),
-            got=str(asked.thickness or name),
+            "gussets have boards, and holes in them, only beside panels with a thickness",
+            keys=(needed[0],),
+            got="none",
             expected="a table [panel] with a thickness",
             remedy="add it, or remove the key",
         )

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from orishell.design.holes import Holes
 from orishell.design.part import DocumentState, MadeStates, Part
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.mesh import build_mesh
@@ -66,6 +67,7 @@ def joined(
         named=first.named if states else {},
         names=tuple(p.panel_name(panel) for p in parts for panel in range(len(p.mesh.faces))),
         boards=_all_boards(parts, flats),
+        holes=_all_holes(parts, flats),
     )
 
 
@@ -83,6 +85,16 @@ def _all_boards(parts: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
             made.append(moved)
         first += len(part.mesh.faces)
     return join_boards(made) if made else None
+
+
+def _all_holes(parts: Sequence[Part], flats: Sequence[Array]) -> Holes | None:
+    """The holes of all parts, where these lie (V, 2) now; None if there are none."""
+    made, first = [], 0
+    for part, flat in zip(parts, flats, strict=True):
+        if part.holes is not None:
+            made.append(part.holes.moved(first, flat[0] - part.require_flat()[0]))
+        first += len(part.mesh.faces)
+    return Holes.joined(made)
 
 
 def joined_states(parts: Sequence[Part]) -> Sequence[DocumentState]:

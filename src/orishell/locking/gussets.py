@@ -15,11 +15,11 @@ from orishell.clash.bodies import Bodies
 from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
 from orishell.conventions.errors import DesignError, InputError, Remedy
-from orishell.conventions.formatting import rounded
+from orishell.conventions.formatting import rounded, rounded_down
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design.design import Fixing, warn_of_no_lock
-from orishell.design.stiffeners import Stiffeners
+from orishell.design.stiffeners import Bolts, Stiffeners
 from orishell.locking.result import Lock
 from orishell.locking.sheet import Sheet
 from orishell.motion import diagonal, find_assignment
@@ -38,6 +38,8 @@ LEAST_LEFT = 0.5
 """A gusset keeps at least this share of its way along edges when it stands off boards."""
 SMALLER = 0.9
 """What is offered is smaller by this factor, or by a power of it."""
+ROUNDED = 1e-3
+"""What is offered is smaller by this share at most for being rounded."""
 TRIED, LARGEST = 24, 0.98
 """So many smaller sizes are tried, and one that goes nearly to the end of edges."""
 
@@ -74,12 +76,33 @@ def with_gussets(
             candidates=list(_others(place, found, asked)),
             excess=fault.excess,
         )
-    parts = gusset_parts(design, found, place.levels, asked.material or "")
+    _require_bolts(found, asked.bolts)
+    parts = gusset_parts(design, found, place.levels, asked.material or "", asked.bolts)
     fixed_by, bare = _fixed_by(design, at), warn_of_no_lock(0.0)
     warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
     return replace(
         design, attached=(*design.attached, *parts), fixed_by=fixed_by, warnings=warnings
     )
+
+
+def _require_bolts(found: Gussets, bolts: Bolts | None) -> None:
+    """Refuse bolts of which there are no two along an edge."""
+    if bolts is None:
+        return
+    rooms = found.rows(bolts.off)[1].min(axis=1)
+    least = int(np.argmin(rooms))
+    room = float(rooms[least])
+    if room < bolts.spacing:
+        raise DesignError(
+            f"{found.names[least]} has no two bolts along an edge",
+            keys=("stiffeners.bolts.spacing", "stiffeners.bolts.edge"),
+            size=f"there is room for {max(room, 0.0):.4g} between holes that are "
+            f"{bolts.off:.4g} off its sides",
+            candidates=[Remedy({"stiffeners.bolts.spacing": rounded_down(room)})]
+            if room >= 2 * bolts.hole * (1 + ROUNDED)
+            else [],
+            excess=bolts.spacing / room - 1 if room > 0 else None,
+        )
 
 
 def _fixed_by(design: Design, at: Integers) -> Fixing | None:

@@ -28,8 +28,9 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
+from orishell.design.holes import Holes
 from orishell.design.part import SHELL, DocumentState, Part
-from orishell.design.stiffeners import Plate
+from orishell.design.stiffeners import Bolts, Plate
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Vertex
 from orishell.motion.layout import points_of
@@ -118,6 +119,55 @@ class Gussets:
         lengths = np.linalg.norm(np.stack([q, r], axis=1), axis=-1)
         return np.asarray(1 - (self.off * lengths).sum(axis=1) / twice)
 
+    def rows(self, off: float) -> tuple[Array, Array]:
+        """Where rows of holes along both edges begin and end (G, 2, 2, 2); their lengths (G, 2).
+
+        They are so far ``off`` edges and the outer side, each as far off the other row, too;
+        lengths are below 0 where there is no room. A point that is a, b and c off sides of lengths
+        A, B and C has the weights a A, b B and c C at the corners opposite, whose sum is twice the
+        area.
+        """
+        corners = self.cut()
+        side = np.roll(corners, -1, axis=1) - corners  # from 0 to 1, from 1 to 2, from 2 to 0
+        size = np.linalg.norm(side, axis=-1)
+        twice = side[:, 0, 0] * side[:, 1, 1] - side[:, 0, 1] * side[:, 1, 0]
+        first, outer, second = (off * size / twice[:, None]).T
+
+        def at(one: Array, two: Array) -> Array:
+            """Points (G, 2) by their weights at corners 1 and 2."""
+            weights = np.stack([1 - one - two, one, two], axis=-1)
+            return np.asarray(np.einsum("gc,gcx->gx", weights, corners))
+
+        ends = np.stack(
+            [
+                np.stack([at(2 * second, first), at(1 - outer - first, first)], axis=1),
+                np.stack([at(second, 2 * first), at(second, 1 - outer - second)], axis=1),
+            ],
+            axis=1,
+        )
+        along = np.stack([side[:, 0], -side[:, 2]], axis=1) / size[:, [0, 2], None]
+        return ends, np.einsum("gex,gex->ge", ends[:, :, 1] - ends[:, :, 0], along)
+
+    def holes(self, bolts: Bolts) -> list[Holes]:
+        """Holes of each, where its vertex is the origin: as many in a row as there is room for."""
+        ends, rooms = self.rows(bolts.off)
+        sides = np.linalg.norm(self.cut()[:, 1:] - self.cut()[:, :1], axis=-1)
+        counts = 1 + np.floor(rooms / bolts.spacing * (1 + 1e-9)).astype(np.int64)
+        found = []
+        for gusset in range(len(self)):
+            rows = []
+            for (begin, end), count, room, side in zip(
+                ends[gusset], counts[gusset].tolist(), rooms[gusset], sides[gusset], strict=True
+            ):
+                away = 0.5 * room + bolts.spacing * (np.arange(count) - 0.5 * (count - 1))
+                middles = begin + away[:, None] / room * (end - begin)
+                panels, hole = np.zeros(count, np.int64), np.full(count, bolts.hole)
+                rows.append(Holes(panels, middles, hole, np.full(count, side / count)))
+            joined = Holes.joined(rows)
+            assert joined is not None
+            found.append(joined)
+        return found
+
     def boards(self, flat: Array, levels: int) -> Boards:
         """Their boards, as panels of their own whose first corners lie at places (G, 2).
 
@@ -181,12 +231,17 @@ LETTERS = ("B", "B", "B", "B")
 
 
 def gusset_parts(
-    design: Design, gussets: Gussets, levels: int, material: str = ""
+    design: Design,
+    gussets: Gussets,
+    levels: int,
+    material: str = "",
+    bolts: Bolts | None = None,
 ) -> Iterator[Part]:
     """Gussets as parts, each beside the vertex of the flat sheet that it goes to.
 
     levels: At how many heights boards have outlines.
     material: Of their boards, if that is not what panels are made of.
+    bolts: What holds them; None if they are clipped in.
     """
     mechanism, build = design.mechanism, gussets.build
     across, drive = mechanism.grid.columns, float(np.rad2deg(mechanism.target_drive))
@@ -194,10 +249,11 @@ def gusset_parts(
     places = points_of(mechanism, 0.0)[row * across + column, :2]
     flat = gussets.lying() + places[:, None]
     boards = None if build is None else gussets.boards(places, levels)
+    holes = [None] * len(gussets) if bolts is None else gussets.holes(bolts)
     mesh, shares = build_mesh(np.array([[0, 1, 2, 3]]), 4), _borne(gussets.share)
     for number, name in enumerate(gussets.names):
         at: Vertex = (int(row[number]), int(column[number]))
-        own = None
+        own, drilled = None, holes[number]
         if boards is not None:
             own = boards.chosen(boards.panels == number)
             own = replace(own, panels=np.zeros(len(own), np.int64))
@@ -214,6 +270,7 @@ def gusset_parts(
             panel=build,
             material=material,
             boards=own,
+            holes=None if drilled is None else drilled.moved(0, places[number]),
             kind="gusset",
             borne_at=np.array([at, (at[0] - 1, at[1]), (at[0] + 1, at[1])]),
             borne_shares=shares,

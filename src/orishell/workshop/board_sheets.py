@@ -51,7 +51,7 @@ class BoardPart:
     # what is engraved
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
-    circles: tuple[Circle, ...] = ()  # holes of hinges
+    circles: tuple[Circle, ...] = ()  # holes of hinges, or of bolts
 
     def content(self) -> Content:
         """What is drawn, the cut last."""
@@ -77,13 +77,30 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
         else:
             marks = solid_marks(document)
         each = zip(seen.numbers.tolist(), seen.names, seen.panels.tolist(), strict=True)
+        drilled = _drilled(document, side)
         parts += [
-            BoardPart(number, name, panel, side, distinct_corners(outline), lines, texts, circles)
+            BoardPart(
+                *(number, name, panel, side, distinct_corners(outline), lines, texts),
+                (*circles, *drilled[panel]),
+            )
             for (number, name, panel), outline, (lines, circles, texts) in zip(
                 each, seen.outlines, marks, strict=True
             )
         ]
     return tuple(parts)
+
+
+def _drilled(document: Document, side: int) -> list[list[Circle]]:
+    """Holes through boards of a side, by their panels (F,)."""
+    circles: list[list[Circle]] = [[] for _ in document.mesh.faces]
+    holes = document.holes
+    if holes is not None:
+        middles = holes.middles * (MIRRORED if side < 0 else 1.0)
+        for panel, (x, y), wide in zip(
+            holes.panels.tolist(), middles.tolist(), holes.diameters.tolist(), strict=True
+        ):
+            circles[panel].append(Circle("CUT", x, y, 0.5 * wide))
+    return circles
 
 
 def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]:
@@ -246,7 +263,8 @@ def _facts(
     size = quoted_size(drawn_box(content)[1], unit)
     if stock.kind:
         said = _in_words(stock, unit)
-        return f"{len(parts)} {stock.kind}s,{said}, {size}", "Cut square, seen from above"
+        drilled = ". Circles are holes for bolts" if any(part.circles for part in parts) else ""
+        return f"{len(parts)} {stock.kind}s,{said}, {size}", f"Cut square, seen from above{drilled}"
     if build.construction == "hinged":
         return (
             f"{len(parts)} whole boards, {build.thickness:g} {unit} thick, {size}",

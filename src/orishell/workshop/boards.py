@@ -97,7 +97,7 @@ def board_labels(
         boards.outlines,
         ways_across(corners),
         LARGEST_NUMBER * mean_edge(document),
-        [(boards.outlines, 0.0), (corners, beside)],
+        [(boards.outlines, _taken_by_holes(document, boards, side)), (corners, beside)],
     )
     return labels.of(None if panels is None else np.isin(boards.panels, panels))
 
@@ -193,7 +193,7 @@ def solid_marks(document: Document) -> list[Content]:
     corners = document.require_flat()[document.mesh.faces[solids.panels]]
     across, most = ways_across(corners), LARGEST_NUMBER * size
     numbers = label_middles(solids.names, inner, across, most)
-    taken = np.zeros(len(inner))
+    taken = _taken_by_holes(document, solids, 0)
     meets = shown & numbers.at(at).meet(angles)
     np.maximum.at(taken, at, np.where(meets, 1.5 * angles.heights, 0.0))
     numbers = label_middles(solids.names, inner, across, most, [(inner, taken)])
@@ -206,6 +206,25 @@ def solid_marks(document: Document) -> list[Content]:
     for board, ends in zip(at.tolist(), chamfers.ends, strict=True):
         lines[board].append(Line("ENGRAVE", ends))
     return [((*drawn,), (), (*words,)) for drawn, words in zip(lines, texts, strict=True)]
+
+
+def _taken_by_holes(document: Document, seen: SeenBoards, side: Side) -> Array:
+    """Width (B,) along the edges of boards of a side that holes take."""
+    holes, taken = document.holes, np.zeros(len(seen.numbers))
+    if holes is None:
+        return taken
+    number = np.full(len(document.mesh.faces), -1)
+    number[seen.panels] = np.arange(len(seen.panels))
+    board = number[holes.panels]
+    there = board >= 0
+    outline = seen.outlines[board[there]]
+    middles = holes.middles[there] * (MIRRORED if side < 0 else 1.0)
+    away, along = middles[:, None] - outline, np.roll(outline, -1, axis=1) - outline
+    size = np.linalg.norm(along, axis=-1)
+    across = along[..., 0] * away[..., 1] - along[..., 1] * away[..., 0]
+    off = np.divide(across, size, out=np.full_like(size, np.inf), where=size > 0).min(axis=1)
+    np.maximum.at(taken, board[there], off + holes.diameters[there])
+    return taken
 
 
 def chamfer_angles(boards: Boards) -> Array:

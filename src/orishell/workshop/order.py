@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.quantities import MILLIMETRES, conversion, plain, size
 from orishell.conventions.record import record
 from orishell.conventions.row import Row
+from orishell.design.holes import Holes
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
@@ -94,6 +95,8 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
             yield _hinges(everything, workshop, schedule, kind)
     if document.ties:
         yield _ties(document, workshop)
+    if everything.holes is not None:
+        yield _brackets(everything.unit, everything.holes)
 
 
 def _boards(
@@ -133,6 +136,23 @@ def _sheet(document: Document, workshop: Workshop, stock: Waste | None) -> Order
         used=area if stock is None else stock.used_area,
         mass=weight * area,
         price=workshop.roll_price if laid is not workshop else workshop.stock_price,
+    )
+
+
+def _brackets(unit: str, holes: Holes) -> OrderRow:
+    """Brackets, one for each hole, and the edges along which they hold a part."""
+    hole = size(float(holes.diameters.max()), unit)
+    return OrderRow(
+        item="brackets",
+        what=f"{len(holes)} brackets, {2 * len(holes)} bolts for holes of {hole}",
+        count=None,
+        least=None,
+        size=(),
+        unit=unit,
+        used=float(holes.lengths.sum()),
+        waste=None,
+        mass_kg=None,
+        price=None,
     )
 
 

@@ -60,7 +60,9 @@ def _without_boards(document: Document) -> Document:
         document,
         panel=None,
         boards=None,
-        attached=tuple(replace(part, panel=None, boards=None) for part in document.attached),
+        attached=tuple(
+            replace(part, panel=None, boards=None, holes=None) for part in document.attached
+        ),
         surface=None,
         distances=None,
         loaded=None,

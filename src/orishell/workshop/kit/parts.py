@@ -76,6 +76,12 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
         parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
     parts += _beside(document, cut)
+    holes = laid_flat(document).holes
+    if holes is not None:
+        hole = size(float(holes.diameters.max()), unit)
+        values = {"hole": hole, "bolts": str(2 * len(holes))}
+        bent = np.array([[0.0, 1.0], [0.0, 0.0], [1.0, 0.0]])
+        parts.append(KitPart("bracket", len(holes), values, (bent,)))
     return tuple(parts)
 
 
@@ -207,9 +213,10 @@ def kit_tools(
         folds = np.isin(document.assignment, ("M", "V"))
         length = float(document.edge_lengths()[folds].sum())
         yield "strip", {"length": size(length, document.unit)}
-    if "screw" in there:
-        yield "drill", there["screw"].values
-        yield "screwdriver", {}
+    for name, tool in (("screw", "screwdriver"), ("bracket", "wrench")):
+        if name in there:
+            yield "drill", there[name].values
+            yield tool, {}
     if "arm" in there:
         yield "vice", {}
     if facts.ties:

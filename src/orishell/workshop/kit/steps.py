@@ -21,7 +21,7 @@ SLIM = 0.03
 """A pack less high than this share of its length is flat."""
 
 
-CUT: Final = {"screw": "drill", "arm": "bend", "block": "blocks"}
+CUT: Final = {"screw": "drill", "bracket": "drill", "arm": "bend", "block": "blocks"}
 FIXED: Final = {"arm": "arms_first", "block": "arms_first", "screw": "loose"}
 """What is said of parts where boards are cut, and where they are joined: keys of words."""
 
@@ -70,7 +70,8 @@ def _making(
         if split:
             yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
         return
-    cut = ("chamfers",) if facts.construction == "bevel" else _also(parts, CUT)
+    planed = ("chamfers",) if facts.construction == "bevel" else ()
+    cut = (*planed, *_also(parts, CUT))
     yield Step(f"cut_{facts.construction}", said, check="all_parts", more=cut)
     if split:
         yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
@@ -127,7 +128,9 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         mine = [part for part in document.attached if part.kind == kind]
         panels = sum(len(part.mesh.faces) for part in mine)
         values = {f"{kind}s": plain(len(mine)), "panels": plain(panels)}
-        name, check = CLIPPED.get(kind, (f"fit_{kind}", ""))
+        drilled = [len(part.holes) for part in mine if part.holes is not None]
+        values["brackets"] = plain(sum(drilled))
+        name, check = CLIPPED.get(kind, (f"{'bolt' if drilled else 'fit'}_{kind}", ""))
         yield Step(name, values, SHELL, check=check)
     if facts.feet and not facts.model:
         check = "apart" if facts.apart is not None else ""
