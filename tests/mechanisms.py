@@ -48,7 +48,9 @@ from orishell.families.parallel_repeating import (
     design_parallel_repeating,
 )
 from orishell.motion import Mechanism, find_assignment
+from orishell.motion.complex import Complex
 from orishell.motion.grid import Grid
+from orishell.motion.sleeves import Sleeve, SleeveForms
 from strategies import Request, graph, orthodiagonal_requests, requests
 from toy_family import Miura
 
@@ -231,6 +233,18 @@ def of_drawn(sheet: Callable[[], Mechanism], share: float, **options: Any) -> Sa
     )
 
 
+def sleeve_over(sheet: Mechanism, row: int, share: float = 0.8) -> Sleeve:
+    """A sleeve over a row of a sheet, of a share or as much as leaves strips a tenth as wide."""
+    forms = SleeveForms.of(sheet, row, slice(0, sheet.grid.columns))
+    return Sleeve.over(sheet, forms, min(share, forms.largest(0.1)))
+
+
+def complex_of(sheet: Mechanism, share: float = 0.8) -> Complex:
+    """A sheet with sleeves over all its rows."""
+    rows = range(1, sheet.grid.rows - 1)
+    return Complex(sheet, tuple(sleeve_over(sheet, row, share) for row in rows))
+
+
 @dataclass(frozen=True)
 class Sample:
     """A sheet that keeps the contract, by the same curves or sectors at any scale."""
@@ -293,8 +307,18 @@ SAMPLES: dict[str, Sample] = {
     "drawn, longitudinal": of_drawn(longitudinal, 0.9),
     "drawn, flat-foldable": of_drawn(lambda: flat_foldable(random_net(6, 5, 2)), 0.9),
     "toy": Sample(lambda: Miura(Grid(5, 6), np.deg2rad(60), np.deg2rad(50))),
+    "sleeve, parallel": Sample(lambda: sleeve_over(parallel(), 4)),
+    "sleeve, longitudinal": Sample(
+        lambda: sleeve_over(longitudinal(), 2), rounding=(1e-14, 0.0), steady=(0.1, 0.5)
+    ),
+    "sleeve, flat-foldable": Sample(
+        lambda: sleeve_over(flat_foldable(random_net(6, 5, 2)), 3), rounding=(1e-14, 1e-15)
+    ),
+    "sheet with sleeves": Sample(
+        lambda: complex_of(flat_foldable(random_net(6, 5, 2))), rounding=(1e-14, 1e-15)
+    ),
 }
-"""Of every family the kinds of sheets that its closed form tells apart."""
+"""Of every family the kinds of sheets that its closed form tells apart; sleeves over their rows."""
 
 
 @st.composite

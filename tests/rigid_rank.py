@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.motion import Mechanism
+from orishell.motion.complex import Complex
 from orishell.motion.grid import Vertex
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, mesh_of, points_of
@@ -81,6 +82,53 @@ def freedoms_with_plates(mechanism: Mechanism, corners: Sequence[Vertex]) -> int
             ends.append(points[pair][None])
             bodies.append(np.array([[panel, kept.sum() + plate]]))
     return freedoms(np.concatenate(ends), np.concatenate(bodies), int(kept.sum()) + len(corners))
+
+
+def freedoms_of_complex(
+    whole: Complex, drive: float, plates: Sequence[tuple[int, int]] = ()
+) -> int:
+    """Those of a sheet with sleeves in one state.
+
+    plates: Sleeves and their columns of vertices in which a plate holds the four panels about it
+        that meet there on one side, each along its edge.
+    """
+    points, (panels, vertices) = points_of(whole, drive), whole.firsts
+    ends, bodies = [], []
+    for first, begin, mechanism in zip(
+        panels, vertices, (whole.sheet, *whole.sleeves), strict=True
+    ):
+        mesh = mesh_of(mechanism)
+        ends.append(points[begin + mesh.edges[mesh.crease]])
+        bodies.append(first + mesh.edge_faces[mesh.crease])
+    count = len(whole.layout.faces)
+    for first, begin, sleeve in zip(panels[1:], vertices[1:], whole.sleeves, strict=True):
+        number = begin + sleeve.grid.vertices()
+        columns = np.arange(sleeve.columns.start, sleeve.columns.stop - 1)
+        across, own = whole.grid.columns - 1, np.arange(len(columns))
+        for strip, above in ((0, sleeve.row - 1), (1, sleeve.row)):
+            line = number[2 * strip]
+            ends.append(points[np.stack([line[:-1], line[1:]], axis=-1)])
+            hung = first + strip * len(own) + own
+            bodies.append(np.stack([hung, above * across + columns], axis=-1))
+    for which, column in plates:
+        sleeve, first, begin = whole.sleeves[which], panels[1 + which], vertices[1 + which]
+        q, w, r = (begin + sleeve.grid.vertices())[:, column]
+        at = sleeve.columns.start + column
+        x = whole.grid.vertices()[sleeve.row, at]
+        side = min(column, len(sleeve.above) - 2)
+        across, count_own = whole.grid.columns - 1, len(sleeve.above) - 1
+        on = sleeve.columns.start + side
+        beside = (
+            ((x, q), (sleeve.row - 1) * across + on),
+            ((x, r), sleeve.row * across + on),
+            ((q, w), first + side),
+            ((w, r), first + count_own + side),
+        )
+        for pair, panel in beside:
+            ends.append(points[list(pair)][None])
+            bodies.append(np.array([[panel, count]]))
+        count += 1
+    return freedoms(np.concatenate(ends), np.concatenate(bodies), count)
 
 
 def freedoms_of_boards(mechanism: Mechanism, hinges: Hinges, drive: float) -> int:

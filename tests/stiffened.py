@@ -15,8 +15,10 @@ from orishell.design import Design
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import check_design
 from orishell.document import Document
+from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
+from orishell.shell.designed import designed
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
 from orishell.solids.gussets import Gussets
@@ -126,6 +128,21 @@ def shell_of(design: Tables) -> Shell:
     return make_shell(check_design(design, Path("shell.toml")), skip=skip)
 
 
+def sheet_of(number: int) -> Mechanism:
+    """The sheet of the first random design of a number that a family can make."""
+    for attempt in itertools.count():
+        design = random_design(number, attempt)
+        del design["stiffeners"]
+        design.pop("panel", None)
+        if design["pattern"].get("flap") == "auto":
+            design["pattern"]["flap"] = 0
+        try:
+            return designed(check_design(design, Path("shell.toml"))).mechanism
+        except (InputError, DesignError):
+            continue
+    raise AssertionError
+
+
 def _drawn(design: Tables) -> Drawn | None:
     try:
         return Drawn(design, shell_of(design), None)
@@ -149,11 +166,11 @@ def gussets_of(tables: Tables, design: Design, at: Integers, share: float) -> Gu
     return Gussets.of(design, at, share, build)
 
 
-def bodies(document: Document) -> tuple[list[str], list[Any]]:
-    """Names of panels at the target, and a solid of each board, or of each panel without one."""
+def bodies(document: Document, which: int | str = "target") -> tuple[list[str], list[Any]]:
+    """Names of panels in a state, and a solid of each board, or of each panel without one."""
     names: list[str] = []
     found: list[Any] = []
-    for part, state in document.parts_in("target"):
+    for part, state in document.parts_in(which):
         if part.boards is not None:
             names += [part.panel_name(panel) for panel in part.boards.panels.tolist()]
             found += solids(part.boards_in(state), part.boards)
@@ -177,14 +194,16 @@ def thin_solids(points: Array, faces: Integers) -> list[Any]:
     return solids(outlines, Boards(every, np.zeros(len(faces), np.int64), outlines))
 
 
-def common(names: list[str], found: list[Any]) -> dict[tuple[str, str], float]:
-    """Volume that gussets have in common with what is no board of theirs, by names of both."""
+def common(
+    names: list[str], found: list[Any], kind: str = "gusset"
+) -> dict[tuple[str, str], float]:
+    """Volume that parts of a kind have in common with what is no board of theirs, by both names."""
     boxes = np.array([each.bounding_box() for each in found])
     low, high = boxes[:, :3], boxes[:, 3:]
     near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)
     result: dict[tuple[str, str], float] = {}
     for a, b in np.argwhere(np.triu(near, 1)).tolist():
-        if names[a] != names[b] and any(names[each].startswith("gusset") for each in (a, b)):
+        if names[a] != names[b] and any(names[each].startswith(kind) for each in (a, b)):
             volume = (found[a] ^ found[b]).volume()
             pair = names[a], names[b]
             result[pair] = max(volume, result.get(pair, 0.0))

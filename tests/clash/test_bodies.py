@@ -52,7 +52,7 @@ def test_normals_accelerate_no_more_than_their_bounds(request: Request, part: in
     grid, end = mechanism.grid, 0.9 * mechanism.target_drive
     place = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
     tree = PanelTree.over(grid.faces_vertices(), place.astype(np.float64))
-    bounds = EdgeBounds(mechanism, end, tree).within(part / 8, (part + 1) / 8)
+    bounds = EdgeBounds(mechanism, (0.0, end), tree).within(part / 8, (part + 1) / 8)
     allowed = NormalBounds(Layout.of(mechanism), points_of(mechanism, 0.0)).within(*bounds.steps)
     step, middle = 1e-3 * end, (part + 0.5) / 8 * end
     normals = panel_normals(mechanism.positions(middle + step * np.array([-1, 0, 1])))

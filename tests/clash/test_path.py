@@ -121,7 +121,7 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         grid.faces_vertices(),
         np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T.astype(float),
     )
-    bounds = EdgeBounds(mechanism, np.pi, tree)
+    bounds = EdgeBounds(mechanism, (0.0, np.pi), tree)
     rng = np.random.default_rng(0)
     tightest = 0.0
     for start, stop in (

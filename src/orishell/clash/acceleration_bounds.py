@@ -24,7 +24,7 @@ FLATTEST = 1e-30
 
 
 class EdgeBounds:
-    """Bounds of the accelerations of edges in any part of the path from flat to the drive ``end``.
+    """Bounds of the accelerations of edges in any part of the path between two drives.
 
     A vector between two vertices is a sum of edges: along a row from one column to the other,
     then down a column. Its acceleration is at most the sum of their bounds, whichever row and
@@ -32,14 +32,18 @@ class EdgeBounds:
     """
 
     def __init__(
-        self, mechanism: Mechanism, end: float, tree: PanelTree, panels: Integers | None = None
+        self,
+        mechanism: Mechanism,
+        ends: tuple[float, float],
+        tree: PanelTree,
+        panels: Integers | None = None,
     ) -> None:
         """Bounds between nodes of a tree over panels, or over parts (N,) of ``panels``."""
-        self.mechanism, self.end = mechanism, end
+        self.mechanism, self.ends = mechanism, ends
         self.layout = layout = Layout.of(mechanism)
         which = slice(None) if panels is None else panels
-        ends = (each[which].astype(float) for each in (layout.first, layout.last))
-        self.hull = tree.enclosing(*ends)
+        first, last = (each[which].astype(float) for each in (layout.first, layout.last))
+        self.hull = tree.enclosing(first, last)
         self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
 
     def within(self, start: float, stop: float) -> RangeBounds:
@@ -58,8 +62,11 @@ class EdgeBounds:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""
         table = self.tables.get((level, index))
         if table is None:
-            ends = self.end * (index + np.linspace(0.0, 1.0, RANGES + 1)) / 2**level
-            rows, columns = self.mechanism.edge_accelerations(ends[:-1], ends[1:])
+            start, end = self.ends
+            drives = start + (end - start) * (index + np.linspace(0.0, 1.0, RANGES + 1)) / 2**level
+            # The path may lead towards the flat sheet.
+            ranges = np.sort([drives[:-1], drives[1:]], axis=0)
+            rows, columns = self.mechanism.edge_accelerations(*ranges)
             # Where a family knows no bound there is none.
             table = _known(rows) * ROUNDED_UP, _known(columns) * ROUNDED_UP
             self.tables[level, index] = table
@@ -101,7 +108,8 @@ class NormalBounds:
         """Bounds (..., F) for those of edges along rows (..., C-1) and down columns (..., R-1)."""
         row, column = self.layout.first.T[..., None]
         root = np.sqrt(along)[..., column] * self.along + np.sqrt(down)[..., row] * self.down
-        return np.asarray((root**2).min(axis=-1, initial=np.inf, where=self.known))
+        found = np.asarray((root**2).min(axis=-1, initial=np.inf, where=self.known))
+        return found if self.layout.parallel is None else found[..., self.layout.parallel]
 
 
 @record

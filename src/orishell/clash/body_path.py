@@ -109,9 +109,11 @@ class BodySearch(PathSearch):
         tolerance: float,
         bodies: Bodies,
         only: Booleans | None = None,
+        *,
+        start: float = 0.0,
     ) -> None:
         require_convex(mechanism)
-        super().__init__(mechanism, end, tolerance, only=only, bodies=bodies)
+        super().__init__(mechanism, end, tolerance, only=only, bodies=bodies, start=start)
         self.bodies = bodies
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
 
@@ -171,7 +173,7 @@ class NearBodies:
         """Look at pairs (P,) in the range between two ticks."""
         self.ranges += 1
         self.tests += len(pending)
-        step = self.states.drive(stop) - self.states.drive(start)
+        step = abs(self.states.drive(stop) - self.states.drive(start))
         bounds = self.edges.within(start / TICKS, stop / TICKS)
         swing = self.normals.within(*bounds.steps)
         ends = [self.states.at(tick).bodies for tick in (start, stop)]

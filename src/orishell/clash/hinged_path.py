@@ -66,11 +66,11 @@ class HingedSearch(BodySearch):
     """
 
     def _tree(
-        self, mechanism: Mechanism, end: float, bodies: Bodies | None
+        self, mechanism: Mechanism, ends: tuple[float, float], bodies: Bodies | None
     ) -> tuple[PanelTree, EdgeBounds]:
         assert bodies is not None
         tree = PanelTree.over(self.layout.faces, self.layout.first.astype(np.float64))
-        return tree, ShiftedBounds(mechanism, end, tree, bodies)
+        return tree, ShiftedBounds(mechanism, ends, tree, bodies)
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array:
         assert isinstance(part.bounds, ShiftedRange)
@@ -140,8 +140,10 @@ def _near_along(
 class ShiftedBounds(EdgeBounds):
     """Bounds of accelerations between points that are shifted with their panels."""
 
-    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies) -> None:
-        super().__init__(mechanism, end, tree)
+    def __init__(
+        self, mechanism: Mechanism, ends: tuple[float, float], tree: PanelTree, bodies: Bodies
+    ) -> None:
+        super().__init__(mechanism, ends, tree)
         assert isinstance(bodies.hinges, Hinges)
         self.tree, self.bodies, self.hinges = tree, bodies, bodies.hinges
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))

@@ -76,6 +76,7 @@ def find_first_contact(
     *,
     lenient: Callable[[Pairs], Booleans] | None = None,
     only: Booleans | None = None,
+    start: float = 0.0,
     progress: Progress = no_progress,
 ) -> PathResult:
     """Return where two panels without a common vertex first come within a tolerance.
@@ -90,7 +91,7 @@ def find_first_contact(
     Parameters
     ----------
     end
-        The path goes from the flat sheet to this drive (radians).
+        The path goes to this drive (radians).
     tolerance
         Distance at which panels count as touching (length).
     lenient
@@ -98,13 +99,16 @@ def find_first_contact(
         that are to clash at the end.
     only
         Panels (F,): pairs with none of them are left out. All panels if None.
+    start
+        The drive that the path begins at, from the flat sheet if it is 0 (radians).
 
     Raises
     ------
     DesignError
         If panels lie on each other in the flat sheet about a reflex corner.
     """
-    return PathSearch(mechanism, end, tolerance, lenient=lenient, only=only).run(progress)
+    search = PathSearch(mechanism, end, tolerance, lenient=lenient, only=only, start=start)
+    return search.run(progress)
 
 
 @record
@@ -135,24 +139,25 @@ class PathSearch:
         lenient: Callable[[Pairs], Booleans] | None = None,
         only: Booleans | None = None,
         bodies: Bodies | None = None,
+        start: float = 0.0,
     ) -> None:
         self.layout = Layout.of(mechanism)
         self.parts = ConvexParts.of(mechanism)
         self.tolerance, self.lenient = tolerance, lenient
-        self.tree, self.bounds = self._tree(mechanism, end, bodies)
+        self.tree, self.bounds = self._tree(mechanism, (start, end), bodies)
         self.wanted = _held(self.tree, None if only is None else only[self.parts.panels])
-        self.states = States(mechanism, end, self.tree, bodies)
+        self.states = States(mechanism, (start, end), self.tree, bodies)
         self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
         self.rounding = COORDINATE_ROUNDING * float(np.abs(self.states.at(0).points).max())
 
     def _tree(
-        self, mechanism: Mechanism, end: float, bodies: Bodies | None
+        self, mechanism: Mechanism, ends: tuple[float, float], bodies: Bodies | None
     ) -> tuple[PanelTree, EdgeBounds]:
         """The tree of convex parts of panels, and bounds between its nodes."""
         panels = self.parts.panels
         tree = PanelTree.over(self.parts.faces, self.layout.first[panels].astype(np.float64))
-        return tree, EdgeBounds(mechanism, end, tree, panels)
+        return tree, EdgeBounds(mechanism, ends, tree, panels)
 
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
@@ -181,7 +186,7 @@ class PathSearch:
 
     def _examine(self, start: int, stop: int, pending: Pending) -> Outcome[Pending]:
         """Look at a range for pairs of nodes and of panels that are not proved apart."""
-        step = self.states.drive(stop) - self.states.drive(start)
+        step = abs(self.states.drive(stop) - self.states.drive(start))
         self.ranges += 1
         self.steps = (min(self.steps[0], step), max(self.steps[1], step))
         part = PathRange(

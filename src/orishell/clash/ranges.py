@@ -203,18 +203,23 @@ class State:
 
 
 class States:
-    """The states at ticks of the path from flat to the drive ``end``; the last few are kept."""
+    """The states at ticks of the path between two drives; the last few are kept."""
 
     def __init__(
-        self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies | None
+        self,
+        mechanism: Mechanism,
+        ends: tuple[float, float],
+        tree: PanelTree,
+        bodies: Bodies | None,
     ) -> None:
-        self.mechanism, self.end, self.tree, self.bodies = mechanism, end, tree, bodies
+        self.mechanism, self.ends, self.tree, self.bodies = mechanism, ends, tree, bodies
         self.kept: OrderedDict[int, State] = OrderedDict()
         self.made = 0
 
     def drive(self, tick: int) -> float:
         """The drive at a tick (radians)."""
-        return self.end * (tick / TICKS)
+        start, end = self.ends
+        return start + (end - start) * (tick / TICKS)
 
     def at(self, tick: int) -> State:
         """The state at a tick."""

@@ -13,6 +13,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface
+from orishell.design.boxes import Box
 from orishell.design.panel import PanelSpec
 from orishell.design.part import Part
 from orishell.motion import Mechanism
@@ -71,11 +72,15 @@ class Design:
     # whether plates among them keep the whole sheet still at its target: any one of them alone, or
     # all together; None if it is not known that they do
     fixed_by: Fixing | None = None
+    # sleeves that close rows of the sheet to box girders, and move with it
+    boxes: tuple[Box, ...] = ()
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
     # where the hinges are: in the creases, or beside them where panels are whole boards
     hinges: HingeLines = IN_CREASES
+    # how far boards stand off sides of panels (F, 4) at least (length); None: as creases ask for
+    stand_off: Array | None = None
     # vertices (rows, columns, 3) of the sheet without a thickness that meets the target, where
     # whole boards were fitted to it instead; None for others
     meant: Array | None = None

@@ -55,12 +55,16 @@ class Stiffeners(Table):
     list. They are made as panels are, of the same boards, unless they have a ``thickness`` (length)
     or a ``material`` of their own: then each is one board, as thick as panels if nothing else is
     said. They are clipped in, or bolted on along both edges if there are ``bolts``.
+
+    Boxes close rows of the sheet to box girders by two more strips of panels, which hang on its
+    panels along lines that cut edges of columns at ``share`` of them at the most, and move with it.
+    ``share`` "auto" is as much as leaves the motion free.
     """
 
-    kind: Literal["gussets"]
+    kind: Literal["gussets", "boxes"]
     rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"
     columns: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
-    share: Annotated[Number, Field(gt=0, lt=1)] = 0.9
+    share: Annotated[Number, Field(gt=0, lt=1)] | Literal["auto"] = 0.9
     thickness: Length | None = None
     material: str | None = None
     bolts: Bolts | None = None

@@ -12,13 +12,14 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
+from orishell.design.boxes import Box
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
 from orishell.motion.layout import (
-    LaidOut,
     Layout,
+    SlitFlaps,
     edge_folds,
     edge_signs,
     mesh_of,
@@ -39,17 +40,18 @@ def document_of_motion(
     panel: PanelSpec | None = None,
     boards: Boards | None = None,
     flaps: Boards | None = None,
+    boxes: Iterable[Box] = (),
     attached: Iterable[Part] = (),
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
     Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
     with flaps that are clipped on at the target, and ``flaps`` are its boards. They are the first
-    of the parts that go with the sheet, the others are ``attached``.
+    of the parts that go with the sheet, ``boxes`` follow, and then what else is ``attached``.
     """
     mechanism = motion.mechanism
     grid, states = mechanism.grid, states_of(motion)
-    beside = isinstance(mechanism, LaidOut)
+    beside = isinstance(mechanism, SlitFlaps)
     return Document(
         title=title,
         unit=unit,
@@ -67,6 +69,7 @@ def document_of_motion(
         names=_names(Layout.of(mechanism)) if beside else (),
         attached=(
             *(() if clipped is None else _clipped(clipped, unit, panel, flaps)),
+            *(_sleeve(each, motion, unit, panel) for each in boxes),
             *(replace(part, unit=unit) for part in attached),
         ),
     )
@@ -92,7 +95,32 @@ def document_of_design(
         panel=None if boards is None else design.panel,
         boards=boards,
         flaps=flaps,
+        boxes=design.boxes,
         attached=design.attached,
+    )
+
+
+def _sleeve(box: Box, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
+    """A sleeve, in all states of the sheet."""
+    sleeve = box.sleeve
+    mesh, grid, states = mesh_of(sleeve), sleeve.grid, states_of(replace(motion, mechanism=sleeve))
+    columns = np.arange(sleeve.columns.start, sleeve.columns.stop)
+    near = np.stack([np.full_like(columns, sleeve.row), columns], axis=-1)
+    return Part(
+        title=f"Box girder of row {sleeve.row}",
+        unit=unit,
+        mesh=mesh,
+        assignment=tuple(edges_assignment(find_assignment(sleeve))),
+        flat=_clean(points_of(sleeve, 0.0)[:, :2]),
+        fold_angles_deg=_degrees(edge_folds(sleeve, sleeve.target_drive), states.folds),
+        states=states,
+        grid_shape=(grid.rows, grid.columns),
+        named=motion.named,
+        names=box.names,
+        panel=panel,
+        boards=box.boards,
+        kind="box",
+        borne_at=near,
     )
 
 
@@ -100,7 +128,7 @@ def _clipped(
     mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
 ) -> tuple[Part, ...]:
     """The flaps that are clipped on a sheet, each a part."""
-    if isinstance(mechanism, LaidOut):
+    if isinstance(mechanism, SlitFlaps):
         return tuple(_clipped_pairs(mechanism, unit, panel, boards))
     return _clipped_strips(mechanism, unit, panel, boards)
 
@@ -112,7 +140,7 @@ def _clipped_pairs(
 
     Panels are called as they are where they fold with the sheet.
     """
-    assert isinstance(mechanism, LaidOut)
+    assert isinstance(mechanism, SlitFlaps)
     layout, target = mechanism.layout, mechanism.target_drive
     flat, points = points_of(mechanism, 0.0)[:, :2], points_of(mechanism, target)
     folds, names = mechanism.flap_folds(target), _names(layout)
@@ -235,7 +263,7 @@ class States(Sequence[DocumentState]):
 
 def _letters(mechanism: Mechanism) -> list[str]:
     """Assignment letters of all edges."""
-    if not isinstance(mechanism, LaidOut):
+    if not isinstance(mechanism, SlitFlaps):
         return edges_assignment(find_assignment(mechanism))
     mesh, signs = mesh_of(mechanism), edge_signs(mechanism)
     letters: list[str] = np.where(mesh.crease, np.array([*"MFV"])[signs + 1], "B").tolist()

@@ -20,9 +20,10 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design.design import Fixing, warn_of_no_lock
 from orishell.design.stiffeners import Bolts, Stiffeners
+from orishell.locking.fold_rows import fold_rows, named
 from orishell.locking.result import Lock
 from orishell.locking.sheet import Sheet
-from orishell.motion import diagonal, find_assignment
+from orishell.motion import diagonal
 from orishell.motion.boards import join_boards
 from orishell.motion.convex import require_convex
 from orishell.motion.freedom import held_at, hold_alone
@@ -40,6 +41,8 @@ SMALLER = 0.9
 """What is offered is smaller by this factor, or by a power of it."""
 ROUNDED = 1e-3
 """What is offered is smaller by this share at most for being rounded."""
+USUAL = 0.9
+"""The share that \"auto\" begins from."""
 TRIED, LARGEST = 24, 0.98
 """So many smaller sizes are tried, and one that goes nearly to the end of edges."""
 
@@ -62,7 +65,8 @@ def with_gussets(
     _require_folds(design, at)
     place = Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
     build = None if design.panel is None else asked.made_of(design.panel, density)
-    found = Gussets.of(design, at, asked.share, build)
+    share = _largest(place, build) if asked.share == "auto" else asked.share
+    found = Gussets.of(design, at, share, build)
     fault = place.fault(found)
     if fault is not None:
         raise DesignError(
@@ -134,8 +138,7 @@ def _require_creases(design: Design) -> None:
 def _places(design: Design, asked: Stiffeners) -> Integers:
     """Rows and columns (G, 2) of the vertices that gussets go from."""
     mechanism = design.mechanism
-    signs, inner = find_assignment(mechanism).row, mechanism.inner_columns
-    between = signs[:, inner.start : inner.stop - 1]
+    inner = mechanism.inner_columns
     # Flaps that are shut take the place of gussets beside them.
     beside = int(has_flaps(mechanism) or design.clipped is not None)
     columns = range(inner.start + beside, inner.stop - beside)
@@ -145,39 +148,14 @@ def _places(design: Design, asked: Stiffeners) -> Integers:
             keys=("stiffeners", "pattern.flap"),
             remedy="flap = 0, or more columns",
         )
-    if asked.rows == "all":
-        rows = list(range(1, mechanism.grid.rows - 1))
-    elif isinstance(asked.rows, str):
-        sign = 1 if asked.rows == "valleys" else -1
-        rows = [1 + row for row in np.flatnonzero((between == sign).all(axis=1)).tolist()]
-        if not rows:
-            raise InputError(
-                f"there are no rows of {asked.rows}",
-                keys=("stiffeners.rows",),
-                got=f'"{asked.rows}"',
-                remedy='rows = "all", or name rows of vertices, as in rows = [1, 3]',
-            )
-    else:
-        rows = _named("row", asked.rows, range(1, mechanism.grid.rows - 1))
+    rows = fold_rows(mechanism, asked.rows, inner, "gusset")
     if asked.columns == "all":
         chosen = list(columns)
     elif isinstance(asked.columns, int):
         chosen = sorted({*columns[:: asked.columns], *columns[-1:]})
     else:
-        chosen = _named("column", asked.columns, columns)
+        chosen = named("column", asked.columns, columns, "gusset")
     return np.array([(row, column) for row in rows for column in chosen], np.int64).reshape(-1, 2)
-
-
-def _named(what: str, numbers: tuple[int, ...], there: range) -> list[int]:
-    wrong = [each for each in numbers if each not in there]
-    if wrong or not numbers:
-        raise InputError(
-            f"no gusset can stand in this {what}" if numbers else f"no {what} is named",
-            keys=(f"stiffeners.{what}s",),
-            got=str(wrong[0]) if wrong else "[]",
-            expected=f"numbers from {there.start} to {there.stop - 1}",
-        )
-    return sorted(set(numbers))
 
 
 def _require_folds(design: Design, at: Integers) -> None:
@@ -314,9 +292,16 @@ class Place:
         return int(second[worst]), int(first[worst]), float(depths[worst])
 
 
+def _largest(place: Place, build: PanelSpec | None) -> float:
+    """The largest share that fits, of those that are tried; the first of them if none does."""
+    shares = [rounded(USUAL * SMALLER**power, 3) for power in range(TRIED)]
+    made = ((each, Gussets.of(place.design, place.at, each, build)) for each in shares)
+    return next((each for each, found in made if place.fault(found) is None), shares[0])
+
+
 def _others(place: Place, found: Gussets, asked: Stiffeners) -> Iterator[Remedy]:
     """Gussets that fit: that go less or more far along edges, are thinner, or in fewer columns."""
-    design, build, share = place.design, found.build, asked.share
+    design, build, share = place.design, found.build, found.share
     powers = [SMALLER**power for power in range(1, TRIED)]
     for each in (*(rounded(share * less, 3) for less in powers), LARGEST):
         if place.fault(Gussets.of(design, place.at, each, build)) is None:

@@ -49,10 +49,14 @@ class Contact:
     # how far they are apart, at least, if they are not seen to touch and are merely not proved
     # apart; None if they touch (length)
     apart: float | None = None
+    # what the two are called, if one is no panel of the sheet
+    called: tuple[str, str] | None = None
 
     @property
     def names(self) -> tuple[str, str]:
         """What the two are called: "panel [0, 1]", "the top board of panel [0, 1]"."""
+        if self.called is not None:
+            return self.called
         sides = self.sides or ("", "")
         first, second = (_called(*each) for each in zip(self.panels, sides, strict=True))
         return first, second
@@ -65,6 +69,22 @@ def _called(panel: Panel, side: str) -> str:
         return f"the {edge} arm of panel {list(panel)}"
     whole = f"panel {list(panel)}"
     return f"the {side} board of {whole}" if side in {"top", "bottom"} else whole
+
+
+@record
+class BoxMotion:
+    """How far a shell moves with its box girders."""
+
+    REPORTED = ("share", "joined_from", "closes_to", "opening", "closing", "proofs")
+
+    share: float  # how far out sleeves hang on edges of columns, at the most
+    joined_from: Angle  # nearer to the flat sheet than this drive nothing is proved
+    closes_to: Angle  # as far as boards of the sleeves have room, and are apart in each
+    # what meets there; None if it was not asked further
+    opening: Contact | None
+    # what meets on the way to the pack; None if the sheet ends it
+    closing: Contact | None
+    proofs: tuple[ProofRecord, ...]  # how contact was looked for, to either side of the target
 
 
 @record
@@ -100,6 +120,7 @@ class Lock:
     boards_proof: ProofRecord | None = None  # how contact of boards was; None if it was not
     # what flaps that are clipped on at the target meet there; None if nothing, or if there are none
     clipped_contact: Contact | None = None
+    boxes: BoxMotion | None = None  # how far it goes with box girders; None if there are none
 
     def __repr__(self) -> str:
         target = f"target at {in_degrees(self.target_drive)} degrees"

@@ -15,7 +15,7 @@ from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.convex import ConvexParts
 from orishell.motion.grid import Panel
-from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_largest
 from orishell.solids import drive_for_height
@@ -166,7 +166,7 @@ def _row_creases(mechanism: Mechanism, layout: Layout, drive: float) -> tuple[Ar
     across = mechanism.grid.columns - 1
     above = np.arange(len(folds))
     pairs = np.stack([above, above + across], axis=-1)
-    if isinstance(mechanism, LaidOut):
+    if isinstance(mechanism, SlitFlaps):
         folds = np.concatenate([folds, np.abs(mechanism.flap_folds(drive))])
         pairs = np.concatenate([pairs, layout.pairs])
     return folds, pairs

@@ -36,6 +36,7 @@ class ConvexParts:
     concave: Integers  # panels (K,) that have a reflex corner, ascending
     corners: Integers  # the number (K,) of that corner
     whole: Integers  # corners (F, 4) of the panels
+    around: Integers  # corners (N, K) of parts, with vertices that lie on sides of whole panels
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> ConvexParts:
@@ -46,32 +47,30 @@ class ConvexParts:
         DesignError
             If sectors about a reflex corner add up to more than 360 degrees in the flat sheet.
         """
-        faces, flat = Layout.of(mechanism).faces, points_of(mechanism, 0.0)
+        layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
+        faces, loops = layout.faces, layout.loops
         reflex = reflex_in(flat[faces], LEAVES * float(np.linalg.norm(np.ptp(flat, axis=0))))
         concave = np.flatnonzero(reflex.any(axis=1))
         corners = reflex[concave].argmax(axis=1)
         number = np.arange(len(faces))
         if not len(concave):
-            return cls(faces, number, concave, corners, faces)
+            return cls(
+                faces, number, concave, corners, faces, np.where(loops < 0, faces[:, :1], loops)
+            )
         _require_room(flat, faces, reflex)
         around = (corners[:, None] + [0, 1, 2, 3]) % 4
         turned = np.take_along_axis(faces[concave], around, axis=1)
         halves = faces.copy()
         halves[concave] = turned[:, [0, 1, 2, 2]]
-        return cls(
-            np.concatenate([halves, turned[:, [0, 2, 3, 3]]]),
-            np.concatenate([number, concave]),
-            concave,
-            corners,
-            faces,
-        )
+        parts = np.concatenate([halves, turned[:, [0, 2, 3, 3]]])
+        return cls(parts, np.concatenate([number, concave]), concave, corners, faces, parts)
 
     def compared(self, first: Integers, second: Integers) -> Booleans:
         """Which pairs of parts (P,) have neither a vertex nor a crease of their panels in common.
 
         All others are apart by what their fold angles say, or are parts of one panel.
         """
-        chosen = ~_common(self.faces, first, second).any(axis=(1, 2))
+        chosen = ~_common(self.around, first, second).any(axis=(1, 2))
         if len(self.concave):
             one, other = self.panels[first], self.panels[second]
             crease = _common(self.whole, one, other).sum(axis=(1, 2)) > 1

@@ -43,6 +43,8 @@ class Layout:
     pairs: Integers
     # numbers (H, 2) of such flaps, in ascending order, and of the panels that they are hinged to
     hinges: Integers
+    # the panel (F,) that each stays parallel to in all states; None: no others are
+    parallel: Integers | None = None
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Layout:
@@ -112,11 +114,7 @@ class Layout:
 
 @runtime_checkable
 class LaidOut(Protocol):
-    """A mechanism with panels beside its grid.
-
-    Its bounds of accelerations have further columns for them (see
-    :meth:`~orishell.motion.Mechanism.edge_accelerations`), and its positions are those of its grid.
-    """
+    """A mechanism with panels beside its grid: its positions are those of its grid."""
 
     @property
     def layout(self) -> Layout:
@@ -124,6 +122,15 @@ class LaidOut(Protocol):
 
     def points(self, drive: ArrayLike) -> Array:
         """Positions (..., V, 3) of all vertices, those of the grid first."""
+
+
+@runtime_checkable
+class SlitFlaps(LaidOut, Protocol):
+    """A mechanism whose flaps are slit from each other, and no columns of its grid.
+
+    Its bounds of accelerations have further columns for them (see
+    :meth:`~orishell.motion.Mechanism.edge_accelerations`).
+    """
 
     def flap_folds(self, drive: ArrayLike) -> Array:
         """Fold angles (..., K) between the pairs of panels of its layout (radians)."""
@@ -164,7 +171,7 @@ def mesh_of(mechanism: Mechanism) -> QuadMesh:
 def edge_folds(mechanism: Mechanism, drive: float) -> Array:
     """Fold angles (E,) of all edges of a mechanism in one state, 0 at borders (radians)."""
     folds = mechanism.fold_angles(drive).on_edges()
-    if not isinstance(mechanism, LaidOut):
+    if not isinstance(mechanism, SlitFlaps):
         return folds
     edges, kept = mechanism.layout.edges
     own = [folds[kept], mechanism.hinge_folds(drive), mechanism.flap_folds(drive)]
@@ -182,4 +189,4 @@ def edge_signs(mechanism: Mechanism) -> Integers:
 
 def has_flaps(mechanism: Mechanism) -> bool:
     """Whether flaps are part of a mechanism, as columns of its grid or beside it."""
-    return bool(mechanism.flap_columns) or isinstance(mechanism, LaidOut)
+    return bool(mechanism.flap_columns) or isinstance(mechanism, SlitFlaps)

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.motion.grid import Positions
-from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
@@ -77,7 +77,7 @@ def largest_fold(mechanism: Mechanism, drive: Array) -> Array:
         for each in (angles.row, angles.column)
     )
     found = np.asarray(np.maximum(row, column))
-    if isinstance(mechanism, LaidOut):
+    if isinstance(mechanism, SlitFlaps):
         found = np.maximum(found, np.abs(mechanism.flap_folds(drive)).max(axis=-1))
     return found
 

@@ -13,6 +13,7 @@ from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, end_motion, lock_without_clash, require_pack
+from orishell.locking.boxes import with_boxes
 from orishell.locking.gussets import with_gussets
 from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
@@ -50,6 +51,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":
         clock.lap("clash")
+    design, lock = with_boxes(design, lock, file.stiffeners, file.contact_tolerance, work.progress)
     if file.deployment.start == "pack":
         require_pack(design, lock)
     feet = find_feet(design)

@@ -12,7 +12,7 @@ from orishell.deployment.report import DeploymentReport, with_ground, with_measu
 from orishell.document import Document, DocumentTie
 from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
-from orishell.motion.layout import LaidOut
+from orishell.motion.layout import SlitFlaps
 from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting
 from orishell.shell.rail_order import rail_order
@@ -113,7 +113,7 @@ def _verified(
     """How exactly all states fold, if that is asked for; refused if that is wrong."""
     if not asked:
         return None, None
-    if isinstance(motion.mechanism, LaidOut):
+    if isinstance(motion.mechanism, SlitFlaps):
         drives = followed(motion.drives, len(motion), progress, "verifying")
         residuals, assignment = measure_with_flaps(motion.mechanism, drives)
     else:
@@ -135,6 +135,7 @@ def _drawn(found: Candidate, deployment: DeploymentReport) -> Document:
             curves=design.targets,
             origin=design.origin,
             clipped=design.clipped,
+            boxes=design.boxes,
             attached=design.attached,
             panel=design.panel,
             boards=None if built is None else built.boards,

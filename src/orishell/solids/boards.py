@@ -116,6 +116,7 @@ def boards_on(
     reliefs: Array | None = None,
     beside: FlapFolds | None = None,
     hinges: HingeLines = IN_CREASES,
+    least: Array | float = 0.0,
 ) -> Boards:
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
@@ -134,6 +135,8 @@ def boards_on(
         The largest fold angles of flaps that are no columns of the grid, if there are such flaps.
     hinges
         Where the hinges are: beside the creases those of whole boards.
+    least
+        How far boards stand off sides of panels (F, 4) at least (length).
 
     Raises
     ------
@@ -150,7 +153,8 @@ def boards_on(
 
     def outline(distance: Array, present: Booleans) -> Array:
         kept = None if cut is None else cut[present]
-        return inset_panels(panels[present], distance[present], grid, kept)
+        apart = np.maximum(distance, least)[present]
+        return inset_panels(panels[present], apart, grid, kept)
 
     if isinstance(hinges, Hinges):
         middle = set_backs_of(at_sides, 0.0, build.gap).top + hinges.cut_back

@@ -20,7 +20,7 @@ from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import SIDES, Boards, join_boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
-from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.boards import boards_on
 from orishell.solids.hinged import find_hinges
@@ -97,7 +97,14 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
             hinges = find_hinges(mechanism, build)
         beside, flat = largest_flap_folds(mechanism, limit), points_of(mechanism, 0.0)
         boards = boards_on(
-            flat, Layout.of(mechanism), build, folds, reliefs=reliefs, beside=beside, hinges=hinges
+            flat,
+            Layout.of(mechanism),
+            build,
+            folds,
+            reliefs=reliefs,
+            beside=beside,
+            hinges=hinges,
+            least=0.0 if design.stand_off is None else design.stand_off,
         )
         return BuiltPanels(build, limit, folds, cut, boards, None, beside)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
@@ -160,7 +167,7 @@ class _RowCreases:
     def of(cls, mechanism: Mechanism) -> _RowCreases:
         """Those of columns that are flaps, or of flaps beside the grid."""
         layout, target = Layout.of(mechanism), mechanism.target_drive
-        if isinstance(mechanism, LaidOut):
+        if isinstance(mechanism, SlitFlaps):
             pairs, (_, sides) = layout.pairs, layout.folding_sides
             # Seen from the upper flap, the crease ends where its side does.
             upper = layout.faces[pairs[:, 0]]

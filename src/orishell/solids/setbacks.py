@@ -27,7 +27,7 @@ from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.layout import LaidOut, Layout, points_of
+from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.bisection import bisect
 from orishell.solids.sides import SHUT, FlapFolds, SideFolds
@@ -69,7 +69,7 @@ def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
 
 def largest_flap_folds(mechanism: Mechanism, limit: float) -> FlapFolds | None:
     """Likewise of flaps that are no columns of the grid; None if there are none."""
-    if not isinstance(mechanism, LaidOut):
+    if not isinstance(mechanism, SlitFlaps):
         return None
     sheet, count = mechanism, len(mechanism.layout.hinges) + len(mechanism.layout.pairs)
 

@@ -12,7 +12,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues
-from orishell.motion.layout import LaidOut, Layout
+from orishell.motion.layout import Layout, SlitFlaps
 from orishell.numerics.arrays import Array, Booleans
 
 SHUT = 1e-9
@@ -29,7 +29,7 @@ class FlapFolds:
     @classmethod
     def at(cls, mechanism: Mechanism, drive: float) -> FlapFolds | None:
         """Those at a drive (radians); None for a sheet without such flaps."""
-        if not isinstance(mechanism, LaidOut):
+        if not isinstance(mechanism, SlitFlaps):
             return None
         return cls(mechanism.hinge_folds(drive), mechanism.flap_folds(drive))
 

@@ -13,7 +13,7 @@ from orishell.conventions.formatting import rounded, rounded_down
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.layout import LaidOut, Layout, has_flaps, points_of
+from orishell.motion.layout import Layout, SlitFlaps, has_flaps, points_of
 from orishell.numerics.bisection import bisect_integers, largest_below
 from orishell.numerics.equals import first_largest, first_smallest
 from orishell.solids.setbacks import (
@@ -222,7 +222,7 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
     if not _allowed(mechanism, steps):
         return -np.inf
     stopped = mechanism.with_stop(_angle(steps))
-    if isinstance(stopped, LaidOut):
+    if isinstance(stopped, SlitFlaps):
         return _most_beside(stopped, stopped.layout, build)
     flat, folds = stopped.positions(0.0), stopped.fold_angles(stopped.target_drive).row
     strip, no_columns = Grid(stopped.grid.rows, 2), np.zeros((stopped.grid.rows - 1, 0))

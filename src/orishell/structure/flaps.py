@@ -9,7 +9,7 @@ import numpy as np
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, VertexPair
-from orishell.motion.layout import LaidOut
+from orishell.motion.layout import SlitFlaps
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
 
@@ -23,7 +23,7 @@ def hung_area(flapped: Mechanism, grid: Grid, count: int) -> Array:
     grid: That of the sheet without them, whose vertices are the first nodes.
     """
     hung = np.zeros(count)
-    if isinstance(flapped, LaidOut):
+    if isinstance(flapped, SlitFlaps):
         _hang_slit(hung, flapped)
         return hung
     vertices, flat = grid.vertices(), flapped.positions(0.0)
@@ -57,7 +57,7 @@ def kept_apart(flapped: Mechanism, grid: Grid, before: int) -> tuple[VertexPair,
 
     before: Number of columns of folded flaps before the first column of the grid.
     """
-    if isinstance(flapped, LaidOut):
+    if isinstance(flapped, SlitFlaps):
         layout = flapped.layout
         at = layout.names[layout.pairs[:, 0]].tolist()
         ends = [(upper // 2, before + (0 if column < 0 else column)) for upper, column in at]
@@ -69,7 +69,7 @@ def kept_apart(flapped: Mechanism, grid: Grid, before: int) -> tuple[VertexPair,
     )
 
 
-def _hang_slit(hung: Array, flapped: LaidOut) -> None:
+def _hang_slit(hung: Array, flapped: SlitFlaps) -> None:
     """Hang slit flaps on the ends of the edges of the border that they are hinged to."""
     layout, flat = flapped.layout, flapped.points(0.0)
     ends = np.array([layout.between(*pair) for pair in layout.hinges.tolist()])

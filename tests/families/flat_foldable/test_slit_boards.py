@@ -138,7 +138,7 @@ def test_normals_of_flaps_swing_no_faster_than_their_bounds(number: int) -> None
     assert isinstance(sheet, SlitFlaps)
     layout, end = sheet.layout, sheet.end_drive
     tree = PanelTree.over(layout.faces, layout.first.astype(np.float64))
-    bounds = EdgeBounds(sheet, end, tree).within(number / RANGES, (number + 1) / RANGES)
+    bounds = EdgeBounds(sheet, (0.0, end), tree).within(number / RANGES, (number + 1) / RANGES)
     normals = NormalBounds(layout, sheet.points(0.0)).within(*bounds.steps)
     h, middle = 0.5 * end / RANGES, (number + 0.5) * end / RANGES
     corners = sheet.points(np.array([middle - h, middle, middle + h]))[:, layout.faces]

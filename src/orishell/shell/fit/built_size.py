@@ -50,6 +50,7 @@ class BuiltShell:
                 motion,
                 "unit",
                 clipped=design.clipped,
+                boxes=design.boxes,
                 attached=design.attached,
                 panel=design.panel,
                 boards=None if built is None else built.boards,

@@ -1,0 +1,383 @@
+"""Box girders: sleeves over rows of a folding sheet, and how far it moves with them.
+
+From a state on the way to the target, where sleeves are joined to the sheet, to as far as the sheet
+closes: the path is proved from the target to both sides.
+
+Limit: sleeves lie on the flat sheet, and with boards they have no room there. The motion is proved
+from half of the target's drive on, where they are joined to the sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.clash import PathContact, PathResult, find_first_contact
+from orishell.clash.bodies import Bodies
+from orishell.clash.complex_path import find_first_contact_of_parts
+from orishell.clash.separation import corners_of, overlaps
+from orishell.clash.state import deepest_between, near_panels
+from orishell.conventions.errors import DesignError, InputError, Remedy
+from orishell.conventions.formatting import in_degrees, rounded_down
+from orishell.conventions.progress import Progress, no_progress
+from orishell.design import Design
+from orishell.design.boxes import Box
+from orishell.design.stiffeners import Stiffeners
+from orishell.locking.boards import prove_boards
+from orishell.locking.fold_rows import fold_rows
+from orishell.locking.result import BoxMotion, Contact, Lock
+from orishell.locking.sheet import SHORT_OF_END
+from orishell.motion import corrugation_depth, diagonal, find_assignment
+from orishell.motion.boards import Boards, join_boards
+from orishell.motion.complex import Complex
+from orishell.motion.convex import require_convex
+from orishell.motion.layout import Layout, SlitFlaps, points_of
+from orishell.motion.sleeves import Sleeve, SleeveForms
+from orishell.numerics.bisection import largest_below
+from orishell.solids import BuiltPanels
+from orishell.solids.sleeves import closes_to, sleeve_design
+
+LARGEST = 0.9
+""""auto" goes so far out along edges of columns at the most."""
+NARROWEST = 0.15
+"""No side of a strip is narrower than this share of the crease that it lies beside."""
+JOINED_AT = 0.5
+"""Sleeves are joined to the sheet at this share of the target's drive."""
+LATE, NARROW = 1 - 1e-3, 1e-4
+"""In this last part of the way to shut creases panels are near: as for the sheet, a contact there
+counts with this share of the tolerance only."""
+THINNER = (0.75, 0.5, 0.25)
+"""Panels that are offered are so much thinner."""
+SMALLEST, FINE = 0.1, 0.02
+"""The smallest share of the largest that "auto" tries, and to which share it is found."""
+
+
+def with_boxes(
+    design: Design,
+    lock: Lock,
+    asked: Stiffeners | None,
+    tolerance: float,
+    progress: Progress = no_progress,
+) -> tuple[Design, Lock]:
+    """The design with the box girders that are asked for, and how its motion ends then.
+
+    lock: How the motion of the sheet ends, with its boards.
+    tolerance: Distance at which panels touch, relative to the flat sheet's diagonal.
+
+    Raises InputError if there are no such rows, or panels are whole boards.
+    Raises DesignError if there is no room for them.
+    """
+    if asked is None or asked.kind != "boxes":
+        return design, lock
+    place = BoxPlace(design, lock, asked, tolerance)
+    most = place.largest()
+    if asked.share == "auto":
+        share = place.widest(min(LARGEST, most), progress)
+    elif asked.share > most:
+        raise DesignError(
+            "strips of box girders would be narrower than they may be, as columns run together",
+            place=f"at row {place.narrowest()}",
+            keys=("stiffeners.share",),
+            size=f"shares up to {most:.4g} leave {NARROWEST:g} of the width of a crease",
+            candidates=[
+                Remedy({"stiffeners.share": each}) for each in (rounded_down(most), "auto")
+            ],
+            excess=asked.share / most - 1,
+        )
+    else:
+        share = asked.share
+    boxes, motion = place.moved(share, progress)
+    if motion.joined_from >= design.mechanism.target_drive:
+        raise place.refused(share, progress)
+    if motion.closing is not None:
+        lock = replace(
+            lock,
+            drive=motion.closing.drive,
+            cause="unproved" if motion.closing.apart is not None else "clash",
+            first_contact=motion.closing,
+        )
+    elif motion.closes_to < lock.closes_to:
+        lock = replace(lock, drive=motion.closes_to, cause="boards", first_contact=None)
+    return replace(design, boxes=boxes), replace(lock, boxes=motion)
+
+
+class BoxPlace:
+    """A sheet whose rows are closed to box girders."""
+
+    def __init__(self, design: Design, lock: Lock, asked: Stiffeners, tolerance: float) -> None:
+        _require_creases(design)
+        require_convex(design.mechanism, "box girders")
+        self.design, self.lock = design, lock
+        mechanism = design.mechanism
+        self.columns = _columns(design)
+        self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
+        _require_one_side(design, self.rows, self.columns)
+        self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
+        self.tolerance = tolerance * diagonal(mechanism.positions(0.0))
+        self.start = JOINED_AT * mechanism.target_drive
+
+    def largest(self) -> float:
+        """The largest share at which all strips are wide enough."""
+        return min(each.largest(NARROWEST) for each in self.forms)
+
+    def narrowest(self) -> int:
+        """The row that asks for the smallest share."""
+        return min(self.forms, key=lambda each: each.largest(NARROWEST)).row
+
+    def sleeves(self, share: float) -> list[Sleeve]:
+        """The sleeves of a share."""
+        return [Sleeve.over(self.design.mechanism, each, share) for each in self.forms]
+
+    def widest(self, most: float, progress: Progress) -> float:
+        """The largest share with which the sheet closes as far as without, or to its target.
+
+        Raises DesignError if there is none.
+        """
+
+        def closes(share: float) -> bool:
+            motion = self._tried(share, progress)
+            return motion is not None and motion.opening is None and motion.closing is None
+
+        def stands(share: float) -> bool:
+            motion = self._tried(share, progress)
+            return motion is not None and motion.joined_from < self.lock.target_drive
+
+        for works in (closes, stands):
+            if works(most):
+                return most
+            found = largest_below(works, most, smallest=SMALLEST, relative=FINE)
+            if found is not None:
+                return rounded_down(found)
+        raise self.refused(most, progress)
+
+    def _tried(self, share: float, progress: Progress) -> BoxMotion | None:
+        """How far the shell moves with sleeves of a share; None if nothing is left of a panel."""
+        try:
+            return self.moved(share, progress)[1]
+        except DesignError:
+            return None
+
+    def moved(self, share: float, progress: Progress) -> tuple[tuple[Box, ...], BoxMotion]:
+        """Sleeves of a share with their boards, and how far the shell moves with them.
+
+        Raises DesignError if nothing is left of a panel.
+        """
+        sleeves, lock = self.sleeves(share), self.lock
+        target, end = lock.target_drive, lock.closes_to
+        boxes, end, within = self._built(sleeves, end, progress)
+        whole = Complex(self.design.mechanism, tuple(sleeves)).least_turning
+        bodies = self._bodies(whole, boxes)
+
+        def path(stop: float, tolerance: float) -> PathResult:
+            if bodies is None:
+                return find_first_contact(
+                    whole, stop, tolerance, only=whole.part_of > 0, start=target, progress=progress
+                )
+            return find_first_contact_of_parts(whole, (target, stop), tolerance, bodies, progress)
+
+        proofs = []
+        found: list[Contact | None] = []
+        for stop in (self.start, end):
+            if stop == target:
+                found.append(None)
+                continue
+            result = path(stop, self.tolerance)
+            shut = stop >= LATE * whole.end_drive
+            if shut and result.contact is not None and result.contact.drive > LATE * stop:
+                result = path(stop * (1 - SHORT_OF_END), NARROW * self.tolerance)
+            proofs.append(result.proof)
+            met = result.contact
+            found.append(None if met is None else self._contact(met, whole, boxes))
+        opening, closing = found
+        if opening is None or opening.drive < target:
+            opening = self._at_flaps(boxes) or opening
+        joined = self.start if opening is None else opening.clear_until
+        return boxes, BoxMotion(share, joined, end, opening, closing or within, tuple(proofs))
+
+    def _built(
+        self, sleeves: Sequence[Sleeve], end: float, progress: Progress
+    ) -> tuple[tuple[Box, ...], float, Contact | None]:
+        """Sleeves with their boards, and as far as boards of each do not meet each other."""
+        build = self.design.panel
+        if build is None:
+            return tuple(Box(each) for each in sleeves), end, None
+        boxes, first = [], None
+        end = min(closes_to(each, self.start, end, build) for each in sleeves)
+        if end < self.lock.target_drive:
+            raise DesignError(
+                "boards of box girders would stand so far off the panels that they hang on that "
+                "too little is left of them",
+                place="at the target",
+                keys=("stiffeners.share", "panel.thickness"),
+                candidates=[
+                    Remedy({"panel.thickness": thickness}) for thickness in self._thinner()
+                ],
+            )
+        for sleeve in sleeves:
+            own = sleeve_design(self.design, sleeve, self.start, end)
+            built, path = prove_boards(own, end, self.tolerance, progress)
+            box = Box(sleeve, built.boards)
+            boxes.append(box)
+            if path.contact is not None and (first is None or path.contact.drive < first.drive):
+                names = tuple(box.names[panel] for panel in path.contact.panels)
+                first = self._named(path.contact, (names[0], names[1]))
+        return tuple(boxes), end if first is None else min(end, first.clear_until), first
+
+    def _thinner(self) -> list[float]:
+        build = self.design.panel
+        assert build is not None
+        return [rounded_down(share * build.thickness, 2) for share in THINNER]
+
+    def _bodies(self, whole: Complex, boxes: Sequence[Box]) -> Bodies | None:
+        """All boards on the panels of the complex; None if panels have no thickness."""
+        built = self.lock.built
+        if built is None:
+            return None
+        every = [built.boards]
+        for first, box in zip(whole.firsts[0][1:], boxes, strict=True):
+            assert box.boards is not None
+            every.append(replace(box.boards, panels=box.boards.panels + first))
+        return Bodies(join_boards(every), whole.layout.faces, points_of(whole, 0.0))
+
+    def _at_flaps(self, boxes: Sequence[Box]) -> Contact | None:
+        """What flaps that are clipped on meet at the target; None if nothing."""
+        flapped, built = self.design.clipped, self.lock.built
+        if flapped is None:
+            return None
+        layout, target = Layout.of(flapped), flapped.target_drive
+        flaps, points = layout.faces[layout.flaps], points_of(flapped, target)
+        names = [f"flap {list(each)}" for each in layout.names[layout.flaps].tolist()]
+        names += [each for box in boxes for each in box.names]
+        faces, every, flat = [flaps], [points], [points_of(flapped, 0.0)]
+        boards = [] if built is None else [_of_flaps(built, layout)]
+        for box in boxes:
+            begin, behind = sum(map(len, every)), sum(map(len, faces))
+            faces.append(box.sleeve.grid.faces_vertices() + begin)
+            every.append(points_of(box.sleeve, target))
+            flat.append(points_of(box.sleeve, 0.0))
+            if box.boards is not None:
+                boards.append(replace(box.boards, panels=box.boards.panels + behind))
+        whole, places = np.concatenate(faces), np.concatenate(every)
+        if boards:
+            bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))
+            groups = (bodies.panels >= len(flaps)).astype(np.int64)
+            met = deepest_between(bodies, places, self.tolerance, groups)
+            pair = None if met is None else bodies.carriers(met[0])
+        else:
+            first, second = near_panels(places, whole, self.tolerance)
+            chosen = (first < len(flaps)) & (second >= len(flaps))
+            first, second = first[chosen], second[chosen]
+            depth = overlaps(corners_of(places, whole[first]), corners_of(places, whole[second]))
+            deep = np.flatnonzero(depth > self.tolerance)
+            pair = (int(first[deep[0]]), int(second[deep[0]])) if len(deep) else None
+        if pair is None:
+            return None
+        own = self.lock.target_drive
+        return self._named(PathContact(own, own, pair), (names[pair[0]], names[pair[1]]))
+
+    def _contact(self, found: PathContact, whole: Complex, boxes: Sequence[Box]) -> Contact:
+        """What meets, by its names."""
+        sheet = whole.grid.panel_count
+        names = [f"panel {list(each)}" for each in whole.layout.names[:sheet].tolist()]
+        names += [each for box in boxes for each in box.names]
+        first, second = sorted(found.panels)
+        return self._named(found, (names[first], names[second]))
+
+    def _named(self, found: PathContact, names: tuple[str, str]) -> Contact:
+        mechanism = self.design.mechanism
+        return Contact(
+            found.drive,
+            found.clear_until,
+            ((self.rows[0], self.columns.start), (self.rows[0], self.columns.start)),
+            "boards" if self.design.panel is not None else "distant panels",
+            corrugation_depth(mechanism.positions(found.drive)),
+            apart=found.apart,
+            called=names,
+        )
+
+    def refused(self, share: float, progress: Progress) -> DesignError:
+        """Why there is no room for box girders of a share at the target."""
+        try:
+            _, motion = self.moved(share, progress)
+        except DesignError as error:
+            return error
+        met = motion.opening or motion.closing
+        assert met is not None
+        first, second = met.names
+        met_target = self.lock.target_drive
+        return DesignError(
+            f"{first} and {second} meet",
+            place=f"at drive {in_degrees(met.drive)} of {in_degrees(met_target)} degrees",
+            keys=("stiffeners.share", "stiffeners.rows"),
+            candidates=[
+                Remedy({"stiffeners.share": "auto"}),
+                Remedy({"stiffeners.rows": "valleys"}),
+            ],
+            excess=1.0,
+        )
+
+
+def _of_flaps(built: BuiltPanels, layout: Layout) -> Boards:
+    """Boards of flaps that are clipped on, as panels of the flaps alone."""
+    assert built.flaps is not None
+    number = np.cumsum(layout.flaps) - 1
+    return replace(built.flaps, panels=number[built.flaps.panels])
+
+
+def _columns(design: Design) -> slice:
+    """The columns of vertices that box girders reach over.
+
+    A flap that is shut is in the plane of the two edges of the column beside it, where the end of a
+    box would be: beside flaps they end a column before.
+
+    Raises InputError if there are none.
+    """
+    mechanism, count = design.mechanism, design.mechanism.grid.columns
+    start, stop = 0, count
+    if mechanism.flap_columns or design.clipped is not None:
+        inner = mechanism.inner_columns
+        start, stop = inner.start + 1, inner.stop - 1
+    if stop - start < 2:
+        raise InputError(
+            "flaps take the place of box girders at their sides, and there are no columns between",
+            keys=("stiffeners", "pattern.flap"),
+            remedy="flap = 0, or more columns",
+        )
+    return slice(start, stop)
+
+
+def _require_creases(design: Design) -> None:
+    """Refuse whole boards, whose hinges are not in creases, and flaps that are slit."""
+    if design.has_whole_boards:
+        raise InputError(
+            "box girders hang on creases, and whole boards have their hinges beside these",
+            keys=("stiffeners", "panel.construction"),
+            got='"hinged"',
+            expected='"sandwich" or "bevel"',
+        )
+    if isinstance(design.mechanism, SlitFlaps):
+        raise InputError(
+            "box girders need a sheet without flaps that are slit from each other",
+            keys=("stiffeners", "deployment.flap_attachment"),
+            remedy='flap_attachment = "clipped" in [deployment]',
+        )
+
+
+def _require_one_side(design: Design, rows: Sequence[int], columns: slice) -> None:
+    """Refuse rows whose creases fold to both sides: a sleeve would run through the sheet."""
+    signs = find_assignment(design.mechanism).row[:, columns.start : columns.stop - 1]
+    for row in rows:
+        own = signs[row - 1]
+        if np.ptp(own) or not own[0]:
+            raise DesignError(
+                "a box girder is on one side of the sheet, and creases of its row fold to both",
+                place=f"at row {row}",
+                keys=("stiffeners.rows",),
+                size=f"{int((own > 0).sum())} valleys and {int((own < 0).sum())} mountains",
+                candidates=[
+                    Remedy({"stiffeners.rows": "valleys"}),
+                    Remedy({"stiffeners.rows": "crests"}),
+                ],
+            )

@@ -1,0 +1,55 @@
+"""Rows of folds that something is put into: those that look down, those that look up, or named."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.errors import InputError
+from orishell.motion import Mechanism, find_assignment
+
+
+def fold_rows(
+    mechanism: Mechanism,
+    asked: Literal["valleys", "crests", "all"] | tuple[int, ...],
+    columns: slice,
+    what: str,
+) -> list[int]:
+    """The inner rows of vertices that are asked for, by the creases between columns of vertices.
+
+    what: What is put into them, in one word.
+    Raises InputError if there are no such rows.
+    """
+    inner = range(1, mechanism.grid.rows - 1)
+    if asked == "all":
+        return list(inner)
+    if isinstance(asked, str):
+        sign = 1 if asked == "valleys" else -1
+        signs = find_assignment(mechanism).row[:, columns.start : columns.stop - 1]
+        rows = [1 + row for row in np.flatnonzero((signs == sign).all(axis=1)).tolist()]
+        if not rows:
+            raise InputError(
+                f"there are no rows of {asked}",
+                keys=("stiffeners.rows",),
+                got=f'"{asked}"',
+                remedy='rows = "all", or name rows of vertices, as in rows = [1, 3]',
+            )
+        return rows
+    return named("row", asked, inner, what)
+
+
+def named(line: str, numbers: tuple[int, ...], there: range, what: str) -> list[int]:
+    """Rows or columns by their numbers, each once.
+
+    Raises InputError if there is none, or one is not there.
+    """
+    wrong = [each for each in numbers if each not in there]
+    if wrong or not numbers:
+        raise InputError(
+            f"no {what} can stand in this {line}" if numbers else f"no {line} is named",
+            keys=(f"stiffeners.{line}s",),
+            got=str(wrong[0]) if wrong else "[]",
+            expected=f"numbers from {there.start} to {there.stop - 1}",
+        )
+    return sorted(set(numbers))

@@ -1,0 +1,156 @@
+"""Box girders on random shells: manifold3d finds nothing before the proved ends of the motion."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from design_tables import Tables, mended
+from mechanisms import flat_foldable, random_net
+from orishell.conventions.errors import DesignError, InputError
+from orishell.design import Design
+from orishell.design.stiffeners import Stiffeners
+from orishell.document import Document
+from orishell.families.flat_foldable.named import graded_net
+from orishell.locking import lock_without_clash
+from orishell.locking.boxes import NARROWEST, BoxPlace, with_boxes
+from orishell.motion.complex import Complex
+from orishell.motion.layout import points_of
+from orishell.motion.sizes import CONTACT_TOLERANCE
+from orishell.motion.sleeves import Sleeve, SleeveForms
+from orishell.shell.make import Shell
+from overlaps import NOTHING
+from samples import THOROUGH
+from stiffened import bodies, common, random_design, shell_of
+
+QUICK, ALL = (0, 1, 2, 4, 5, 6, 10), 60
+STATES, FEW = 40, 8
+
+
+def boxed(number: int) -> tuple[Tables, Shell | DesignError]:
+    """The first random design of a number with box girders, and its shell or why there is none."""
+    for attempt in itertools.count():
+        design = random_design(number, attempt)
+        draw = np.random.default_rng([number, attempt, 7])
+        design["stiffeners"] = {
+            "kind": "boxes",
+            "rows": str(draw.choice(["valleys", "crests", "all"])),
+            "share": "auto" if draw.integers(2) else round(float(draw.uniform(0.2, 0.95)), 3),
+        }
+        design["motion"] = {"frames": STATES if THOROUGH else FEW}
+        if design.get("deployment", {}).get("flap_attachment") == "clipped":
+            design["deployment"]["from"] = "pack"
+        if "panel" in design:
+            design["panel"]["thickness"] = round(0.3 * design["panel"]["thickness"], 6)
+        try:
+            return design, shell_of(design)
+        except InputError:
+            continue
+        except DesignError as error:
+            if any(key.startswith("stiffeners.") for key in error.keys):
+                return design, error
+    raise AssertionError
+
+
+def test_random_designs_have_box_girders_or_a_reason() -> None:
+    """So the test below sees some of each."""
+    found = [boxed(number)[1] for number in QUICK]
+    assert sum(isinstance(each, Shell) for each in found) >= len(QUICK) // 2
+
+
+@pytest.mark.parametrize("number", range(ALL) if THOROUGH else QUICK)
+def test_nothing_meets_where_the_motion_is_proved(number: int) -> None:
+    """Volume that strips have in common with others, in states between both ends of the proof."""
+    design, shell = boxed(number)
+    if isinstance(shell, DesignError):
+        require_offers(design, shell)
+        return
+    motion, document = shell.lock.boxes, shell.document
+    assert motion is not None
+    assert shell.design.boxes
+    looked = 0
+    # Panels without a thickness lie on each other where they are shut.
+    shut = 1e-5 if document.boards is None else -1e-9
+    for state in states_between(document, motion.joined_from, shell.lock.closes_to * (1 - shut)):
+        names, found = bodies(document, state)
+        total = sum(each.volume() for each in found)
+        assert max(common(names, found, "box").values(), default=0.0) < NOTHING * total
+        looked += 1
+    assert looked
+
+
+def require_offers(design: Tables, error: DesignError) -> None:
+    """What is offered works, at least one of it."""
+    works = []
+    for remedy in error.candidates:
+        try:
+            works.append(shell_of(mended(design, remedy)).design.boxes)
+        except (DesignError, InputError):
+            continue
+    assert not error.candidates or any(works)
+
+
+def states_between(document: Document, start: float, stop: float) -> Iterator[int]:
+    """Numbers of the states whose drives (radians) are in a range."""
+    for number, state in enumerate(document.states):
+        assert state.drive_deg is not None
+        if np.rad2deg(start) <= state.drive_deg <= np.rad2deg(stop):
+            yield number
+
+
+@pytest.mark.parametrize("share", [0.4, 0.9])
+def test_vectors_accelerate_no_more_than_edges_in_between(share: float) -> None:
+    """Of any two vertices of a sheet with sleeves, by differences; the claim of the proof's bounds.
+
+    A vector between vertices of two panels accelerates no more than the edges of the sheet along
+    rows and down columns from the first to the last of both, added up.
+    """
+    whole = flat_foldable(random_net(6, 5, 2))
+    forms = [SleeveForms.of(whole, row, slice(0, 7)) for row in range(1, 7)]
+    sleeves = [Sleeve.over(whole, each, min(share, each.largest(0.05))) for each in forms]
+    both = Complex(whole, tuple(sleeves))
+    step, layout = 1e-3, both.layout
+    for drive in (0.4, 1.2, both.target_drive):
+        near = [points_of(both, drive + k * step) for k in (-1.0, 0.0, 1.0)]
+        swing = (near[0] - 2 * near[1] + near[2]) / step**2
+        along, down = both.edge_accelerations(*(np.array([drive + k * step]) for k in (-1.0, 1.0)))
+        first, last = layout.first, layout.last
+        low = np.minimum(first[:, None], first)
+        high = np.maximum(last[:, None], last)
+        sums = [np.concatenate([[0.0], np.cumsum(each[0])]) for each in (down, along)]
+        bound = sum(each[high[..., k]] - each[low[..., k]] for k, each in enumerate(sums))
+        corners = swing[layout.faces]
+        apart = corners[:, None, :, None] - corners[None, :, None, :]
+        found = np.linalg.norm(apart, axis=-1).max(axis=(2, 3))
+        assert (found <= np.asarray(bound) * (1 + 1e-5) + 1e-6).all()
+
+
+def test_bad_rows_and_whole_boards_are_refused() -> None:
+    design: dict[str, Any] = random_design(2, 0)
+    design["stiffeners"] = {"kind": "boxes", "rows": [99]}
+    with pytest.raises(InputError, match="row"):
+        shell_of(design)
+
+
+def test_a_share_that_columns_leave_no_room_for_is_refused_with_one_that_works() -> None:
+    """Columns of the sheet run together, so that a strip's sides would be narrow, or cross."""
+    net = graded_net(
+        4, 4, folds=[0.4696, 2.4258], sectors=[1.4466, 1.3419],
+        row_lengths=[1.7633, 0.7314], column_lengths=[1.9514, 1.3053],
+    )  # fmt: skip
+    sheet = flat_foldable(net)
+    design = Design(sheet, {}, {}, {}, None, ())
+    lock = lock_without_clash(design)
+    asked = Stiffeners(kind="boxes", rows="all", share=0.98)
+    with pytest.raises(DesignError, match="narrower") as caught:
+        with_boxes(design, lock, asked, CONTACT_TOLERANCE)
+    offered = next(iter(caught.value.candidates)).changes["stiffeners.share"]
+    place = BoxPlace(design, lock, asked, CONTACT_TOLERANCE)
+    assert place.largest() * (1 - 1e-3) < offered <= place.largest()
+    widths = [each.widths.min() for each in place.sleeves(offered)]
+    assert min(widths) == pytest.approx(NARROWEST, rel=1e-2)
+    assert min(each.widths.min() for each in place.sleeves(0.98)) < NARROWEST
