@@ -149,6 +149,7 @@ def test_a_share_that_columns_leave_no_room_for_is_refused_with_one_that_works()
     with pytest.raises(DesignError, match="narrower") as caught:
         with_boxes(design, lock, asked, CONTACT_TOLERANCE)
     offered = next(iter(caught.value.candidates)).changes["stiffeners.share"]
+    assert isinstance(offered, float)
     place = BoxPlace(design, lock, asked, CONTACT_TOLERANCE)
     assert place.largest() * (1 - 1e-3) < offered <= place.largest()
     widths = [each.widths.min() for each in place.sleeves(offered)]

@@ -14,7 +14,9 @@ from orishell.design import Design
 from orishell.document import SHELL, Document
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.motion.boards import Boards
+from orishell.motion.complex import Complex
 from orishell.numerics.arrays import Array
+from orishell.solids.sleeves import moving_boards
 
 
 def plan_ground(
@@ -35,7 +37,10 @@ def plan_ground(
         return None
     mechanism, hinges = design.mechanism, design.hinges
     standing = Standing.of(mechanism, feet.rows, feet.columns(mechanism), hinges)
-    occupied, beside = Occupied.by(mechanism, boards), _beside(document)
+    whole = design.moving
+    if boards is not None and isinstance(whole, Complex):
+        boards = moving_boards(boards, whole, design.boxes)
+    occupied, beside = Occupied.by(whole, boards), _beside(document)
     sweep = None
     if not design.in_pieces:
         sweep = find_sweep(standing, occupied, end, beside)

@@ -135,7 +135,7 @@ def _packs(design: Design, lock: Lock, thickness: float) -> tuple[Pack, ...]:
     """The pack, or those of all pieces."""
     end = max(lock.closes_to, lock.target_drive)
     if lock.built is None or not design.has_whole_boards:
-        return (find_pack(design.mechanism, end, PACKS, thickness),)
+        return (find_pack(design.moving, end, PACKS, thickness),)
     return find_packs(design.mechanism, end, lock.built.boards)
 
 
@@ -152,7 +152,7 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
     if site.feet is None:
         return None
     return measure_weight(
-        design.mechanism,
+        design.moving,
         site.feet.rows,
         _newtons(site),
         metres=site.metres,
@@ -182,7 +182,7 @@ def with_ground(
     raising = None
     if not design.in_pieces:
         columns, newtons = feet.columns(mechanism), _newtons(site) or 1.0
-        body = Body.of(mechanism, feet.rows, newtons, columns, design.hinges)
+        body = Body.of(design.moving, feet.rows, newtons, columns, design.hinges)
         raising = find_raising(body, weight, end, site.metres)
     ground = plan_ground(design, feet, boards, end, document)
     return replace(report, ground=ground, raising=raising)

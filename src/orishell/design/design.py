@@ -17,6 +17,7 @@ from orishell.design.boxes import Box
 from orishell.design.panel import PanelSpec
 from orishell.design.part import Part
 from orishell.motion import Mechanism
+from orishell.motion.complex import Complex
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import has_flaps
 from orishell.numerics.arrays import Array
@@ -184,6 +185,13 @@ class Design:
     def flapped(self) -> Mechanism:
         """The sheet with all its flaps, those that are clipped on at the target as well."""
         return self.clipped or self.mechanism
+
+    @property
+    def moving(self) -> Mechanism:
+        """All that folds: the sheet, and sleeves over its rows."""
+        if not self.boxes:
+            return self.mechanism
+        return Complex(self.mechanism, tuple(each.sleeve for each in self.boxes))
 
     @property
     def plates(self) -> tuple[Part, ...]:

@@ -37,7 +37,7 @@ from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.numerics.bisection import largest_below
 from orishell.solids import BuiltPanels
-from orishell.solids.sleeves import closes_to, sleeve_design
+from orishell.solids.sleeves import closes_to, moving_boards, sleeve_design
 
 LARGEST = 0.9
 """"auto" goes so far out along edges of columns at the most."""
@@ -235,11 +235,8 @@ class BoxPlace:
         built = self.lock.built
         if built is None:
             return None
-        every = [built.boards]
-        for first, box in zip(whole.firsts[0][1:], boxes, strict=True):
-            assert box.boards is not None
-            every.append(replace(box.boards, panels=box.boards.panels + first))
-        return Bodies(join_boards(every), whole.layout.faces, points_of(whole, 0.0))
+        every = moving_boards(built.boards, whole, boxes)
+        return Bodies(every, whole.layout.faces, points_of(whole, 0.0))
 
     def _at_flaps(self, boxes: Sequence[Box]) -> Contact | None:
         """What flaps that are clipped on meet at the target; None if nothing."""

@@ -17,7 +17,7 @@ from orishell.clash.state import deepest_between, near_panels
 from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import rounded, rounded_down
 from orishell.conventions.record import record
-from orishell.design import Design
+from orishell.design import Design, PanelSpec
 from orishell.design.design import Fixing, warn_of_no_lock
 from orishell.design.stiffeners import Bolts, Stiffeners
 from orishell.locking.fold_rows import fold_rows, named

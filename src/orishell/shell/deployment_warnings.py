@@ -80,7 +80,7 @@ def _closes_better(file: DesignFile, packed: Pack, progress: Progress) -> Remedy
         return None
 
     def closes(made: Facts) -> bool:
-        box = find_pack(made.found.design.mechanism, made.found.lock.closes_to, 1).box
+        box = find_pack(made.found.design.moving, made.found.lock.closes_to, 1).box
         flat = box.height < PLANE * box.length
         return flat and SMALLER * box.length * box.width < packed.length * packed.width
 

@@ -14,11 +14,15 @@ line itself is in the middle of the board: the hinge lies in a groove on the sid
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from orishell.design import Design, PanelSpec
+from orishell.design.boxes import Box
+from orishell.motion.boards import Boards, join_boards
+from orishell.motion.complex import Complex
 from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
@@ -46,6 +50,15 @@ def sleeve_design(design: Design, sleeve: Sleeve, start: float, stop: float) -> 
         sides[0, :, FIRST] = sides[1, :, LAST] = away
         off = sides.reshape(-1, 4)
     return replace(design, mechanism=sleeve, clipped=None, attached=(), boxes=(), stand_off=off)
+
+
+def moving_boards(sheet: Boards, whole: Complex, boxes: Sequence[Box]) -> Boards:
+    """Boards of a sheet and of its box girders, as panels of both together."""
+    every = [sheet]
+    for first, box in zip(whole.firsts[0][1:], boxes, strict=True):
+        assert box.boards is not None
+        every.append(replace(box.boards, panels=box.boards.panels + first))
+    return join_boards(every)
 
 
 def closes_to(sleeve: Sleeve, start: float, stop: float, build: PanelSpec) -> float:
