@@ -318,6 +318,8 @@ export interface Contact {
   overlap: number | null;
   /** How far they are apart, at least, if they are not seen to touch and are merely not proved apart; None if they touch (length). */
   apart: number | null;
+  /** What the two are called, if one is no panel of the sheet. */
+  called: [string, string] | null;
 }
 
 /** The largest forces per length along all creases of a kind, on either side of them. */

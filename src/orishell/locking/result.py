@@ -75,8 +75,9 @@ def _called(panel: Panel, side: str) -> str:
 class BoxMotion:
     """How far a shell moves with its box girders."""
 
-    REPORTED = ("share", "joined_from", "closes_to", "opening", "closing", "proofs")
+    REPORTED = ("rows", "share", "joined_from", "closes_to", "opening", "closing", "proofs")
 
+    rows: tuple[int, ...]  # of vertices that sleeves are over
     share: float  # how far out sleeves hang on edges of columns, at the most
     joined_from: Angle  # nearer to the flat sheet than this drive nothing is proved
     closes_to: Angle  # as far as boards of the sleeves have room, and are apart in each
@@ -84,7 +85,8 @@ class BoxMotion:
     opening: Contact | None
     # what meets on the way to the pack; None if the sheet ends it
     closing: Contact | None
-    proofs: tuple[ProofRecord, ...]  # how contact was looked for, to either side of the target
+    # how contact was looked for, to either side of the target; empty if it was not
+    proofs: tuple[ProofRecord, ...]
 
 
 @record

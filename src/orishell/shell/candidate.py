@@ -60,7 +60,14 @@ def prove(file: DesignFile, work: Work) -> Candidate:
             expected='"gussets"',
             remedy="leave the table [structure] out, or name gussets",
         )
-    design, lock = with_boxes(design, lock, file.stiffeners, file.contact_tolerance, work.progress)
+    design, lock = with_boxes(
+        design,
+        lock,
+        file.stiffeners,
+        file.contact_tolerance,
+        examined=work.clash != "unexamined",
+        progress=work.progress,
+    )
     if file.deployment.start == "pack":
         require_pack(design, lock)
     feet = find_feet(design)

@@ -61,6 +61,7 @@ def find_verdict(
     rows = [
         *_stands(report, stronger or Remedy({})),
         *folds_rows(report, _way(report), joining),
+        *_girders(report),
         *_locks(report),
         *_packs(report, said=two is not None),
         *_fits(report, stock),
@@ -149,12 +150,31 @@ def _rounded_down(degrees: float, decimals: int) -> str:
 
 
 def _panels_of(contact: Contact) -> str:
+    if contact.called is not None:
+        return " and ".join(contact.called)
     sides = contact.sides or ("", "")
     first, second = (
         f"{list(panel)}{f' {side}' if side in {'top', 'bottom'} else ''}"
         for panel, side in zip(contact.panels, sides, strict=True)
     )
     return f"panels {first} and {second}"
+
+
+def _girders(report: Report) -> Iterator[Row]:
+    """How far the shell moves with its box girders."""
+    girders = report.lock.boxes
+    if girders is None:
+        return
+    rows = ", ".join(map(str, girders.rows))
+    said = f"over row{'s' * (len(girders.rows) > 1)} {rows}, joined at "
+    joined = f"{said}{_degrees(girders.joined_from)}"
+    if not girders.proofs:
+        yield Row("warns", "girders", f"{joined}: nobody looked whether panels meet on the way")
+        return
+    end = _degrees(report.deployment.end_drive)
+    states = sum(each.states for each in girders.proofs)
+    proved = f"nothing touches from there to {end} (proved between {states} states)"
+    yield Row("holds", "girders", f"{joined}, as they have no room when it is flat: {proved}")
 
 
 def _locks(report: Report) -> Iterator[Row]:

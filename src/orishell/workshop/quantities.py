@@ -207,7 +207,7 @@ def measure_quantities(
     area = float(everything.areas().sum())
     return Quantities(
         panels=len(everything.mesh.faces),
-        clipped=len(everything.mesh.faces) - len(document.mesh.faces),
+        clipped=sum(len(part.mesh.faces) for part in document.attached if not document.moves(part)),
         area=area,
         crease_length=CreaseLength(total("M"), total("V"), total("F", "U", "J")),
         outline_length=total("B", "C"),
