@@ -426,6 +426,7 @@ def test_the_command_writes_design_files(
     assert "Designs that carry, the lightest first" in done.stdout
     for number, each in enumerate(search.found, start=1):
         path = tmp_path / "out" / f"carries-{number}.toml"
+        assert path.name in done.stdout.partition("What was tried")[0]
         assert path.read_text(encoding="utf-8").startswith("# a small arch")
         written = read_design_file(path)
         assert written.tables == arch(tmp_path).changed(each.change.values).tables

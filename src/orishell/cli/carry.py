@@ -82,7 +82,7 @@ def _write(asked: DesignFile, found: CarrySearch, output: Any) -> list[Path]:
 
 def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str]:
     from orishell.conventions.row import Row
-    from orishell.io.sections import Bullets, Paragraph, Section, Table, section_lines
+    from orishell.io.sections import Bullets, Section, Table, section_lines
 
     begun = found.begun
     yield from lines_of(Row(begun.sign, "stands", begun.in_words()))
@@ -92,11 +92,11 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
     if found.found:
         names = [each.name for each in written] or map(str, range(1, len(found.found) + 1))
         rows = [(name, *_cells(each, unit)) for name, each in zip(names, found.found, strict=True)]
-        parts: list[Any] = [Table(HEAD, rows, numbers=0)]
+        table = Table(HEAD, rows, numbers=0)
+        yield from section_lines([Section("Designs that carry, the lightest first", (table,))])
     else:
-        parts = [Paragraph("No design was found that carries.")]
-        parts += [Paragraph(f"Nearest came {found.near}")] if found.near else []
-    yield from section_lines([Section("Designs that carry, the lightest first", tuple(parts))])
+        yield "No design was found that carries."
+        yield from [f"Nearest came {found.near}"] if found.near else []
     tried = list(found.tried)
     if found.ended:
         tried.append("more would have taken too long")
