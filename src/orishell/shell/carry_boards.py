@@ -100,7 +100,8 @@ def thicker(file: DesignFile, found: Analysis) -> Iterator[Change]:
 def thinner(file: DesignFile, found: Analysis) -> Iterator[Change]:
     """Panels as thin as they may be if stress is as the square of thickness, buckling as its cube.
 
-    Only where both are known: of crease lines thickness says little.
+    That is on the safe side: the next thinner board on the market is tried, too. Only where both
+    are known: of crease lines thickness says little.
     """
     shares = [case.equilibrium.utilisation for case in found.cases if case.equilibrium is not None]
     panels = max((each.panels or 0.0) for each in shares) ** 0.5
@@ -111,9 +112,12 @@ def thinner(file: DesignFile, found: Analysis) -> Iterator[Change]:
         if case.equilibrium is not None
     ) ** (1 / 3)
     times = max(panels, buckles, moved, 0.5)
-    thickness = offer(file, found.model).at_least(MARGIN * times * found.model.thickness)
-    if thickness < THINNER * found.model.thickness:
-        yield as_thick(file, thickness)
+    offered, most = offer(file, found.model), THINNER * found.model.thickness
+    thinnest = offered.at_least(MARGIN * times * found.model.thickness)
+    following = offered.at_most(most) if offered.sold else None
+    for thickness in sorted({thinnest, following or thinnest}):
+        if thickness <= most:
+            yield as_thick(file, thickness)
 
 
 def as_thick(file: DesignFile, thickness: float) -> Change:
@@ -148,7 +152,10 @@ def thickness_key(file: DesignFile) -> str:
 
 
 def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
-    """Panels of a material that bends less, no heavier, or as light as they are sold."""
+    """Panels of a material that bends less: as stiff as figures ask for, but no heavier.
+
+    Where none so light are sold, the lightest.
+    """
     asked = file.structure
     assert asked is not None
     given = value_at(file.tables, "structure") or {}
@@ -158,13 +165,17 @@ def other_materials(file: DesignFile, found: Analysis) -> Iterator[Change]:
     thick = found.model.thickness * metres
     weighs = value_at(file.tables, AREAL)
     areal = weighs or present.density_of(thick) * thick
+    times = max(_times(case) for case in found.cases)
+    needed = (MARGIN * times) ** 3 * _bending(present, thick)
     keys = ("structure.grain", "panel.density")
     dropped = {key: None for key in keys if value_at(file.tables, key) is not None}
     for name, made in materials().items():
         if name == asked.material:
             continue
         offered = offer(file, found.model, name)
-        other = offered.at_most(_thickness_of(made, areal) / metres) or offered.sold[0]
+        heaviest = offered.at_most(_thickness_of(made, areal) / metres) or offered.sold[0]
+        stiff = (each for each in offered.sold if _bending(made, each * metres) >= needed)
+        other = min(next(stiff, heaviest), heaviest)
         if _bending(made, other * metres) > _bending(present, thick):
             change = as_thick(file, other)
             values: dict[str, object] = {MATERIAL: name, **change.values, **dropped}
