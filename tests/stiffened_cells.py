@@ -8,14 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from scipy.sparse.linalg import eigsh, splu
 
-from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
-from orishell.motion import find_assignment
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.geometric import geometric_stiffness
@@ -25,7 +22,6 @@ from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
 from orishell.structure.mesh.stops import Stops
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.plates import turned_plates
-from strategies import graph
 
 MODULUS, THICKNESS, THIN, POISSON = 8e9, 0.01, 0.004, 0.3
 
@@ -39,8 +35,6 @@ class Case:
     share: float  # of edges
     held: Mapping[int, tuple[int, ...]]  # of vertices so many displacements
     loads: Mapping[int, tuple[float, float, float]]  # forces at vertices (N)
-    pinned: tuple[int, ...] = ()  # rows of vertices between which edges are held, too
-    weight: float = 0.0  # of panels, by area (N/m2)
 
     def holds(self, points: Array) -> dict[int, tuple[int, ...]]:
         """Of points (N, 3) so many displacements."""
@@ -48,11 +42,6 @@ class Case:
         for vertex, axes in self.held.items():
             apart = np.linalg.norm(points - self.positions.reshape(-1, 3)[vertex], axis=1)
             found[int(np.argmin(apart))] = axes
-        for row in self.pinned:
-            for start, end in pairwise(self.positions[row]):
-                along = np.clip((points - start) @ (end - start) / np.sum((end - start) ** 2), 0, 1)
-                off = np.linalg.norm(points - start - along[:, None] * (end - start), axis=1)
-                found |= dict.fromkeys(np.flatnonzero(off < 1e-9).tolist(), (0, 1, 2))
         return found
 
     @property
@@ -71,17 +60,6 @@ def four_panels() -> Case:
     held: dict[int, tuple[int, ...]] = {6: (0, 1, 2), 8: (1, 2), 0: (2,)}
     loads = {2: (0.0, 0.0, -100.0), 4: (0.0, 30.0, -200.0)}
     return Case(np.array(rows), np.array([[1, 1]]), 0.8, held, loads)
-
-
-def arch() -> Case:
-    """Edges at its feet are pinned; the weight of panels loads it, and more beyond the middle."""
-    pattern = OrthodiagonalPattern(rows=3, columns=4, flap=0.0, heading_deg=90, spacing="equal")
-    f, g = graph("-x**2", -1, 1), graph("0.1*cos(2*pi*x)", 0, 1.5)
-    mechanism = design_orthodiagonal(f, g, pattern).mechanism
-    grid, positions = mechanism.grid, mechanism.positions(mechanism.target_drive)
-    (rows,) = np.nonzero((find_assignment(mechanism).row > 0).all(axis=1))
-    at = [(row + 1, column) for row in rows.tolist() for column in range(grid.columns)]
-    return Case(positions, np.array(at), 0.7, {}, {}, pinned=(0, grid.rows - 1), weight=1000.0)
 
 
 @dataclass(frozen=True)
@@ -110,12 +88,8 @@ class Cell:
 
     @property
     def seen(self) -> Array:
-        """Places where displacements are compared: loaded vertices, and the middle of panels."""
-        loaded = self.case.positions.reshape(-1, 3)[list(self.case.loads)]
-        if not self.case.weight:
-            return loaded
-        half = self.sheet.nodes.shape[1] // 2
-        return self.sheet.facets.points[self.sheet.nodes[:, half, half]]
+        """Loaded vertices, where displacements are compared."""
+        return self.case.positions.reshape(-1, 3)[list(self.case.loads)]
 
     def solved(self) -> tuple[Array, float]:
         """Displacements and rotations (D,) and the lowest factor by which it buckles."""
@@ -126,10 +100,6 @@ class Cell:
         loads, moved = np.zeros((2, count))
         for node, force in self.case.loads.items():
             loads[3 * node : 3 * node + 3] = force
-        triangles, points = self.sheet.facets.triangles, self.sheet.facets.points
-        a, b, c = np.moveaxis(points[triangles], 1, 0)
-        third = self.case.weight * np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
-        np.subtract.at(loads, 3 * triangles + 2, third[:, None])
         inner = stiffness[free][:, free].tocsc()
         moved[free] = splu(inner).solve(loads[free])
         panels = facet_stresses(self.sheet.facets, self.section, self.sheet.corners_moved(moved))
@@ -150,11 +120,8 @@ class Cell:
         nodes = [int(np.argmin(np.linalg.norm(points - each, axis=1))) for each in self.seen]
         return np.asarray(moved[: 3 * self.sheet.node_count].reshape(-1, 3)[nodes])
 
-    def deck(self, path: Path, share: float = 0.0) -> None:
-        """Plates for CalculiX: nodes at one place have one that the others follow.
-
-        share: Of the load under which frequencies are asked for; none: how it buckles is, too.
-        """
+    def deck(self, path: Path) -> None:
+        """Plates for CalculiX: nodes at one place have one that the others follow."""
         parts = [(self.sheet.facets.points, each) for each in self.sheet.nodes]
         parts += [(self.plates.own.facets.points, each) for each in self.plates.own.nodes]
         places: list[Array] = []
@@ -183,7 +150,7 @@ class Cell:
         whole = np.concatenate([gusset[:-1] for gusset in gussets])
         lines += _elements("S8R", "GUSSET", whole, count)
         lines += _elements("S6", "GUSSET", np.array(triangles), count + len(whole))
-        lines += ["*MATERIAL,NAME=BOARD", "*ELASTIC", f"{MODULUS},{POISSON}", "*DENSITY", "1."]
+        lines += ["*MATERIAL,NAME=BOARD", "*ELASTIC", f"{MODULUS},{POISSON}"]
         for name, thickness in (("PANELS", THICKNESS), ("GUSSET", THIN)):
             lines += [f"*SHELL SECTION,ELSET={name},MATERIAL=BOARD", f"{thickness}"]
         for node in np.flatnonzero(first[which] != np.arange(len(every))):
@@ -210,18 +177,9 @@ class Cell:
             for axis, each in enumerate(force)
             if each
         ]
-        loads = ["*CLOAD", *forces] if forces else []
-        if self.case.weight:
-            pull = (share or 1.0) * self.case.weight / THICKNESS
-            loads += ["*DLOAD", f"PANELS,GRAV,{pull},0.,0.,-1."]
         printed = ["*NODE PRINT,NSET=SHELL", "U", "*END STEP"]
-        if share:
-            lines += ["*STEP,NLGEOM", "*STATIC", "1.,1.", *loads, *printed]
-            lines += ["*STEP,PERTURBATION", "*FREQUENCY", "4", *printed]
-        else:
-            lines += ["*STEP", "*STATIC", *loads, *printed]
-        if not share and not self.case.weight:
-            lines += ["*STEP", "*BUCKLE", "3,1e-4,40,1000", *loads, *printed]
+        lines += ["*STEP", "*STATIC", "*CLOAD", *forces, *printed]
+        lines += ["*STEP", "*BUCKLE", "3,1e-4,40,1000", "*CLOAD", *forces, *printed]
         path.write_text("\n".join(lines) + "\n")
 
 

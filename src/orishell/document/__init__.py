@@ -7,7 +7,7 @@ from orishell.document.document import (
     DocumentTie,
     FirstContact,
 )
-from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
+from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedGussets, LoadedShell
 
 __all__ = [
     "FLAT",
@@ -19,6 +19,7 @@ __all__ = [
     "FirstContact",
     "LoadedCase",
     "LoadedCreases",
+    "LoadedGussets",
     "LoadedShell",
     "Part",
 ]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import field
-
 import numpy as np
 
 from orishell.conventions.record import record
@@ -29,6 +27,30 @@ class LoadedCase:
     # stress that panels bear under loads that last as long; None if that is not known, or the shell
     # is not in balance (force per area)
     strength: float | None = None
+
+
+@record
+class LoadedGussets:
+    """Meshed gussets: plates that are hinged to nodes of the shell along two of their edges."""
+
+    at: Integers  # row and column (G, 2) of the vertex that each goes from
+    # nodes (G, n, n), from the vertex up along its first edge, and down along its second: those of
+    # the shell there, their own behind all of them
+    nodes: Integers
+    inside: Array  # nodes (K, 3) of their own
+    membrane: float  # stiffness in their plane (force per length by strain)
+    bending: float  # moment per length by curvature (force times length)
+    poisson: float  # Poisson's ratio
+    areal_mass: Array  # mass (G,) per area, of what stands off panels (kg per square of the unit)
+
+    @property
+    def drawn(self) -> Integers:
+        """Nodes of the shell at the corners of triangles (G, 2 n - 3, 3) between both edges."""
+        up, down = self.nodes[:, :, 0], self.nodes[:, 0]
+        first = np.stack([up[:, :-1], up[:, 1:], down[:, 1:]], axis=-1)
+        # At their vertex both edges begin, so that there is no second one.
+        second = np.stack([up[:, 1:-1], down[:, 2:], down[:, 1:-1]], axis=-1)
+        return np.concatenate([first, second], axis=1)
 
 
 @record
@@ -62,8 +84,7 @@ class LoadedShell:
     cases: tuple[LoadedCase, ...]  # the load cases
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
-    # corners (G, 3) of gussets, which are none of its triangles: nodes at their vertex, above and
-    # below
-    gussets: Integers = field(default_factory=lambda: np.zeros((0, 3), np.int64))
+    gussets: LoadedGussets | None = None  # None without any; none of them is in its triangles
+    creases_turn: bool = False  # whether creases may turn, in some case at least
     rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

@@ -141,9 +141,12 @@ class _Panels:
 
     @classmethod
     def of(cls, shell: LoadedShell) -> _Panels:
-        sheet, added = int(shell.panels.max()) + 1, len(shell.gussets)
-        panels = np.concatenate([shell.panels, sheet + np.arange(added)])
-        triangles = np.concatenate([shell.triangles, shell.gussets])
+        sheet = int(shell.panels.max()) + 1
+        gussets = np.zeros((0, 1, 3), np.int64) if shell.gussets is None else shell.gussets.drawn
+        added, panels, triangles = len(gussets), shell.panels, shell.triangles
+        own = np.repeat(sheet + np.arange(added), gussets.shape[1])
+        panels = np.concatenate([panels, own])
+        triangles = np.concatenate([triangles, gussets.reshape(-1, 3)])
         sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
         owned = np.column_stack([np.repeat(panels, 3), sides])
         rims, times = np.unique(owned, axis=0, return_counts=True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedShell
+from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedGussets, LoadedShell
 from orishell.numerics.equals import SOLVED, largest_along_first
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import FORCES, worst_forces
@@ -33,10 +33,30 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
-        gussets=np.zeros((0, 3), np.int64) if model.plates is None else model.plates.corners,
+        gussets=_gussets(model),
+        creases_turn=bool(np.isfinite(model.structure.crease_stiffness[0])),
         rails=bool(model.rails),
-        cases=tuple(_loaded(name, case, len(facets.triangles)) for name, case in cases),
+        cases=tuple(_loaded(name, case, model) for name, case in cases),
         creases=_creases(model, cases),
+    )
+
+
+def _gussets(model: Model) -> LoadedGussets | None:
+    """Plates that stiffen the sheet; None without any."""
+    plates, parts, site = model.plates, model.design.plates, model.site
+    if plates is None:
+        return None
+    section, own = model.plate_section, plates.own
+    areas = own.facets.areas().reshape(len(parts), -1).sum(axis=1)
+    masses = np.array([part.mass(site.areal_mass, site.metres) for part in parts])
+    return LoadedGussets(
+        at=np.array([part.plate.corner for part in parts if part.plate is not None]),
+        nodes=plates.nodes.reshape(own.nodes.shape),
+        inside=plates.added.places,
+        membrane=float(np.max(section.membrane)),
+        bending=float(np.max(section.bending)),
+        poisson=section.poisson,
+        areal_mass=masses / areas,
     )
 
 
@@ -62,8 +82,7 @@ def _creases(model: Model, cases: Named) -> LoadedCreases | None:
     )
 
 
-def _loaded(name: str, case: CaseResult, count: int) -> LoadedCase:
-    """A case of a mesh of so many triangles."""
+def _loaded(name: str, case: CaseResult, model: Model) -> LoadedCase:
     found = case.equilibrium
     shown = case.motion or found
     assert shown is not None
@@ -77,6 +96,8 @@ def _loaded(name: str, case: CaseResult, count: int) -> LoadedCase:
         buckling=()
         if found is None
         else tuple(zip(found.buckling_factors, found.buckling_modes, strict=False)),
-        stresses=np.zeros(count) if found is None else found.stresses.max(axis=1),
+        stresses=np.zeros(len(model.mesh.facets.triangles))
+        if found is None
+        else found.stresses.max(axis=1),
         strength=None if found is None else found.strength,
     )

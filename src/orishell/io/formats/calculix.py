@@ -4,6 +4,9 @@ Cells of the mesh are quadratic quadrilaterals of reduced integration, S8R. On f
 come nearest to thin shells: CalculiX makes solids of all its shells, of which the others are too
 stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6). Ties are springs between two
 nodes: trusses, T3D2, would hold the rotations of the shell, and spoil its buckling factors.
+
+Creases are rigid, but where gussets keep folds from turning: they would have nothing to do. There
+panels and gussets have nodes of their own, and equations give those at one place one displacement.
 """
 
 from __future__ import annotations
@@ -15,10 +18,10 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion
-from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.io.format import Format, Settings
+from orishell.io.quadratic import QuadraticMesh, quadratic_mesh
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
 
@@ -38,15 +41,16 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     """Write the analysed shell: mesh, sections, supports, ties and the loads of every case.
 
     Every case is a linear static step, then come natural frequencies, then buckling of every case.
-    Creases are rigid and supports and ties act both ways, which comments at its head say. Lengths
+    Supports and ties act both ways, and creases are rigid, or turn freely where there are gussets
+    and creases that are not all locked; comments at its head say so. Lengths
     are in the document's unit, forces in newtons, masses so that a newton is a mass times a unit
     of length per square second. Numbers have 13 digits, as many as CalculiX reads.
 
     Raises
     ------
     InputError
-        If the shell was not analysed, is of whole boards, has gussets or base rails, or no unit of
-        length is known.
+        If the shell was not analysed, is of whole boards, has base rails, or no unit of length is
+        known.
     """
     shell = document.loaded
     if shell is None:
@@ -63,13 +67,6 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             got='"hinged"',
             expected='"sandwich" or "bevel"',
         )
-    if len(shell.gussets):
-        raise InputError(
-            "gussets are not written for CalculiX: creases there are rigid, and would leave them "
-            "nothing to do",
-            keys=("stiffeners",),
-            remedy="leave inp out of --write, or remove the table",
-        )
     if shell.rails:
         raise InputError(
             "base rails are not written for CalculiX",
@@ -77,18 +74,16 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             expected="no rail: its feet then stand by themselves",
         )
     unit = document.require_unit()
-    deck = _deck_of(shell)
+    hinged = shell.gussets is not None and shell.creases_turn
+    mesh = quadratic_mesh(shell, hinged=hinged)
     cases = _different_loads(shell)
     lines = [
-        *_head(document, unit, [name for name, _ in cases], shell.ties),
-        *_mesh(deck, document.in_world(deck.points)),
-        *_sections(deck, shell.poisson, conversion(unit, "m")),
-        *_ties(shell, len(deck.cells)),
-        "*BOUNDARY",
-        *(
-            f"{node},{dof},{dof}"
-            for node, dof in 1 + np.concatenate([shell.restrained, _kept_still(shell)])
-        ),
+        *_head(document, unit, [name for name, _ in cases], shell, hinged=hinged),
+        *_elements(mesh, document.in_world(mesh.points)),
+        *_sections(mesh, conversion(unit, "m")),
+        *_together(mesh),
+        *_ties(shell, len(mesh.quads) + len(mesh.triangles)),
+        *_held(shell, mesh),
     ]
     for name, forces in cases:
         lines += _step(name, "*STATIC", *_loads(forces), *_ANSWERS)
@@ -96,52 +91,6 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     for name, forces in cases:
         lines += _step(f"buckling: {name}", "*BUCKLE", BUCKLING, *_loads(forces))
     path.write_text("".join(f"{line}\n" for line in lines), encoding="ascii", newline="\n")
-
-
-@record
-class _Deck:
-    """The mesh in quadratic quadrilaterals."""
-
-    points: Array  # Nodes (N, 3): those of the shell, then the middles of sides
-    own: int  # How many are the shell's
-    cells: Integers  # Nodes (C, 8): corners, then the middles of the sides after them
-    sections: Array  # Thickness, Young's modulus and mass per volume (S, 3), every section once
-    section: Integers  # The section (C,) of every cell
-
-
-def _deck_of(shell: LoadedShell) -> _Deck:
-    """Cells of two triangles, which follow each other.
-
-    A plate that is as stiff in its plane and in bending has the thickness sqrt(12 bending/membrane)
-    and Young's modulus (1 - nu^2) membrane/thickness.
-    """
-    corners = _around(shell.triangles[::2], shell.triangles[1::2])
-    membrane, bending, mass = (
-        each.reshape(-1, 2).mean(axis=1)
-        for each in (shell.membrane, shell.bending, shell.areal_mass)
-    )
-    thickness = np.sqrt(12 * bending / membrane)
-    modulus = (1 - shell.poisson**2) * membrane / thickness
-    values = np.column_stack([thickness, modulus, mass / thickness])
-    sections, section = np.unique(values, axis=0, return_inverse=True)
-
-    sides = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1), axis=-1)
-    ends, middle = np.unique(sides.reshape(-1, 2), axis=0, return_inverse=True)
-    points = np.concatenate([shell.points, shell.points[ends].mean(axis=1)])
-    middles = len(shell.points) + middle.reshape(-1, 4)
-    cells = np.column_stack([corners, middles])
-    return _Deck(points, len(shell.points), cells, sections, section.ravel())
-
-
-def _around(first: Integers, second: Integers) -> Integers:
-    """Corners (C, 4) around pairs of triangles (C, 3) that share a side."""
-    row = np.arange(len(first))
-    alone, other = (
-        np.argmin((mine[:, :, None] == theirs[:, None]).any(axis=2), axis=1)
-        for mine, theirs in ((first, second), (second, first))
-    )
-    begin, then, last = (first[row, (alone + k) % 3] for k in range(3))
-    return np.column_stack([begin, then, second[row, other], last])
 
 
 def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
@@ -154,12 +103,19 @@ def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
     return list(found.values())
 
 
+MISSED = ("CalculiX may miss the lowest factors by which slender gussets buckle (2.20).",)
 TIED = (
     "CalculiX counts springs twice where it buckles (2.20): with ties its factors are too high.",
 )
 
 
-def _head(document: Document, unit: str, names: Sequence[str], ties: Integers) -> Iterable[str]:
+RIGID_CREASES = "- creases are rigid: panels share their rotations there;"
+HINGED = "- creases turn freely: panels and gussets share their displacements there, no rotations;"
+
+
+def _head(
+    document: Document, unit: str, names: Sequence[str], shell: LoadedShell, *, hinged: bool
+) -> Iterable[str]:
     kilograms = conversion("m", unit)
     yield "*HEADING"
     yield _plain(document.title)
@@ -169,7 +125,7 @@ def _head(document: Document, unit: str, names: Sequence[str], ties: Integers) -
             f"Units: {unit}, N, s; masses in {kilograms:g} kg, so that N = mass times {unit}/s2.",
             "z is up. Nodes at the corners of cells are those of orishell's analysis.",
             "This is not all that orishell analyses:",
-            "- creases are rigid: panels share their rotations there;",
+            HINGED if hinged else RIGID_CREASES,
             "- supports and ties hold both ways, feet on the ground are pinned: look at signs;",
             "- where supports let the shell move as a whole some nodes are held, and bear nothing;",
             "- flaps are left out, but for their weight among the loads;",
@@ -179,35 +135,66 @@ def _head(document: Document, unit: str, names: Sequence[str], ties: Integers) -
             "- boards with a grain are as stiff one way as the other, and stiffer in shear;",
             "- cores of sandwich boards do not shear: where there are some, this shell is stiffer;",
             "- frequencies are those of the shell without loads, and with every tie.",
-            *TIED * bool(len(ties)),
+            *TIED * bool(len(shell.ties)),
+            *MISSED * (shell.gussets is not None),
             "Steps: every case of loads; natural frequencies; buckling under every case.",
             *(f"Case {number}: {_plain(name)}" for number, name in enumerate(names, 1)),
         )
     )
 
 
-def _mesh(deck: _Deck, points: Array) -> Iterable[str]:
+def _elements(mesh: QuadraticMesh, points: Array) -> Iterable[str]:
     yield "*NODE,NSET=ALL"
     yield from (f"{k},{_numbers(point)}" for k, point in enumerate(points.tolist(), 1))
     yield "*NSET,NSET=SHELL,GENERATE"
-    yield f"1,{deck.own},1"
-    yield "*ELEMENT,TYPE=S8R,ELSET=PANELS"
-    yield from (
-        ",".join(map(str, (k, *nodes))) for k, nodes in enumerate((deck.cells + 1).tolist(), 1)
-    )
+    yield f"1,{mesh.own},1"
+    first = 1
+    for kind, name, nodes in (
+        ("S8R", "PANELS", mesh.quads[: mesh.panels]),
+        ("S8R", "GUSSETS", mesh.quads[mesh.panels :]),
+        ("S6", "GUSSETS", mesh.triangles),
+    ):
+        if len(nodes):
+            yield f"*ELEMENT,TYPE={kind},ELSET={name}"
+        yield from (",".join(map(str, row)) for row in _numbered(nodes + 1, first))
+        first += len(nodes)
 
 
-def _sections(deck: _Deck, poisson: float, metres: float) -> Iterable[str]:
-    for number, (thickness, modulus, density) in enumerate(deck.sections.tolist(), 1):
-        yield f"*ELSET,ELSET=SECTION{number}"
-        yield from map(str, (np.flatnonzero(deck.section == number - 1) + 1).tolist())
-        yield f"*MATERIAL,NAME=PANEL{number}"
+def _numbered(rows: Integers, first: int) -> Iterable[tuple[int, ...]]:
+    return ((number, *row) for number, row in enumerate(rows.tolist(), first))
+
+
+def _sections(mesh: QuadraticMesh, metres: float) -> Iterable[str]:
+    for each in mesh.sections:
+        material = each.name.replace("SECTION", "PANEL")
+        yield f"*ELSET,ELSET={each.name}"
+        yield from map(str, (each.elements + 1).tolist())
+        yield f"*MATERIAL,NAME={material}"
         yield "*ELASTIC"
-        yield _numbers([modulus, poisson])
+        yield _numbers([each.modulus, each.poisson])
         yield "*DENSITY"
-        yield _numbers([density * metres])
-        yield f"*SHELL SECTION,ELSET=SECTION{number},MATERIAL=PANEL{number}"
-        yield _numbers([thickness])
+        yield _numbers([each.density * metres])
+        yield f"*SHELL SECTION,ELSET={each.name},MATERIAL={material}"
+        yield _numbers([each.thickness])
+
+
+def _together(mesh: QuadraticMesh) -> Iterable[str]:
+    """Equations that give nodes at one place one displacement."""
+    if len(mesh.together):
+        yield "*EQUATION"
+    for first, other in (mesh.together + 1).tolist():
+        for axis in (1, 2, 3):
+            yield "2"
+            yield f"{other},{axis},1.,{first},{axis},-1."
+
+
+def _held(shell: LoadedShell, mesh: QuadraticMesh) -> Iterable[str]:
+    """Supports: displacements once for all nodes at a place, rotations of every panel there."""
+    every = np.concatenate([shell.restrained, _kept_still(shell)])
+    yield "*BOUNDARY"
+    for (node, axis), panels in zip(every.tolist(), mesh.of_panels(every[:, 0]), strict=True):
+        for each in [node] if axis < 3 else panels.tolist():
+            yield f"{each + 1},{axis + 1},{axis + 1}"
 
 
 def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:

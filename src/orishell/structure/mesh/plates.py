@@ -36,12 +36,6 @@ class Plates:
     added: Added  # the dofs that only they have
 
     @property
-    def corners(self) -> Integers:
-        """Nodes (G, 3) of the sheet at corners: the vertex, and the ends above and below."""
-        own = self.nodes.reshape(self.own.nodes.shape)
-        return np.asarray(own[:, [0, -1, 0], [0, 0, -1]])
-
-    @property
     def turns(self) -> Integers:
         """Dofs (R, 3) of their rotations in the whole."""
         return np.asarray(self.dofs[3 * self.own.node_count :].reshape(-1, 3))
