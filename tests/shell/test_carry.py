@@ -160,6 +160,32 @@ def test_steps_propose_what_a_file_lacks(tmp_path: Path, weak: tuple[DesignFile,
     assert not list(carry_steps.stronger_lines(file, begun))
 
 
+def test_every_step_is_proposed_in_the_order_of_a_builder(
+    weak: tuple[DesignFile, Analysis],
+) -> None:
+    """To pinned feet of whose crease lines nothing is known; rails and ballast are for others."""
+    file, begun = weak
+    bare = file.tried({"structure.line_strength": None})
+    steps = dict.fromkeys(carry_steps.BUILDER)
+    proposed = [step for step in steps if list(step(bare, begun))]
+    others = {carry_feet.base_rail, carry_feet.more_ballast, carry_feet.anchored}
+    assert set(proposed) == set(steps) - others
+    places = [list(steps).index(each) for each in (
+        carry_feet.held_edges,
+        carry_feet.base_rail,
+        carry_steps.ties_across_folds,
+        carry_steps.flaps,
+        carry_boards.thicker,
+        carry_boards.other_materials,
+        carry_steps.gussets,
+        carry_steps.whole_boards,
+        carry_steps.more_rows,
+        carry_steps.deeper_waves,
+        carry_steps.locked_creases,
+    )]  # fmt: skip
+    assert places == sorted(places)
+
+
 def test_thicker_panels_weigh_more_where_the_file_says_what_they_weigh(
     tmp_path: Path, weak: tuple[DesignFile, Analysis]
 ) -> None:
