@@ -24,6 +24,7 @@ def picture(
     *,
     flap: float = 0.3,
     hinged: float | None = None,
+    gussets: bool = False,
 ) -> np.ndarray:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1),
@@ -38,8 +39,15 @@ def picture(
         last="Locked",
         unit="m",
         hinges=IN_CREASES if hinged is None else at_height(design.mechanism, hinged),
+        gussets=[in_a_fold(design.mechanism)] if gussets else [],
     )
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
+
+
+def in_a_fold(mechanism: Mechanism) -> np.ndarray:
+    """Corners (1, 4, 3) of a gusset at a vertex, along all of the edges of its column."""
+    above, vertex, below = mechanism.positions(mechanism.target_drive)[1:4, 1]
+    return np.array([[vertex, above, 0.5 * (above + below), below]])
 
 
 def at_height(mechanism: Mechanism, height: float) -> Hinges:
@@ -72,6 +80,16 @@ def test_colours_are_there(tmp_path: Path, rows: int, columns: int) -> None:
     }.items():
         assert share_of(pixels, colour) > 1e-4, name
     assert 0.3 < share_of(pixels, (255, 255, 255)) < 0.97
+
+
+def test_gussets_are_drawn_at_the_target_only(tmp_path: Path) -> None:
+    """One in a fold: of four quarters and the states below them it is in the upper right one."""
+    path = tmp_path / "overview.png"
+    bare, held = (picture(path, 3, 3, "x**2/60", flap=0, gussets=each) for each in (False, True))
+    rows, columns = np.nonzero((bare != held).any(axis=-1))
+    assert len(rows) > 100
+    assert columns.min() > 1300
+    assert rows.max() < 0.7 * len(bare)
 
 
 def test_whole_boards_are_drawn_where_they_are(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -76,6 +76,7 @@ def plot_overview(
     hinge: HingeSection | None = None,
     beside: OffsetSection | None = None,
     hinges: HingeLines = IN_CREASES,
+    gussets: Sequence[Array] = (),
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -99,6 +100,8 @@ def plot_overview(
         A section with the surfaces that crests and valleys should follow, to draw below all.
     hinges
         Those of whole boards, which are drawn where they are: beside the panels of the sheet.
+    gussets
+        Corners (1, 4, 3) of each gusset at the target, where it is drawn.
     """
     target = motion.mechanism.target_drive
     mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
@@ -137,7 +140,7 @@ def plot_overview(
     size = np.ptp(points, axis=0)
     set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
-    _draw_shell(shell, shown_panels, camera, WIDTH / 2)
+    _draw_shell(shell, np.concatenate([shown_panels, *gussets]), camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
     drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
     sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))

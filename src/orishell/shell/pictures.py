@@ -91,6 +91,7 @@ def draw_pictures(
         hinge=hinge,
         beside=_offset_section(design),
         hinges=document.hinges,
+        gussets=[part.shell.positions[part.mesh.faces] for part in design.plates],
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
