@@ -19,11 +19,12 @@ from orishell.families.flat_foldable.named import graded_net
 from orishell.locking import lock_without_clash
 from orishell.locking.boxes import NARROWEST, BoxPlace, with_boxes
 from orishell.motion.complex import Complex
-from orishell.motion.layout import points_of
+from orishell.motion.layout import has_flaps, points_of
 from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.shell.make import Shell
 from overlaps import NOTHING
+from rigid_rank import freedoms_of_complex
 from samples import THOROUGH
 from stiffened import bodies, common, random_design, shell_of
 
@@ -40,6 +41,7 @@ def boxed(number: int) -> tuple[Tables, Shell | DesignError]:
             "kind": "boxes",
             "rows": str(draw.choice(["valleys", "crests", "all"])),
             "share": "auto" if draw.integers(2) else round(float(draw.uniform(0.2, 0.95)), 3),
+            "columns": ["all", 2, "none"][draw.integers(3)],
         }
         design["motion"] = {"frames": STATES if THOROUGH else FEW}
         if design.get("deployment", {}).get("flap_attachment") == "clipped":
@@ -81,6 +83,31 @@ def test_nothing_meets_where_the_motion_is_proved(number: int) -> None:
         assert max(common(names, found, "box").values(), default=0.0) < NOTHING * total
         looked += 1
     assert looked
+    if shell.report.deployment.plates:
+        require_plates(shell)
+
+
+def require_plates(shell: Shell) -> None:
+    """Plates have no volume in common with anything, and hold what they are said to hold."""
+    names, found = bodies(shell.document)
+    total = sum(each.volume() for each in found)
+    assert max(common(names, found, "plate").values(), default=0.0) < NOTHING * total
+    whole = shell.design.moving
+    assert isinstance(whole, Complex)
+    rows = [sleeve.row for sleeve in whole.sleeves]
+    at = [
+        each.split(" ")[1].split(",") for part in shell.design.attached for each in part.names
+        if part.kind == "plate"
+    ]  # fmt: skip
+    plates = [(rows.index(int(r)), int(c) - whole.sleeves[0].columns.start) for r, c in at]
+    assert len(plates) == shell.report.deployment.plates
+    target = whole.target_drive
+    if has_flaps(whole.sheet):
+        return  # creases of flaps that are shut do not turn to first order
+    together = freedoms_of_complex(whole, target, plates)
+    assert (together == 0) == (shell.design.fixed_by is not None)
+    if shell.design.fixed_by == "any":
+        assert not any(freedoms_of_complex(whole, target, [each]) for each in plates[::5])
 
 
 def require_offers(design: Tables, error: DesignError) -> None:

@@ -407,11 +407,13 @@ export interface DeploymentReport {
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
-  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | "gussets" | null;
+  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "unproved" | "clipped flaps" | "gussets" | "plates" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does, or if it is not known to keep all motions of a sheet from it that has several. */
-  opening: "ties" | "gussets" | null;
-  /** How many are clipped into its folds at the target. */
+  opening: "ties" | "gussets" | "plates" | null;
+  /** How many gussets are clipped into its folds at the target, and plates into its box girders. */
   gussets: number;
+  /** How many gussets are clipped into its folds at the target, and plates into its box girders. */
+  plates: number;
   /** Whether any one of them alone, or all together, keep it from both, in all of its motions; None if that is not known. */
   fixed_by: "any" | "all" | null;
   /** The state that packs smallest, of the largest piece where there are pieces; None if that was not asked for. */

@@ -42,9 +42,11 @@ class DeploymentReport:
     end_drive: Angle  # as far as it closes, proved if its path was examined
     # what keeps it from closing, and from opening, beyond its target; None if nothing does, or if
     # it is not known to keep all motions of a sheet from it that has several
-    closing: Cause | Literal["clipped flaps", "gussets"] | None
-    opening: Literal["ties", "gussets"] | None
-    gussets: int  # how many are clipped into its folds at the target
+    closing: Cause | Literal["clipped flaps", "gussets", "plates"] | None
+    opening: Literal["ties", "gussets", "plates"] | None
+    # how many gussets are clipped into its folds at the target, and plates into its box girders
+    gussets: int
+    plates: int
     # whether any one of them alone, or all together, keep it from both, in all of its motions; None
     # if that is not known
     fixed_by: Fixing | None
@@ -81,15 +83,18 @@ def describe_deployment(
     # Where the proof ends nothing is known to hold it.
     ends = lock.closes_to <= lock.target_drive and lock.cause != "unproved"
     caught = lock.cause if ends else None
-    closing: Cause | Literal["clipped flaps", "gussets"] | None
+    closing: Cause | Literal["clipped flaps", "gussets", "plates"] | None
     closing = "clipped flaps" if clipped else caught
     if not freedom.one_motion:
         ties = tuple(replace(tie, slack=None if tie.slack else tie.slack) for tie in ties)
         if design.clipped is None or not held_by_flaps(design.clipped):
             closing = None
-    opening: Literal["ties", "gussets"] | None = "ties" if ties and freedom.one_motion else None
+    opening: Literal["ties", "gussets", "plates"] | None = (
+        "ties" if ties and freedom.one_motion else None
+    )
     if design.fixed_by is not None:
-        closing, opening = closing or "gussets", opening or "gussets"
+        by: Literal["gussets", "plates"] = "plates" if design.boxes else "gussets"
+        closing, opening = closing or by, opening or by
     return DeploymentReport(
         start=start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
@@ -100,6 +105,7 @@ def describe_deployment(
         closing=closing,
         opening=opening,
         gussets=len(design.plates),
+        plates=sum(part.kind == "plate" for part in design.attached),
         fixed_by=design.fixed_by,
         packed=None,
         pieces=(),

@@ -83,6 +83,8 @@ class Part:
     named: Mapping[str, int] = field(default_factory=dict)
     # names of the panels; empty if they are called by row and column, or by their numbers
     names: tuple[str, ...] = field(default=(), repr=False)
+    # names of states in which it is not there, although it moves along with the sheet
+    away_in: frozenset[str] = frozenset()
     # what panels are made of; None if they have no thickness
     panel: PanelSpec | None = field(default=None, repr=False)
     # what its boards are made of, by the name of a material, if that is not what the sheet's are

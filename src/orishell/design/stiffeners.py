@@ -58,12 +58,13 @@ class Stiffeners(Table):
 
     Boxes close rows of the sheet to box girders by two more strips of panels, which hang on its
     panels along lines that cut edges of columns at ``share`` of them at the most, and move with it.
-    ``share`` "auto" is as much as leaves the motion free.
+    ``share`` "auto" is as much as leaves the motion free. In ``columns``, which may be "none",
+    plates are clipped across the boxes once the shell stands.
     """
 
     kind: Literal["gussets", "boxes"]
     rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"
-    columns: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
+    columns: Literal["all", "none"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
     share: Annotated[Number, Field(gt=0, lt=1)] | Literal["auto"] = 0.9
     thickness: Length | None = None
     material: str | None = None

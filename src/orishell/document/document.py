@@ -120,7 +120,8 @@ class Document(Part):
         found: list[tuple[Part, DocumentState]] = [(self.sheet, state)]
         for part in self.attached:
             if self.moves(part):
-                found.append((part, part.state(which)))
+                if not names & part.away_in:
+                    found.append((part, part.state(which)))
             elif own := names & part.named.keys():
                 found.append((part, part.state(own.pop())))
         return tuple(found)

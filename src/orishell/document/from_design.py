@@ -13,6 +13,7 @@ from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
+from orishell.design.part import FLAT
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
@@ -119,7 +120,8 @@ def _sleeve(box: Box, motion: FoldingMotion, unit: str, panel: PanelSpec | None)
         names=box.names,
         panel=panel,
         boards=box.boards,
-        kind="box",
+        away_in=frozenset({FLAT}),
+        kind="girder",
         borne_at=near,
     )
 

@@ -36,10 +36,24 @@ def fold_rows(
                 remedy='rows = "all", or name rows of vertices, as in rows = [1, 3]',
             )
         return rows
-    return named("row", asked, inner, what)
+    return _named("row", asked, inner, what)
 
 
-def named(line: str, numbers: tuple[int, ...], there: range, what: str) -> list[int]:
+def fold_columns(
+    asked: Literal["all", "none"] | int | tuple[int, ...], there: range, what: str
+) -> list[int]:
+    """The columns of vertices that are asked for: all, every so many with the last, or a list.
+
+    Raises InputError if there is none, or one is not there.
+    """
+    if asked == "all":
+        return list(there)
+    if isinstance(asked, int):
+        return sorted({*there[::asked], *there[-1:]})
+    return _named("column", () if isinstance(asked, str) else asked, there, what)
+
+
+def _named(line: str, numbers: tuple[int, ...], there: range, what: str) -> list[int]:
     """Rows or columns by their numbers, each once.
 
     Raises InputError if there is none, or one is not there.

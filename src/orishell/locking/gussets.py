@@ -20,7 +20,7 @@ from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.design.design import Fixing, warn_of_no_lock
 from orishell.design.stiffeners import Bolts, Stiffeners
-from orishell.locking.fold_rows import fold_rows, named
+from orishell.locking.fold_rows import fold_columns, fold_rows
 from orishell.locking.result import Lock
 from orishell.locking.sheet import Sheet
 from orishell.motion import diagonal
@@ -62,7 +62,7 @@ def with_gussets(
         return design
     _require_creases(design)
     at = _places(design, asked)
-    _require_folds(design, at)
+    require_folds(design, at)
     place = Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
     build = None if design.panel is None else asked.made_of(design.panel, density)
     share = _largest(place, build) if asked.share == "auto" else asked.share
@@ -82,7 +82,7 @@ def with_gussets(
         )
     _require_bolts(found, asked.bolts)
     parts = gusset_parts(design, found, place.levels, asked.material or "", asked.bolts)
-    fixed_by, bare = _fixed_by(design, at), warn_of_no_lock(0.0)
+    fixed_by, bare = held_by_plates(design, at), warn_of_no_lock(0.0)
     warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
     return replace(
         design, attached=(*design.attached, *parts), fixed_by=fixed_by, warnings=warnings
@@ -109,8 +109,8 @@ def _require_bolts(found: Gussets, bolts: Bolts | None) -> None:
         )
 
 
-def _fixed_by(design: Design, at: Integers) -> Fixing | None:
-    """Whether gussets at vertices (G, 2) keep the whole sheet still.
+def held_by_plates(design: Design, at: Integers) -> Fixing | None:
+    """Whether gussets, or plates of boxes, at vertices (G, 2) keep the whole sheet still.
 
     A gusset keeps the angle between two edges of the column. With it about its vertex there are two
     triangles on a sphere whose three sides are fixed, so that no crease there turns: at a vertex on
@@ -149,16 +149,11 @@ def _places(design: Design, asked: Stiffeners) -> Integers:
             remedy="flap = 0, or more columns",
         )
     rows = fold_rows(mechanism, asked.rows, inner, "gusset")
-    if asked.columns == "all":
-        chosen = list(columns)
-    elif isinstance(asked.columns, int):
-        chosen = sorted({*columns[:: asked.columns], *columns[-1:]})
-    else:
-        chosen = named("column", asked.columns, columns, "gusset")
+    chosen = fold_columns(asked.columns, columns, "gusset")
     return np.array([(row, column) for row in rows for column in chosen], np.int64).reshape(-1, 2)
 
 
-def _require_folds(design: Design, at: Integers) -> None:
+def require_folds(design: Design, at: Integers) -> None:
     """Refuse gussets at vertices where the creases of the row do not fold, or are shut."""
     mechanism = design.mechanism
     folds = np.sin(mechanism.fold_angles(mechanism.target_drive).row)

@@ -14,6 +14,7 @@ from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
 from orishell.locking import Lock, end_motion, lock_without_clash, require_pack
+from orishell.locking.box_plates import with_box_plates
 from orishell.locking.boxes import with_boxes
 from orishell.locking.gussets import with_gussets
 from orishell.motion import FoldingMotion
@@ -73,6 +74,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     feet = find_feet(design)
     if file.ground == "z0":
         design, feet = stand(design, feet)
+    design = with_box_plates(design, lock, file.stiffeners, file.contact_tolerance)
     design = with_gussets(design, lock, file.stiffeners, file.contact_tolerance, file.plate_density)
     site = find_site(
         design,

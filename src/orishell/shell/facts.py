@@ -88,6 +88,7 @@ def find_facts(found: Candidate, work: Work) -> Facts:
         CONTACT: work.clash == "unexamined",
         "how clipped flaps are brought to their place": design.clipped is not None,
         "how gussets are brought to their place": bool(design.plates),
+        "how plates are brought into boxes": any(part.kind == "plate" for part in design.attached),
         "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),

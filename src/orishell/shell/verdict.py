@@ -10,6 +10,7 @@ from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
+from orishell.deployment.report import DeploymentReport
 from orishell.deployment.verdict import ground_rows, weight_rows
 from orishell.design.design import Fixing
 from orishell.deviation.report import surface_rows
@@ -35,6 +36,7 @@ CLOSING = {
     "flaps": "its flaps stop it closing",
     "clipped flaps": "flaps clipped on stop it closing",
     "gussets": "gussets stop it closing",
+    "plates": "plates in its box girders stop it closing",
     "crease": "a crease folded flat stops it closing",
     "clash": "panels that meet stop it closing",
     "hinges": "its hinges stop it closing",
@@ -188,7 +190,7 @@ def _locks(report: Report) -> Iterator[Row]:
         yield Row("fails", "locks", f"no: {panels} meet when flaps are clipped on {where}")
         return
     if held.fixed_by is not None:
-        yield Row("holds", "locks", f"{where}: {_fixed(held.gussets, held.fixed_by)}")
+        yield Row("holds", "locks", f"{where}: {_fixed(held, held.fixed_by)}")
         return
     slack = sum(tie.slack is True for tie in held.ties)
     known = "all" if slack == len(held.ties) else str(slack)
@@ -218,12 +220,13 @@ def _locks(report: Report) -> Iterator[Row]:
     yield Row(sign, subject, f"{where}: {text}")
 
 
-def _fixed(gussets: int, by: Fixing) -> str:
-    """What gussets do that keep the whole shell still."""
-    if gussets == 1:
-        return "a gusset stops it closing and opening"
+def _fixed(held: DeploymentReport, by: Fixing) -> str:
+    """What gussets, or plates in box girders, do that keep the whole shell still."""
+    count, what = (held.gussets, "gusset") if held.gussets else (held.plates, "plate")
+    if count == 1:
+        return f"a {what} stops it closing and opening"
     each = "each of them by itself" if by == "any" else "all of them together"
-    return f"{gussets} gussets stop it closing and opening, {each}"
+    return f"{count} {what}s stop it closing and opening, {each}"
 
 
 def _packs(report: Report, *, said: bool) -> Iterator[Row]:

@@ -91,11 +91,7 @@ class Gussets:
 
     def lying(self) -> Array:
         """Corners (G, 4, 2) of each in its own plane, its vertex in the origin."""
-        away = self.corners - self.corners[:, :1]
-        along = _unit(away[:, 1])
-        upright = away[:, 3] - (away[:, 3] * along).sum(axis=1, keepdims=True) * along
-        axes = np.stack([along, _unit(upright)], axis=1)
-        return np.asarray(np.einsum("gcx,gkx->gck", away, axes))
+        return lying(self.corners)
 
     def cut(self) -> Array:
         """Corners (G, 3, 2) of plates in their own planes, off the edges that they stand beside.
@@ -175,26 +171,45 @@ class Gussets:
 
         levels: At how many heights boards have outlines.
         """
-        build = self.build
-        assert build is not None
-        half, inner = build.height, 0.5 * build.membrane
-        layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
-        low, high = np.transpose(list(layers.values()))
-        heights = np.linspace(low, high, levels, axis=1)
-        shape = len(self), len(layers), levels, 3
-        outline = (self.cut() + flat[:, None])[:, None, None]
-        outlines = np.concatenate(
-            [
-                np.broadcast_to(outline, (*shape, 2)),
-                np.broadcast_to(heights[..., None, None], (*shape, 1)),
-            ],
-            axis=-1,
-        )
-        return Boards(
-            np.repeat(np.arange(len(self)), len(layers)),
-            np.tile(np.array(list(layers)), len(self)),
-            outlines.reshape(-1, levels, 3, 3),
-        )
+        assert self.build is not None
+        return upright_boards(self.cut() + flat[:, None], self.build, levels)
+
+
+def lying(corners: Array) -> Array:
+    """Corners (G, K, 2) of plane plates (G, K, 3), each in its own plane.
+
+    The first corner is the origin, the second is on the x axis, and y goes up to the last.
+    """
+    away = corners - corners[:, :1]
+    along = _unit(away[:, 1])
+    upright = away[:, -1] - (away[:, -1] * along).sum(axis=1, keepdims=True) * along
+    axes = np.stack([along, _unit(upright)], axis=1)
+    return np.asarray(np.einsum("gcx,gkx->gck", away, axes))
+
+
+def upright_boards(cut: Array, build: PanelSpec, levels: int) -> Boards:
+    """Boards of plates (G, K, 2) that are cut square: one to each, or two on a membrane.
+
+    levels: At how many heights boards have outlines.
+    """
+    half, inner = build.height, 0.5 * build.membrane
+    layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
+    low, high = np.transpose(list(layers.values()))
+    heights = np.linspace(low, high, levels, axis=1)
+    count, corners = cut.shape[:2]
+    shape = count, len(layers), levels, corners
+    outlines = np.concatenate(
+        [
+            np.broadcast_to(cut[:, None, None], (*shape, 2)),
+            np.broadcast_to(heights[..., None, None], (*shape, 1)),
+        ],
+        axis=-1,
+    )
+    return Boards(
+        np.repeat(np.arange(count), len(layers)),
+        np.tile(np.array(list(layers)), count),
+        outlines.reshape(-1, levels, corners, 3),
+    )
 
 
 def angle_about(along: Array, one: Array, other: Array) -> Array:

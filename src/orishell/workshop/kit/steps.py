@@ -103,6 +103,8 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         standing = "taut"  # they are fixed before
     tie = [] if not facts.ties else [_tie(document, facts)]
     mark = [] if document.ground is None else [_mark_out(document, document.ground)]
+    moving = {part.kind for part in document.attached if document.moves(part)}
+    yield from _fitted(document, moving, middle_state(document, FLAT))
     if facts.starts_packed:
         yield Step("fold_pack" if piece is None else "fold_pieces", said, "pack", piece)
         if facts.ties_early:
@@ -124,18 +126,26 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         yield Step("fold", said, middle_state(document, FLAT), check=standing, more=several)
     if not facts.ties_early:
         yield from tie
+    others = {part.kind for part in document.attached} - moving
+    yield from _fitted(document, others, SHELL)
+    if facts.feet and not facts.model:
+        check = "apart" if facts.apart is not None else ""
+        values = {**said, "feet": plain(facts.feet)}
+        yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
+
+
+def _fitted(document: Document, kinds: set[str], state: int | str) -> Iterator[Step]:
+    """Steps that fit parts of some kinds, in the order in which they come."""
     for kind in dict.fromkeys(part.kind for part in document.attached):
+        if kind not in kinds:
+            continue
         mine = [part for part in document.attached if part.kind == kind]
         panels = sum(len(part.mesh.faces) for part in mine)
         values = {f"{kind}s": plain(len(mine)), "panels": plain(panels)}
         drilled = [len(part.holes) for part in mine if part.holes is not None]
         values["brackets"] = plain(sum(drilled))
         name, check = CLIPPED.get(kind, (f"{'bolt' if drilled else 'fit'}_{kind}", ""))
-        yield Step(name, values, SHELL, check=check)
-    if facts.feet and not facts.model:
-        check = "apart" if facts.apart is not None else ""
-        values = {**said, "feet": plain(facts.feet)}
-        yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
+        yield Step(name, values, state, check=check)
 
 
 CLIPPED = {"flap": ("clip", "all_shut")}
