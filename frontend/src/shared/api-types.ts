@@ -8,6 +8,21 @@ export interface Advance {
   what: string;
 }
 
+/** Air in box girders, on the way between where they are joined and the pack. */
+export interface Air {
+  drives_deg: number[];
+  /** What boxes hold there (cubic metres). */
+  volumes: number[];
+  /** The pressure that balances own weight there (Pa), negative where the shell goes on by itself; None where volume does not change, or the mass is not known. */
+  pressures: (number | null)[];
+  /** What they hold at the target (cubic metres). */
+  at_target: number;
+  /** Where they hold most, and air comes to rest. */
+  rest_deg: number;
+  /** As far as a fan lifts the shell from its pack, towards where air comes to rest; None if that is not known, or the shell is folded up from flat. */
+  fan_to_deg: number | null;
+}
+
 /** The shell as a structure. */
 export interface Analysis {
   /** Whether it carries all cases; None if that is not known. */
@@ -424,6 +439,8 @@ export interface DeploymentReport {
   ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
   weight: OwnWeight | null;
+  /** Air in its box girders; None if there are none, or that was not asked for. */
+  air: Air | null;
   /** Its feet in plan, and the ground that it needs on its way; None likewise. */
   ground: GroundPlan | null;
   /** What it takes to raise it by hand; None likewise, or where it is opened in pieces. */

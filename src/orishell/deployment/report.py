@@ -9,6 +9,7 @@ import numpy as np
 
 from orishell.conventions.quantities import GRAVITY
 from orishell.conventions.record import Angle, record
+from orishell.deployment.air import Air, find_air
 from orishell.deployment.ground import plan_ground
 from orishell.deployment.pack import PACKS, Pack, find_pack, find_packs
 from orishell.deployment.raising import Raising, find_raising
@@ -21,6 +22,7 @@ from orishell.design.design import Fixing
 from orishell.document import Document
 from orishell.document.ground import GroundPlan
 from orishell.locking import Cause, Lock
+from orishell.motion.complex import Complex
 from orishell.motion.freedom import FreedomOfSheet, held_by_flaps
 from orishell.motion.layout import has_flaps
 from orishell.numerics.equals import largest_of
@@ -57,6 +59,7 @@ class DeploymentReport:
     ties: tuple[Tie, ...]  # its ties
     # what its own weight does; None if it does not stand, or that was not asked for
     weight: OwnWeight | None
+    air: Air | None  # air in its box girders; None if there are none, or that was not asked for
     # its feet in plan, and the ground that it needs on its way; None likewise
     ground: GroundPlan | None
     # what it takes to raise it by hand; None likewise, or where it is opened in pieces
@@ -111,6 +114,7 @@ def describe_deployment(
         pieces=(),
         ties=ties,
         weight=None,
+        air=None,
         ground=None,
         raising=None,
     )
@@ -128,12 +132,14 @@ def with_measures(
     """The report with what is asked for of pack with largest thickness, and of own weight."""
     end = max(lock.closes_to, lock.target_drive)
     packs = _packs(design, lock, report.thickness) if packed else ()
+    weight = _weight(design, site, end) if weighed else None
     return replace(
         report,
         largest_thickness=_largest_thickness(design) if packed else None,
         packed=largest_of(packs, lambda each: each.box.volume) if packs else None,
         pieces=packs if len(packs) > 1 else (),
-        weight=_weight(design, site, end) if weighed else None,
+        weight=weight,
+        air=None if weight is None else _air(design, lock, site, weight, report.start),
     )
 
 
@@ -165,6 +171,22 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
         pack=pack,
         columns=site.feet.columns(design.mechanism),
         hinges=design.hinges,
+    )
+
+
+def _air(design: Design, lock: Lock, site: Site, weight: OwnWeight, start: Start) -> Air | None:
+    """Air in box girders, between where they are joined and the pack; None if there are none."""
+    whole = design.moving
+    if lock.boxes is None or not isinstance(whole, Complex):
+        return None
+    return find_air(
+        whole,
+        weight.drives,
+        weight.energy,
+        (lock.boxes.joined_from, lock.closes_to),
+        metres=site.metres,
+        weighed=weight.force_unit == "N",
+        from_pack=start == "pack",
     )
 
 

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from orishell.conventions.quantities import plain, size
 from orishell.conventions.row import Row
+from orishell.deployment.air import FAN
 from orishell.deployment.report import DeploymentReport
 
 
@@ -23,6 +26,20 @@ def weight_rows(deployment: DeploymentReport) -> Iterator[Row]:
     work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
     raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
     yield Row("says", "weight", f"{total}{does} with {thrust}; {raises}")
+
+
+def air_rows(deployment: DeploymentReport) -> Iterator[Row]:
+    """What box girders hold, where air in them comes to rest, and what a fan lifts."""
+    air = deployment.air
+    if air is None:
+        return
+    rest = f"{np.rad2deg(air.rest):.4g} degrees"
+    most = f"{plain(air.at_target, 3)} m3 at the target, most, {plain(max(air.volumes), 3)} m3, at"
+    lifts = ""
+    if air.fan_to is not None and air.fan_to < air.drives[-1]:
+        lifts = f"; a fan of {plain(FAN)} Pa lifts it from the pack to "
+        lifts += f"{np.rad2deg(air.fan_to):.4g} degrees"
+    yield Row("says", "air", f"{most} {rest}, where air rests if ends of boxes are closed{lifts}")
 
 
 def ground_rows(deployment: DeploymentReport, people: int | None, unit: str) -> Iterator[Row]:

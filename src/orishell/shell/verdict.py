@@ -11,7 +11,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
-from orishell.deployment.verdict import ground_rows, weight_rows
+from orishell.deployment.verdict import air_rows, ground_rows, weight_rows
 from orishell.design.design import Fixing
 from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
@@ -79,6 +79,7 @@ def find_verdict(
         *(() if report.fitted is None else report.fitted.rows(report.unit)),
         *_sizes(report),
         *of_one_motion(report, weight_rows(report.deployment)),
+        *of_one_motion(report, air_rows(report.deployment)),
         *of_one_motion(report, () if report.cutting is None else report.cutting.rows(report.unit)),
         *of_one_motion(
             report, ground_rows(report.deployment, report.quantities.carried_by, report.unit)
