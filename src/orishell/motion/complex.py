@@ -18,7 +18,7 @@ from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import Layout
 from orishell.motion.mechanism import Mechanism, mechanism_in_one_line
-from orishell.motion.sleeves import Q, R, Sleeve
+from orishell.motion.sleeves import Q, R, Sleeve, W
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -96,8 +96,47 @@ class Complex:
     def points(self, drive: ArrayLike) -> Array:
         """Positions (..., V, 3) of all vertices, those of the sheet first."""
         points = self.sheet.positions(drive)
-        own = [points, *(each.carried(points) for each in self.sleeves)]
-        return np.concatenate([each.reshape(*each.shape[:-3], -1, 3) for each in own], axis=-2)
+        whole = points.reshape(*points.shape[:-3], -1, 3)
+        found = np.empty((*whole.shape[:-2], self.firsts[1][-1] + self._last, 3))
+        found[..., : whole.shape[-2], :] = whole
+        # Rows of x, and those above and below, of all sleeves over the same columns at once.
+        for columns, rows, above, below, places in self._carriers:
+            x = points[..., rows, columns, :]
+            up = above * (points[..., rows - 1, columns, :] - x)
+            down = below * (points[..., rows + 1, columns, :] - x)
+            found[..., places[Q], :] = x + up
+            found[..., places[W], :] = x + up + down
+            found[..., places[R], :] = x + down
+        return found
+
+    @cached_property
+    def _last(self) -> int:
+        """How many vertices the last part has."""
+        parts = (self.grid, *(each.grid for each in self.sleeves))
+        return parts[-1].vertex_count
+
+    @cached_property
+    def _carriers(self) -> list[tuple[slice, Integers, Array, Array, Integers]]:
+        """Sleeves over the same columns: these, rows (S,), shares (S, n, 1), numbers (3, S, n)."""
+        found = []
+        numbers = [
+            first + each.grid.vertices()
+            for first, each in zip(self.firsts[1][1:], self.sleeves, strict=True)
+        ]
+        for start, stop in dict.fromkeys((s.columns.start, s.columns.stop) for s in self.sleeves):
+            own = [
+                k
+                for k, s in enumerate(self.sleeves)
+                if (s.columns.start, s.columns.stop) == (start, stop)
+            ]
+            above, below = (
+                np.stack([getattr(self.sleeves[k], name) for k in own])[..., None]
+                for name in ("above", "below")
+            )
+            rows = np.array([self.sleeves[k].row for k in own])
+            places = np.stack([numbers[k] for k in own], axis=1)
+            found.append((slice(start, stop), rows, above, below, places))
+        return found
 
     @cached_property
     def firsts(self) -> tuple[Integers, Integers]:
