@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 PICTURES = Path(__file__).parents[2] / "frontend/src/studio/files/pictures"
-CARDS = ["shelter", "canopy", "tunnel", "dome", *FAMILIES]
+CARDS = ["shelter_snow", "shelter", "canopy", "tunnel", "dome", *FAMILIES]
 LARGEST = 20_000
 """Bytes of a picture."""
 

@@ -3,6 +3,7 @@
 import canopy from "../../../../examples/canopy.toml?raw";
 import dome from "../../../../examples/dome.toml?raw";
 import shelter from "../../../../examples/shelter.toml?raw";
+import snow from "../../../../examples/shelter_snow.toml?raw";
 import tunnel from "../../../../examples/tunnel.toml?raw";
 import type { Info } from "../state/types.ts";
 
@@ -21,6 +22,10 @@ export const FIRST: Example = {
   what: "3 m by 6 m with 2 m of headroom; it travels as a bundle, and ties hold its feet.",
 };
 const BUILT: Example[] = [
+  {
+    name: "shelter_snow", title: "Shelter for winter", text: snow,
+    what: "3 m by 6 m; it carries 1 kN/m² of snow and wind of 25 m/s on free hinges. Its 95 load cases take a while.",
+  },
   FIRST,
   { name: "canopy", title: "Canopy", text: canopy, what: "A ring of a roof about an open court." },
   { name: "tunnel", title: "Tunnel", text: tunnel, what: "A covered way round a bend, on level ground." },
