@@ -10,6 +10,7 @@ from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.nearest import DRIVES, FOLDS, Nearby, disagreement, find_nearby
 from orishell.families.drawn.sheet import drawn_sheet
 from orishell.families.drawn.signs import find_signs
+from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, crease_signs
 from orishell.numerics.arrays import Array
 
@@ -61,8 +62,13 @@ def decide(flat: Array, signs: CreaseValues, choice: int = 1) -> Decided | None:
 
 
 def end_of(sheet: DrawnSheet) -> float:
-    """The drive at which the motion of a sheet ends that folds exactly (radians)."""
-    return np.pi if disagreement(sheet.drive, np.array([np.pi])) < FOLDS else SHORT_OF_FLAT
+    """The drive at which the motion of a sheet ends that folds exactly (radians).
+
+    Short of 180 degrees where the folds there disagree, or one is beyond, as by rounding.
+    """
+    flat = np.array([np.pi])
+    agrees = disagreement(sheet.drive, flat) < FOLDS
+    return np.pi if agrees and largest_fold(sheet, flat)[0] <= np.pi + FOLDS else SHORT_OF_FLAT
 
 
 def nearby_as_drawn(flat: Array, signs: CreaseValues, sheet: DrawnSheet) -> Nearby | None:

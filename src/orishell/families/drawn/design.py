@@ -70,7 +70,7 @@ def design_drawn(drawing: Drawing, *, fold: float | None, move: float | None) ->
             "so that it folds exactly",
         )
     asked = np.pi if fold is None else drive_at_fold(sheet, fold)
-    sheet = replace(sheet, fold=min(asked, end))
+    sheet = replace(sheet, fold=min(asked, end), end=end)
     return _design(sheet, moved, warnings, open_ended=fold is None)
 
 

@@ -5,6 +5,7 @@ Not in the paper: docs/theory/vertex.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -40,6 +41,9 @@ class DrawnSheet(FlapFree):
     # panels beside it equally steep: a rotation vector (3,) (radians)
     turn: Array
     place: Array  # of the middle vertex (3,)
+    # how far its closed form goes: pi, where the crease that drives it is folded flat, or short of
+    # it where another one would be folded beyond, or lose its digits (radians)
+    end: float = np.pi
 
     __repr__ = mechanism_in_one_line
 
@@ -51,7 +55,7 @@ class DrawnSheet(FlapFree):
     @property
     def least_turning(self) -> DrawnSheet:
         """The sheet whose middle crease stays where it is."""
-        return DrawnSheet(self.flat, self.drive, self.fold, np.zeros(3), self.place)
+        return replace(self, turn=np.zeros(3))
 
     @property
     def target_drive(self) -> float:
@@ -60,8 +64,8 @@ class DrawnSheet(FlapFree):
 
     @property
     def end_drive(self) -> float:
-        """180 degrees: a crease is folded flat."""
-        return float(np.pi)
+        """180 degrees, where a crease is folded flat; or as far as its closed form goes."""
+        return self.end
 
     @property
     def _middle(self) -> tuple[int, int]:
