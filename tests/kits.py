@@ -38,9 +38,19 @@ _ARCH: Tables = {
     "stiffeners": {"kind": "gussets"},
     "workshop": {"stock": [2.44, 1.22], "spacing": 0.01},
 }
+BOXED, BOXED_ON_MEMBRANE = "boxed", "boxed_on_membrane"
+"""Three box girders and six plates: 24 solid boards and 24 of strips; or twice as many, glued on a
+membrane. Two seconds each."""
 _LAMINATED = {"construction": "sandwich", "thickness": 0.01, "membrane": 0.001}
+_BOXES = {"kind": "boxes", "share": "auto", "columns": 4}
 _STIFFENED = {
     STIFFENED: _ARCH,
+    BOXED: {**_ARCH, "stiffeners": _BOXES},
+    BOXED_ON_MEMBRANE: {
+        **_ARCH,
+        "panel": {**_LAMINATED, "density": 500, "membrane_density": 900},
+        "stiffeners": _BOXES,
+    },
     OF_STEEL: {
         **_ARCH,
         "panel": {**_LAMINATED, "density": 500, "membrane_density": 900},

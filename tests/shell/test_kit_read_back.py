@@ -12,6 +12,8 @@ from pypdf import PdfReader
 
 from cad_tools import require_build123d
 from kits import (
+    BOXED,
+    BOXED_ON_MEMBRANE,
     CARD_SHELL,
     OF_STEEL,
     STIFFENED,
@@ -31,7 +33,10 @@ from samples import thorough
 KITS = ["shelter", "shelter_boards", "shelter_hinged", "dome", "dome_locked", "tunnel"]
 KIT = pytest.mark.parametrize(
     "name",
-    [CARD_SHELL, STIFFENED, OF_STEEL, *(pytest.param(name, marks=thorough) for name in KITS)],
+    [
+        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE),
+        *(pytest.param(name, marks=thorough) for name in KITS),
+    ],
 )
 SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
 """What the booklet calls boards, and the tables their side."""
@@ -48,6 +53,7 @@ def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> N
     _require_boards(kit, counts)
     _require_fittings(kit, counts)
     _require_sheet(kit, counts)
+    _require_lines(kit, counts)
     ties = rows_of(kit / "ground/ties.csv")
     assert counts.get("Ties", 0) == len({row["tie"] for row in ties}) == len(ties)
     creases = rows_of(kit / "hinges/schedule.csv")
@@ -128,6 +134,21 @@ def _require_sheet(kit: Path, counts: dict[str, int]) -> None:
     assert numbers == dict.fromkeys(map(str, range(1, last + 1)), 1)
 
 
+def _require_lines(kit: Path, counts: dict[str, int]) -> None:
+    """As many lines as strips have panels, and each drawn once on a board with its name."""
+    lines = rows_of(kit / "hinges/lines.csv")
+    assert counts.get("Box girders", 0) == len({row["part"] for row in lines})
+    boards = rows_of(kit / "cut/boards.csv")
+    plates = {row["panel"] for row in boards if row["panel"].startswith("plate ")}
+    assert counts.get("Plates", 0) == len(plates)
+    assert len(lines) == len({row["panel"] for row in boards if row["panel"].startswith("box ")})
+    drawn = names_in((kit / "cut").glob("pattern-*.dxf"))
+    solid = {row["side"] for row in boards} == {"panel"}
+    letters = {"top": " T", "bottom": " B"} if solid else {"top": "", "bottom": ""}
+    named = Counter(row["part"] + letters[row["side"]] for row in lines)
+    assert {name: drawn[name] for name in named} == named
+
+
 @KIT
 def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
     shell = shell_of(name)
@@ -181,7 +202,11 @@ def test_gussets_of_steel_are_cut_and_weighed_apart(tmp_path: Path) -> None:
 
 @thorough
 @pytest.mark.parametrize(
-    "name", [CARD_SHELL, STIFFENED, OF_STEEL, "shelter_boards", "shelter_hinged", "dome"]
+    "name",
+    [
+        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE),
+        *("shelter_boards", "shelter_hinged", "dome"),
+    ],
 )
 def test_the_solids_of_step_are_the_parts_of_the_tables(name: str, tmp_path: Path) -> None:
     require_build123d()

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from orishell.conventions.record import record
+from orishell.design.hung import HungLines
+from orishell.motion import find_assignment
 from orishell.motion.boards import Boards
-from orishell.motion.sleeves import Sleeve
+from orishell.motion.layout import points_of
+from orishell.motion.sleeves import Q, R, Sleeve
 
 STRIPS = "upper", "lower"
 """Strips of a sleeve: hung on the panels above its row, and on those below."""
@@ -26,3 +31,23 @@ class Box:
         columns = range(self.sleeve.columns.start, self.sleeve.columns.stop - 1)
         row = self.sleeve.row
         return tuple(f"box {row} {strip} {column}" for strip in STRIPS for column in columns)
+
+    @property
+    def hung(self) -> HungLines:
+        """Both of its lines, on the side to which panels of its row fold together."""
+        sleeve, row = self.sleeve, self.sleeve.row
+        across, count = sleeve.whole.grid.columns, len(sleeve.above)
+        columns = np.arange(sleeve.columns.start, sleeve.columns.stop)
+        own = points_of(sleeve, 0.0)[:, :2].reshape(3, count, 2)[[Q, R]]
+        x = points_of(sleeve.whole, 0.0)[row * across + columns, :2]
+        away = np.linalg.norm(own - x, axis=-1)
+        panels = (np.array([[row - 1], [row]]) * (across - 1) + columns[:-1]).ravel()
+        # Its own crease folds to the other side than those that it is over.
+        side = -int(np.sign(find_assignment(sleeve).row[0, 0]))
+        return HungLines(
+            names=(f"box {row}",) * len(panels),
+            panels=panels,
+            sides=np.full(len(panels), side),
+            ends=np.stack([own[:, :-1], own[:, 1:]], axis=2).reshape(-1, 2, 2),
+            away=np.stack([away[:, :-1], away[:, 1:]], axis=2).reshape(-1, 2),
+        )

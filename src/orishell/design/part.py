@@ -15,6 +15,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.design.holes import Holes
+from orishell.design.hung import HungLines
 from orishell.design.panel import PanelSpec
 from orishell.design.stiffeners import Plate
 from orishell.motion.boards import Boards
@@ -93,6 +94,8 @@ class Part:
     boards: Boards | None = field(default=None, repr=False)
     # what is drilled through its boards; None if nothing is
     holes: Holes | None = field(default=None, repr=False)
+    # where it hangs on the sheet as that moves; None if it does not
+    hung: HungLines | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"
     kind: str = field(default="sheet", repr=False)
     # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself

@@ -121,6 +121,7 @@ def _sleeve(box: Box, motion: FoldingMotion, unit: str, panel: PanelSpec | None)
         panel=panel,
         boards=box.boards,
         away_in=frozenset({FLAT}),
+        hung=box.hung,
         kind="girder",
         borne_at=near,
     )

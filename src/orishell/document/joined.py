@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from orishell.design.holes import Holes
+from orishell.design.hung import HungLines
 from orishell.design.part import DocumentState, MadeStates, Part
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.mesh import build_mesh
@@ -68,6 +69,7 @@ def joined(
         names=tuple(p.panel_name(panel) for p in parts for panel in range(len(p.mesh.faces))),
         boards=_all_boards(parts, flats),
         holes=_all_holes(parts, flats),
+        hung=HungLines.joined(part.hung for part in parts),
     )
 
 

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.boards import SIDES
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop import Workshop
+from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars
 from orishell.workshop.order import cut_hinges, cut_ties, find_order, tie_lengths
 from orishell.workshop.schedule import BY_LENGTH, Schedule, find_schedule
@@ -98,6 +100,25 @@ def ties_table(document: Document, workshop: Workshop) -> Table:
         for number, (tie, length, coil) in enumerate(
             zip(document.ties, cut.tolist(), numbers, strict=True), 1
         )
+    )
+
+
+def hung_table(document: Document) -> Table | None:
+    """Lines along which parts hang on the sheet: where they meet its columns; None without any.
+
+    Lengths are along edges of columns, from the row that the part is over.
+    """
+    found = laid_flat(document).hung
+    if found is None:
+        return None
+    unit = document.unit
+    heads = ["part", "panel", "side", f"at_column_{unit}", f"at_next_column_{unit}"]
+    return heads, zip(
+        found.names,
+        map(document.panel_name, found.panels.tolist()),
+        (SIDES[side] for side in found.sides.tolist()),
+        *found.away.T.tolist(),
+        strict=True,
     )
 
 

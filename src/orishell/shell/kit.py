@@ -61,6 +61,7 @@ FOLDERS: Final[tuple[tuple[str, str | None], ...]] = (
     ("schedule.csv", "hinges"),
     ("hinges.csv", "hinges"),
     ("joints.csv", "hinges"),
+    ("lines.csv", "hinges"),
     ("ties.csv", "ground"),
     ("ground*", "ground"),
     ("booklet*.pdf", "booklet"),

@@ -26,11 +26,13 @@ from orishell.workshop.boards import (
     board_labels,
     distinct_corners,
     has_membrane,
+    hung_on,
     seen_from_outside,
     solid_marks,
 )
 from orishell.workshop.draw import draw_page, drawn_box, require_drawable
 from orishell.workshop.hinge_parts import FACES, draw_arms, fittings_of, hinged_marks, plan_names
+from orishell.workshop.hung_lines import said_of_lines
 from orishell.workshop.layout import KEPT, Known
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.palettes import Circle, Drawing, Line, Text
@@ -71,7 +73,9 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
         if not len(seen.numbers):
             continue
         if side:
-            marks: list[Content] = [((), (), (text,)) for text in board_labels(document, side)]
+            hung = hung_on(document, seen, side)
+            labels = zip(hung.lines, hung.texts, board_labels(document, side), strict=True)
+            marks: list[Content] = [(lines, (), (*texts, name)) for lines, texts, name in labels]
         elif fittings is not None:
             marks = hinged_marks(document, fittings)
         else:
@@ -258,8 +262,9 @@ def _moves_apart(document: Document, workshop: Workshop) -> Array:
 
 def _facts(
     document: Document, stock: BoardStock, parts: Sequence[BoardPart], content: Content
-) -> tuple[str, str]:
+) -> tuple[str, ...]:
     build, unit = stock.build, document.unit
+    hung = said_of_lines(laid_flat(document))
     size = quoted_size(drawn_box(content)[1], unit)
     if stock.kind:
         said = _in_words(stock, unit)
@@ -272,15 +277,10 @@ def _facts(
             "Names as in hinges.csv",
         )
     if build.construction == "bevel":
-        return (
-            f"{len(parts)} solid panels, {build.thickness:g} {unit} thick, {size}",
-            "Cut on the hinge plane; chamfers at the top (T) and bottom (B) in degrees",
-        )
-    below = parts[0].side < 0
-    return (
-        f"{len(parts)} boards, {plain(stock.thickness)} {unit} thick, {size}",
-        "Lower face, seen from below" if below else "Upper face, seen from above",
-    )
+        cut = "Cut on the hinge plane; chamfers at the top (T) and bottom (B) in degrees"
+        return f"{len(parts)} solid panels, {build.thickness:g} {unit} thick, {size}", cut, *hung
+    seen = "Lower face, seen from below" if parts[0].side < 0 else "Upper face, seen from above"
+    return f"{len(parts)} boards, {plain(stock.thickness)} {unit} thick, {size}", seen, *hung
 
 
 def draw_plan(document: Document, workshop: Workshop) -> Drawing:

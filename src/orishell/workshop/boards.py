@@ -1,4 +1,4 @@
-"""Boards as they are seen from outside, their part numbers, and where they are glued on."""
+"""Boards as they are seen from outside, and their part numbers."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from orishell.document import Document, Part
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.creases import mean_edge
-from orishell.workshop.cut_parts import CutPart
 from orishell.workshop.fitted_words import label_edges, label_middles, ways_across
+from orishell.workshop.hung_lines import Hung
 from orishell.workshop.palettes import Line, Text
 from orishell.workshop.placing import Content
 
@@ -92,14 +92,24 @@ def board_labels(
     if side < 0:
         corners = corners[:, ::-1] * MIRRORED
     beside = np.broadcast_to(taken, len(document.mesh.faces))[boards.panels]
+    hung = hung_on(document, boards, side)
     labels = label_middles(
         boards.names,
-        boards.outlines,
+        hung.clear,
         ways_across(corners),
         LARGEST_NUMBER * mean_edge(document),
-        [(boards.outlines, _taken_by_holes(document, boards, side)), (corners, beside)],
+        [
+            (boards.outlines, _taken_by_holes(document, boards, side)),
+            (corners, beside),
+            (hung.clear, hung.taken),
+        ],
     )
     return labels.of(None if panels is None else np.isin(boards.panels, panels))
+
+
+def hung_on(document: Document, boards: SeenBoards, side: Side) -> Hung:
+    """Where other parts hang on the boards of a side; on solid ones, on both of their faces."""
+    return Hung.on(document, boards.outlines, boards.panels, side or None)
 
 
 def has_sheet(document: Part) -> bool:
@@ -122,31 +132,6 @@ def has_membrane(document: Document) -> bool:
 def sheet_title(document: Document) -> str:
     """The document's title, with a word that the sheet is a membrane if boards are glued on it."""
     return document.title + (", membrane" if has_membrane(document) else "")
-
-
-def with_glue_areas(document: Document, part: CutPart) -> CutPart:
-    """A part of the sheet with the places of the upper boards marked on it, without their names."""
-    if not has_membrane(document):
-        return part
-    return replace(part, marks=(*part.marks, *_glue_lines(document, part, 1)))
-
-
-def back_of(document: Document, part: CutPart) -> Content:
-    """The back of a part, mirrored about the y axis: its rim and the places of the lower boards."""
-    rims = (
-        Line("ENGRAVE", distinct_corners(rim)[::-1] * MIRRORED, closed=True)
-        for rim in part.outlines
-    )
-    lines = (*_glue_lines(document, part, -1), *rims)
-    return lines, (), board_labels(document, -1, part.panels)
-
-
-def _glue_lines(document: Document, part: CutPart, side: Side) -> tuple[Line, ...]:
-    seen = seen_from_outside(document, side)
-    here = np.isin(seen.panels, part.panels)
-    return tuple(
-        Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines[here]
-    )
 
 
 FLUSH = 1e-9
@@ -173,7 +158,8 @@ def solid_marks(document: Document) -> list[Content]:
     """Lines and words on every solid panel, in the sheet's own coordinates.
 
     Edges of both faces where they are chamfered, the chamfer's angle against a square cut with T or
-    B for the face that it takes from, where there is room for it, and the part number.
+    B for the face that it takes from, where there is room for it, lines along which other parts
+    hang, and the part number.
     """
     assert document.boards is not None
     solids = seen_from_outside(document, 0)
@@ -192,17 +178,18 @@ def solid_marks(document: Document) -> list[Content]:
     shown = angles.heights >= SMALLEST_ANGLE * size
     corners = document.require_flat()[document.mesh.faces[solids.panels]]
     across, most = ways_across(corners), LARGEST_NUMBER * size
-    numbers = label_middles(solids.names, inner, across, most)
-    taken = _taken_by_holes(document, solids, 0)
+    hung = Hung.on(document, solids.outlines, solids.panels, words=inner)
+    numbers = label_middles(solids.names, hung.clear, across, most)
+    taken = np.maximum(_taken_by_holes(document, solids, 0), hung.taken)
     meets = shown & numbers.at(at).meet(angles)
     np.maximum.at(taken, at, np.where(meets, 1.5 * angles.heights, 0.0))
-    numbers = label_middles(solids.names, inner, across, most, [(inner, taken)])
-    texts: list[list[Text]] = [[] for _ in solids.names]
+    numbers = label_middles(solids.names, hung.clear, across, most, [(hung.clear, taken)])
+    texts: list[list[Text]] = [[*each] for each in hung.texts]
     for board, text in zip(at[shown].tolist(), angles.of(shown), strict=True):
         texts[board].append(text)
     for board, text in enumerate(numbers.of()):
         texts[board].append(text)
-    lines: list[list[Line]] = [[] for _ in solids.names]
+    lines: list[list[Line]] = [[*each] for each in hung.lines]
     for board, ends in zip(at.tolist(), chamfers.ends, strict=True):
         lines[board].append(Line("ENGRAVE", ends))
     return [((*drawn,), (), (*words,)) for drawn, words in zip(lines, texts, strict=True)]

@@ -22,6 +22,7 @@ from orishell.workshop.fitted_words import (
     readable,
     ways_across,
 )
+from orishell.workshop.hung_lines import said_of_lines
 from orishell.workshop.palettes import Drawing, Line, Text, load_palette
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
@@ -184,6 +185,7 @@ def draw_part(document: Document, part: CutPart, workshop: Workshop) -> Drawing:
     require_drawable(document)
     content = part_lines(document, part, workshop)
     facts = sheet_facts(document, part, drawn_box(content)[1], workshop)
+    facts = (*facts, *said_of_lines(document))
     return draw_page(content, document.title, document.unit, facts, workshop)
 
 

@@ -13,9 +13,10 @@ from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import board_layers
-from orishell.workshop.boards import back_of, cut_of_sheet, sheet_title, with_glue_areas
+from orishell.workshop.boards import cut_of_sheet, sheet_title
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
+from orishell.workshop.on_sheet import back_of, with_places
 from orishell.workshop.palettes import Layer, Line, Text, load_palette
 from orishell.workshop.placing import Content
 from orishell.workshop.settings import Workshop
@@ -58,7 +59,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     )
     document = laid_flat(cut_of_sheet(document))
     require_drawable(document)
-    part = with_glue_areas(document, whole_sheet(document))
+    part = with_places(document, whole_sheet(document))
     content = part_lines(document, part, workshop)
     title = sheet_title(document)
     model = _to_scale(content, title, document.unit, part.outlines, workshop)

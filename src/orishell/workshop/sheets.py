@@ -15,13 +15,11 @@ from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import draw_map, laid_flat, number_text
 from orishell.workshop.board_sheets import count_board_sheets, draw_boards, draw_plan
 from orishell.workshop.boards import (
-    back_of,
     cut_of_sheet,
     distinct_corners,
     has_sheet,
     seen_from_outside,
     sheet_title,
-    with_glue_areas,
 )
 from orishell.workshop.creases import made_lengths
 from orishell.workshop.cut_parts import CutPart, whole_sheet
@@ -34,6 +32,7 @@ from orishell.workshop.draw import (
     require_drawable,
 )
 from orishell.workshop.layout import Layout, lay_out, on_its_roll
+from orishell.workshop.on_sheet import back_of, with_places
 from orishell.workshop.palettes import Drawing
 from orishell.workshop.placing import Placement, draw_stock_sheets
 from orishell.workshop.settings import Workshop
@@ -71,13 +70,13 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     everything = replace(laid_flat(document), title=sheet_title(document))
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
-        part = with_glue_areas(everything, whole_sheet(everything))
+        part = with_places(everything, whole_sheet(everything))
         return (draw_part(everything, part, workshop),)
     require_drawable(everything)
     layout = lay_out(document, workshop)
     placed = []
     for part, placement in _placed(layout):
-        lines, circles, texts = part_lines(everything, with_glue_areas(everything, part), workshop)
+        lines, circles, texts = part_lines(everything, with_places(everything, part), workshop)
         if part.number:
             words = number_text(everything, part, texts)
             texts += (replace(words, angle=-placement.angle),)

@@ -14,7 +14,7 @@ from orishell.conventions.quantities import conversion
 from orishell.design.fittings import Fittings
 from orishell.document import Document
 from orishell.io.format import Format, Settings
-from orishell.io.joint_tables import order_table, schedule_table, ties_table
+from orishell.io.joint_tables import hung_table, order_table, schedule_table, ties_table
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinges import Hinges, piece_numbers
@@ -63,7 +63,8 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
     other ``NAME.csv``; what joins panels along them to ``schedule.csv``, what to order to
-    ``order.csv`` and ties to ``ties.csv``, likewise. So do boards, where panels have a thickness,
+    ``order.csv``, ties to ``ties.csv`` and lines along which parts hang on the sheet to
+    ``lines.csv``, likewise. So do boards, where panels have a thickness,
     to ``boards.csv``, hinges of whole boards to ``hinges.csv``, the kinds of their arms to
     ``arms.csv``, joints of pieces to ``joints.csv``; feet, from one corner, go to ``ground.csv``.
     The first line names the columns and their units; panels are numbered from 0, and by row and
@@ -79,6 +80,9 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     write_csv(beside("order"), *order_table(document, settings.workshop))
     if document.ties:
         write_csv(beside("ties"), *ties_table(document, settings.workshop))
+    hung = hung_table(document)
+    if hung is not None:
+        write_csv(beside("lines"), *hung)
     if document.boards is not None:
         write_csv(beside("boards"), *_boards(document, settings.workshop))
     if document.ground is not None:

@@ -90,6 +90,7 @@ def _scaled_part(part: AnyPart, factor: float) -> AnyPart:
     return replace(
         part,
         unit="mm",
+        hung=part.hung and part.hung.scaled(factor),
         flat=part.require_flat() * factor,
         states=MadeStates(len(part.states), scaled),
     )
