@@ -12,31 +12,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from orishell.clash import PathContact, PathResult, find_first_contact
 from orishell.clash.bodies import Bodies
 from orishell.clash.complex_path import find_first_contact_of_parts
-from orishell.clash.separation import corners_of, overlaps
-from orishell.clash.state import deepest_between, near_panels
-from orishell.conventions.errors import DesignError, InputError, Remedy
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded_down
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design.boxes import Box
 from orishell.design.stiffeners import Stiffeners
 from orishell.locking.boards import prove_boards
+from orishell.locking.box_flaps import flap_contact
+from orishell.locking.box_rows import box_columns, require_creases, require_one_side
 from orishell.locking.fold_rows import fold_rows
 from orishell.locking.result import BoxMotion, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END
-from orishell.motion import corrugation_depth, diagonal, find_assignment
-from orishell.motion.boards import Boards, join_boards
+from orishell.motion import corrugation_depth, diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.convex import require_convex
-from orishell.motion.layout import Layout, SlitFlaps, points_of
+from orishell.motion.layout import points_of
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.numerics.bisection import largest_below
-from orishell.solids import BuiltPanels, build_panels
+from orishell.solids import build_panels
 from orishell.solids.sleeves import closes_to, moving_boards, sleeve_design
 
 LARGEST = 0.9
@@ -118,13 +115,14 @@ class BoxPlace:
         *,
         examined: bool = True,
     ) -> None:
-        _require_creases(design)
+        require_creases(design)
         require_convex(design.mechanism, "box girders")
         self.design, self.lock, self.examined = design, lock, examined
+        self.asked = asked
         mechanism = design.mechanism
-        self.columns = _columns(design)
+        self.columns = box_columns(design)
         self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
-        _require_one_side(design, self.rows, self.columns)
+        require_one_side(design, self.rows, self.columns)
         self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
         self.tolerance = tolerance * diagonal(mechanism.positions(0.0))
         self.start = JOINED_AT * mechanism.target_drive
@@ -219,14 +217,13 @@ class BoxPlace:
         boxes, first = [], None
         end = min(closes_to(each, self.start, end, build) for each in sleeves)
         if end < self.lock.target_drive:
+            thinner = [rounded_down(each * build.thickness, 2) for each in THINNER]
             raise DesignError(
                 "boards of box girders would stand so far off the panels that they hang on that "
                 "too little is left of them",
                 place="at the target",
                 keys=("stiffeners.share", "panel.thickness"),
-                candidates=[
-                    Remedy({"panel.thickness": thickness}) for thickness in self._thinner()
-                ],
+                candidates=[Remedy({"panel.thickness": thickness}) for thickness in thinner],
             )
         for sleeve in sleeves:
             own = sleeve_design(self.design, sleeve, self.start, end)
@@ -241,11 +238,6 @@ class BoxPlace:
                 first = self._named(path.contact, (names[0], names[1]))
         return tuple(boxes), end if first is None else min(end, first.clear_until), first
 
-    def _thinner(self) -> list[float]:
-        build = self.design.panel
-        assert build is not None
-        return [rounded_down(share * build.thickness, 2) for share in THINNER]
-
     def _bodies(self, whole: Complex, boxes: Sequence[Box]) -> Bodies | None:
         """All boards on the panels of the complex; None if panels have no thickness."""
         built = self.lock.built
@@ -256,39 +248,11 @@ class BoxPlace:
 
     def _at_flaps(self, boxes: Sequence[Box]) -> Contact | None:
         """What flaps that are clipped on meet at the target; None if nothing."""
-        flapped, built = self.design.clipped, self.lock.built
-        if flapped is None:
+        names = flap_contact(self.design, self.lock.built, boxes, self.tolerance)
+        if names is None:
             return None
-        layout, target = Layout.of(flapped), flapped.target_drive
-        flaps, points = layout.faces[layout.flaps], points_of(flapped, target)
-        names = [f"flap {list(each)}" for each in layout.names[layout.flaps].tolist()]
-        names += [each for box in boxes for each in box.names]
-        faces, every, flat = [flaps], [points], [points_of(flapped, 0.0)]
-        boards = [] if built is None else [_of_flaps(built, layout)]
-        for box in boxes:
-            begin, behind = sum(map(len, every)), sum(map(len, faces))
-            faces.append(box.sleeve.grid.faces_vertices() + begin)
-            every.append(points_of(box.sleeve, target))
-            flat.append(points_of(box.sleeve, 0.0))
-            if box.boards is not None:
-                boards.append(replace(box.boards, panels=box.boards.panels + behind))
-        whole, places = np.concatenate(faces), np.concatenate(every)
-        if boards:
-            bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))
-            groups = (bodies.panels >= len(flaps)).astype(np.int64)
-            met = deepest_between(bodies, places, self.tolerance, groups)
-            pair = None if met is None else bodies.carriers(met[0])
-        else:
-            first, second = near_panels(places, whole, self.tolerance)
-            chosen = (first < len(flaps)) & (second >= len(flaps))
-            first, second = first[chosen], second[chosen]
-            depth = overlaps(corners_of(places, whole[first]), corners_of(places, whole[second]))
-            deep = np.flatnonzero(depth > self.tolerance)
-            pair = (int(first[deep[0]]), int(second[deep[0]])) if len(deep) else None
-        if pair is None:
-            return None
-        own = self.lock.target_drive
-        return self._named(PathContact(own, own, pair), (names[pair[0]], names[pair[1]]))
+        target = self.lock.target_drive
+        return self._named(PathContact(target, target, (0, 0)), names)
 
     def _contact(self, found: PathContact, whole: Complex, boxes: Sequence[Box]) -> Contact:
         """What meets, by its names."""
@@ -310,6 +274,13 @@ class BoxPlace:
             called=names,
         )
 
+    def _others(self) -> list[Remedy]:
+        """What may be free where this is not."""
+        asked = self.asked
+        share = [] if asked.share == "auto" else [Remedy({"stiffeners.share": "auto"})]
+        rows = [each for each in ("valleys", "crests") if each != asked.rows]
+        return [*share, *(Remedy({"stiffeners.rows": each}) for each in rows)]
+
     def refused(self, share: float, progress: Progress) -> DesignError:
         """Why there is no room for box girders of a share at the target."""
         try:
@@ -324,73 +295,6 @@ class BoxPlace:
             f"{first} and {second} meet",
             place=f"at drive {in_degrees(met.drive)} of {in_degrees(met_target)} degrees",
             keys=("stiffeners.share", "stiffeners.rows"),
-            candidates=[
-                Remedy({"stiffeners.share": "auto"}),
-                Remedy({"stiffeners.rows": "valleys"}),
-            ],
+            candidates=self._others(),
             excess=1.0,
         )
-
-
-def _of_flaps(built: BuiltPanels, layout: Layout) -> Boards:
-    """Boards of flaps that are clipped on, as panels of the flaps alone."""
-    assert built.flaps is not None
-    number = np.cumsum(layout.flaps) - 1
-    return replace(built.flaps, panels=number[built.flaps.panels])
-
-
-def _columns(design: Design) -> slice:
-    """The columns of vertices that box girders reach over.
-
-    A flap that is shut is in the plane of the two edges of the column beside it, where the end of a
-    box would be: beside flaps they end a column before.
-
-    Raises InputError if there are none.
-    """
-    mechanism, count = design.mechanism, design.mechanism.grid.columns
-    start, stop = 0, count
-    if mechanism.flap_columns or design.clipped is not None:
-        inner = mechanism.inner_columns
-        start, stop = inner.start + 1, inner.stop - 1
-    if stop - start < 2:
-        raise InputError(
-            "flaps take the place of box girders at their sides, and there are no columns between",
-            keys=("stiffeners", "pattern.flap"),
-            remedy="flap = 0, or more columns",
-        )
-    return slice(start, stop)
-
-
-def _require_creases(design: Design) -> None:
-    """Refuse whole boards, whose hinges are not in creases, and flaps that are slit."""
-    if design.has_whole_boards:
-        raise InputError(
-            "box girders hang on creases, and whole boards have their hinges beside these",
-            keys=("stiffeners", "panel.construction"),
-            got='"hinged"',
-            expected='"sandwich" or "bevel"',
-        )
-    if isinstance(design.mechanism, SlitFlaps):
-        raise InputError(
-            "box girders need a sheet without flaps that are slit from each other",
-            keys=("stiffeners", "deployment.flap_attachment"),
-            remedy='flap_attachment = "clipped" in [deployment]',
-        )
-
-
-def _require_one_side(design: Design, rows: Sequence[int], columns: slice) -> None:
-    """Refuse rows whose creases fold to both sides: a sleeve would run through the sheet."""
-    signs = find_assignment(design.mechanism).row[:, columns.start : columns.stop - 1]
-    for row in rows:
-        own = signs[row - 1]
-        if np.ptp(own) or not own[0]:
-            raise DesignError(
-                "a box girder is on one side of the sheet, and creases of its row fold to both",
-                place=f"at row {row}",
-                keys=("stiffeners.rows",),
-                size=f"{int((own > 0).sum())} valleys and {int((own < 0).sum())} mountains",
-                candidates=[
-                    Remedy({"stiffeners.rows": "valleys"}),
-                    Remedy({"stiffeners.rows": "crests"}),
-                ],
-            )

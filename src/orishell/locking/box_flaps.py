@@ -1,0 +1,66 @@
+"""Box girders beside flaps that are clipped on: whether they meet at the target."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.clash.bodies import Bodies
+from orishell.clash.separation import corners_of, overlaps
+from orishell.clash.state import deepest_between, near_panels
+from orishell.design import Design
+from orishell.design.boxes import Box
+from orishell.motion.boards import Boards, join_boards
+from orishell.motion.layout import Layout, points_of
+from orishell.solids import BuiltPanels
+
+
+def flap_contact(
+    design: Design, built: BuiltPanels | None, boxes: Sequence[Box], tolerance: float
+) -> tuple[str, str] | None:
+    """Names of a flap that is clipped on and of what it meets at the target; None if nothing.
+
+    built: The sheet and its flaps as they are built; None if panels have no thickness.
+    tolerance: By how much they may reach into each other (length).
+    """
+    flapped = design.clipped
+    if flapped is None:
+        return None
+    layout, target = Layout.of(flapped), flapped.target_drive
+    flaps, points = layout.faces[layout.flaps], points_of(flapped, target)
+    names = [f"flap {list(each)}" for each in layout.names[layout.flaps].tolist()]
+    names += [each for box in boxes for each in box.names]
+    faces, every, flat = [flaps], [points], [points_of(flapped, 0.0)]
+    boards = [] if built is None else [_of_flaps(built, layout)]
+    for box in boxes:
+        begin, behind = sum(map(len, every)), sum(map(len, faces))
+        faces.append(box.sleeve.grid.faces_vertices() + begin)
+        every.append(points_of(box.sleeve, target))
+        flat.append(points_of(box.sleeve, 0.0))
+        if box.boards is not None:
+            boards.append(replace(box.boards, panels=box.boards.panels + behind))
+    whole, places = np.concatenate(faces), np.concatenate(every)
+    if boards:
+        bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))
+        groups = (bodies.panels >= len(flaps)).astype(np.int64)
+        met = deepest_between(bodies, places, tolerance, groups)
+        pair = None if met is None else bodies.carriers(met[0])
+    else:
+        first, second = near_panels(places, whole, tolerance)
+        chosen = (first < len(flaps)) & (second >= len(flaps))
+        first, second = first[chosen], second[chosen]
+        depth = overlaps(corners_of(places, whole[first]), corners_of(places, whole[second]))
+        deep = np.flatnonzero(depth > tolerance)
+        pair = (int(first[deep[0]]), int(second[deep[0]])) if len(deep) else None
+    if pair is None:
+        return None
+    return names[pair[0]], names[pair[1]]
+
+
+def _of_flaps(built: BuiltPanels, layout: Layout) -> Boards:
+    """Boards of flaps that are clipped on, as panels of the flaps alone."""
+    assert built.flaps is not None
+    number = np.cumsum(layout.flaps) - 1
+    return replace(built.flaps, panels=number[built.flaps.panels])
