@@ -78,6 +78,28 @@ NOT_READ = {
 """Lines of the table, and what is said of them; those without a kind are of gussets."""
 
 
+BOXES = {
+    "rows = [0]": "numbers from 1 to 3",
+    "rows = [9]": "numbers from 1 to 3",
+    "rows = []": "no row is named",
+    'rows = "both"': "got 'both'",
+    "columns = [9]": "numbers from 0 to 2",
+    "columns = []": "no column is named",
+    "columns = 0": "at least 1",
+    'columns = "ends"': "got 'ends'",
+    "share = 0": "greater than 0",
+    "share = 1": "less than 1",
+    "share = 1.5": "less than 1",
+    "share = -0.5": "greater than 0",
+    'share = "most"': "expected a number",
+    "plates = 4": "unknown key",
+    "thickness = 0.004": "boxes are made as panels are",
+    'material = "steel"': "boxes are made as panels are",
+    "bolts = { hole = 0.006, spacing = 0.1 }": "boxes are made as panels are",
+}
+"""Lines beside kind = "boxes", and what is said of them."""
+
+
 def refusal(path: Path, line: str, more: str = "", flap: str = "0") -> tuple[int | str, str]:
     """How the program ends, and what it says in its one line; nothing is written."""
     kind = "" if not line or line.startswith("kind") else 'kind = "gussets"\n'
@@ -98,6 +120,14 @@ def test_what_cannot_be_read_is_said_in_one_line(tmp_path: Path, line: str) -> N
     assert NOT_READ[line] in said
 
 
+@pytest.mark.parametrize("line", BOXES)
+def test_what_boxes_cannot_be_is_said_in_one_line(tmp_path: Path, line: str) -> None:
+    status, said = refusal(tmp_path, f'kind = "boxes"\n{line}')
+    assert status == 2
+    assert "[stiffeners]" in said
+    assert BOXES[line] in said
+
+
 BEVEL = 'thickness = 0.02\ngap = 0.004\nconstruction = "bevel"'
 THIN = 'thickness = 0.005\ngap = 0.002\nconstruction = "bevel"'
 STRUCTURE = '[structure]\nmodulus = 8e9\nsupports = [{ at = "feet", kind = "pinned" }]'
@@ -113,6 +143,20 @@ NOT_MADE = {
     "no room for holes": (
         "bolts = { hole = 0.2, spacing = 0.4 }",
         *(f"[panel]\n{THIN}", "0", 1, "room for 0 between holes"),
+    ),
+    "boxes on whole boards": (
+        'kind = "boxes"',
+        *('[panel]\nthickness = 0.01\nconstruction = "hinged"', "0", 2, "beside"),
+    ),
+    "boxes between flaps": ('kind = "boxes"', "", "0.1", 2, "take the place of box girders"),
+    "boxes of thick boards": (
+        'kind = "boxes"',
+        *(
+            '[panel]\nthickness = 0.2\ngap = 0.004\nconstruction = "bevel"',
+            "0",
+            1,
+            "too little is left",
+        ),
     ),
     "far too thick": ("thickness = 1e300", f"[panel]\n{THIN}", "0", 1, "too far off"),
     "no room for a core": (

@@ -70,6 +70,15 @@ class Stiffeners(Table):
     material: str | None = None
     bolts: Bolts | None = None
 
+    @model_validator(mode="after")
+    def _check_kind(self) -> Self:
+        if self.kind == "boxes":
+            for key in ("thickness", "material", "bolts"):
+                value = getattr(self, key)
+                if value is not None:
+                    raise misfit("gussets: boxes are made as panels are", value, key)
+        return self
+
     def made_of(self, panel: PanelSpec, density: float) -> PanelSpec:
         """What they are made of, beside panels.
 
