@@ -1,7 +1,7 @@
 """Plates in box girders: where they are, what they hold, and that they meet nothing at the target.
 
-Limit: as gussets, plates are examined at the target only. The lower line of a box is joined once
-its plates are in.
+Limit: as gussets, plates of box girders are examined at the target only. The lower line of a box is
+joined once its plates are in.
 """
 
 from __future__ import annotations

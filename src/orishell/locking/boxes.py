@@ -3,8 +3,8 @@
 From a state on the way to the target, where sleeves are joined to the sheet, to as far as the sheet
 closes: the path is proved from the target to both sides.
 
-Limit: sleeves lie on the flat sheet, and with boards they have no room there. The motion is proved
-from half of the target's drive on, where they are joined to the sheet.
+Limit: box girders lie on the flat sheet, and with boards they have no room there. The motion is
+proved from half of the target's drive on, where they are joined to the sheet.
 """
 
 from __future__ import annotations
