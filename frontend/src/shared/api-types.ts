@@ -921,6 +921,8 @@ export interface Header {
   grid: [number, number] | null;
   /** Of panels, where there are others than those of the grid. */
   names?: string[];
+  /** From which drive on a part is there that moves with the sheet, if not always. */
+  joined_from_deg?: number;
   /** Was subtracted from all coordinates in space before they were rounded. */
   origin: [number, number, number];
   /** Drive of every state, in the order of the motion. */

@@ -383,7 +383,7 @@ export class Shell3D {
   /** What is to be in view: the state drawn, and what stands beside it. */
   private seenPoints(): Float32Array[] {
     const drawn = this.drawnPoints();
-    return [drawn, ...(this.atTarget ? this.clipped.points : []), ...this.guests.flatMap(({ reach }) => reach ?? [])];
+    return [drawn, ...(this.atTarget ? this.clipped.standing : []), ...this.guests.flatMap(({ reach }) => reach ?? [])];
   }
 
   private drawnPoints(): Float32Array {
@@ -469,7 +469,7 @@ export class Shell3D {
     for (const guest of this.posed ? this.moved : this.guests) guest.move?.(motion, { drive, atTarget, ground });
     this.moved.clear();
     if (this.posed) return;
-    this.clipped.setVisible(atTarget);
+    this.clipped.pose(this.share, drive, atTarget);
     this.overlays.setLevel(ground - 0.004 * this.extent!.radius);
     this.posed = true;
     this.sent = this.shaded = false;

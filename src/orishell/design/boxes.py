@@ -21,6 +21,7 @@ class Box:
 
     sleeve: Sleeve
     boards: Boards | None = None  # as panels of the sleeve; None if panels have no thickness
+    joined_from: float = 0.0  # the drive from which on it is joined to the sheet (radians)
 
     def __repr__(self) -> str:
         return f"Box(row {self.sleeve.row}, {self.sleeve!r})"

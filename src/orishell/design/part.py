@@ -84,8 +84,8 @@ class Part:
     named: Mapping[str, int] = field(default_factory=dict)
     # names of the panels; empty if they are called by row and column, or by their numbers
     names: tuple[str, ...] = field(default=(), repr=False)
-    # names of states in which it is not there, although it moves along with the sheet
-    away_in: frozenset[str] = frozenset()
+    # the drive below which it is not there, although it moves along with the sheet (degrees)
+    joined_from_deg: float = 0.0
     # what panels are made of; None if they have no thickness
     panel: PanelSpec | None = field(default=None, repr=False)
     # what its boards are made of, by the name of a material, if that is not what the sheet's are
@@ -164,6 +164,10 @@ class Part:
                 expected=f"{names}, or a number from 0 to {count - 1}",
             )
         return self.states[number]
+
+    def is_joined_in(self, state: DocumentState) -> bool:
+        """Whether it is there in a ``state`` of the sheet that it moves with."""
+        return state.drive_deg is None or state.drive_deg >= self.joined_from_deg
 
     def boards_in(self, state: DocumentState) -> Array:
         """Corners (B, H, K, 3) of the outlines of all boards in a state, in the document's frame.

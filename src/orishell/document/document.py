@@ -9,7 +9,7 @@ kilometres from the origin keeps its lengths to ten digits, not fifteen. Put cur
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Self
 
@@ -120,16 +120,19 @@ class Document(Part):
         found: list[tuple[Part, DocumentState]] = [(self.sheet, state)]
         for part in self.attached:
             if self.moves(part):
-                if not names & part.away_in:
+                if part.is_joined_in(state):
                     found.append((part, part.state(which)))
             elif own := names & part.named.keys():
                 found.append((part, part.state(own.pop())))
         return tuple(found)
 
     @property
-    def moving(self) -> Document:
-        """The sheet with all parts that move with it, as one; itself where there are none."""
-        parts = [part for part in self.attached if self.moves(part)]
+    def moving(self) -> tuple[Part, ...]:
+        """The sheet and all parts that move with it, those that are not there in all states too."""
+        return (self.sheet, *(part for part in self.attached if self.moves(part)))
+
+    def with_moving(self, parts: Sequence[Part]) -> Document:
+        """The sheet with parts that move with it, as one; itself where there are none."""
         if not parts:
             return self.sheet
         assert not self.hinges.beside, "nothing moves beside whole boards"

@@ -13,7 +13,6 @@ from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
-from orishell.design.part import FLAT
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
@@ -120,7 +119,7 @@ def _sleeve(box: Box, motion: FoldingMotion, unit: str, panel: PanelSpec | None)
         names=box.names,
         panel=panel,
         boards=box.boards,
-        away_in=frozenset({FLAT}),
+        joined_from_deg=float(np.rad2deg(box.joined_from)),
         hung=box.hung,
         kind="girder",
         borne_at=near,

@@ -81,6 +81,7 @@ def write_fold(
 
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
     same numbers to the last bit. States are taken one by one, so that only one need be in memory.
+    Parts that are there in all frames are panels as well, which do not hang together with it.
     Without a flat sheet the first state is the key frame.
 
     Parameters
@@ -107,7 +108,9 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
     def dump(value: Any) -> bytes:
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
-    document = document.moving
+    # All frames have the panels of the first: what is not there in all of them is left out.
+    parts = [part for part in document.moving[1:] if not part.joined_from_deg]
+    document = document.with_moving(parts)
     names = {number: name for name, number in document.named.items()}
     titles = names if "pack" in document.named else {}
     states = iter(document.states)

@@ -76,6 +76,8 @@ class Header(TypedDict):
     # rows and columns of vertices; null if they are no grid's. Flaps beside it come after it.
     grid: tuple[int, int] | None
     names: NotRequired[list[str]]  # of panels, where there are others than those of the grid
+    # from which drive on a part is there that moves with the sheet, if not always
+    joined_from_deg: NotRequired[float]
     # was subtracted from all coordinates in space before they were rounded
     origin: tuple[float, float, float]
     drives_deg: list[float | None]  # drive of every state, in the order of the motion
@@ -157,6 +159,7 @@ def _dump_about(
         **told,
         "arrays": places,
         **({"names": list(document.names)} if document.names else {}),
+        **({"joined_from_deg": document.joined_from_deg} if document.joined_from_deg else {}),
         **more,
     }
     text = orjson.dumps(header)

@@ -203,6 +203,7 @@ class BoxPlace:
         if self.examined and (opening is None or opening.drive < target):
             opening = self._at_flaps(boxes) or opening
         joined = self.start if opening is None else opening.clear_until
+        boxes = tuple(replace(box, joined_from=joined) for box in boxes)
         return boxes, BoxMotion(
             tuple(self.rows), share, joined, end, opening, closing or within, tuple(proofs)
         )

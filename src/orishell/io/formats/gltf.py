@@ -10,7 +10,7 @@ import numpy as np
 
 from orishell.conventions.colours import MEANINGS, linear_rgb
 from orishell.conventions.quantities import conversion
-from orishell.document import Document
+from orishell.document import Document, DocumentState, Part
 from orishell.io.format import Format, Settings
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
 from orishell.io.solids import TRIANGLES, find_frames, find_splits, quaternions, y_up
@@ -43,10 +43,13 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     distance from the origin. A shell far from it hangs on a root node that is moved there in double
     precision. Times follow the drive angle if it rises from state to state,
     otherwise states are evenly spaced. With fewer than two states there is no animation.
+    Parts that are joined to the sheet on its way are points before that, of scale 0.
     """
     import orjson
 
-    document = document.moving
+    sheet, *parts = document.moving
+    from_deg = _joined_from(sheet, *parts)
+    document = document.with_moving(parts)
     scale, nearby = conversion(document.require_unit(), "m"), document.nearby
     state = document.state(settings.state)
 
@@ -78,12 +81,12 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         },
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
-        "nodes": _nodes(document, y_up(nearby) * scale, origins, axes),
+        "nodes": _nodes(document, y_up(nearby) * scale, origins, axes, _is_there(from_deg, state)),
         "meshes": meshes,
         "materials": [_material("panel-front"), *map(_material, inks)],
     }
     if len(document.states) > 1:
-        content["animations"] = [_animation(buffers, document, placed, along)]
+        content["animations"] = [_animation(buffers, document, placed, along, from_deg)]
     content |= buffers.described()
     text = orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
     chunks = _chunk(b"JSON", text, b" ") + _chunk(b"BIN\0", b"".join(buffers.parts), b"\0")
@@ -91,7 +94,22 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     path.write_bytes(header + chunks)
 
 
-def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> list[dict[str, Any]]:
+def _joined_from(*parts: Part) -> Array:
+    """The drives (F,) from which on panels of all parts are there (degrees)."""
+    drives = [part.joined_from_deg for part in parts]
+    return np.repeat(drives, [len(part.mesh.faces) for part in parts])
+
+
+def _is_there(from_deg: Array, state: DocumentState) -> Booleans:
+    """Which panels (F,) are there in a state."""
+    drive = np.inf if state.drive_deg is None else state.drive_deg
+    return np.asarray(drive >= from_deg)
+
+
+def _nodes(
+    document: Document, place: Array, origins: Array, axes: Array, there: Booleans
+) -> list[dict[str, Any]]:
+    """The root, and a node for every panel; those that are not ``there`` (F,) are a point."""
     places, turns = singles(origins), singles(quaternions(axes))
     root = {"name": document.title, "children": list(range(1, len(origins) + 1))}
     if place.any():
@@ -102,8 +120,9 @@ def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> lis
             "mesh": panel,
             "translation": place,
             "rotation": turn,
+            **({} if shown else {"scale": [0.0, 0.0, 0.0]}),
         }
-        for panel, (place, turn) in enumerate(zip(places, turns, strict=True))
+        for panel, (place, turn, shown) in enumerate(zip(places, turns, there, strict=True))
     ]
 
 
@@ -230,12 +249,17 @@ def _add_boards(
 
 
 def _animation(
-    buffers: Buffers, document: Document, placed: Callable[[Array], Array], along: Integers
+    buffers: Buffers,
+    document: Document,
+    placed: Callable[[Array], Array],
+    along: Integers,
+    from_deg: Array,
 ) -> dict[str, Any]:
-    """Keys of all panels at all states."""
+    """Keys of all panels at all states; panels (F,) are there from drives on."""
     origins: list[Array] = []
     turns: list[Array] = []
     drives: list[float | None] = []
+    there: list[Booleans] = []
     for state in document.states:
         origin, axes = find_frames(placed(document.panel_corners(state)), along)
         turn = quaternions(axes)
@@ -244,23 +268,35 @@ def _animation(
         origins.append(origin)
         turns.append(turn)
         drives.append(state.drive_deg)
+        there.append(_is_there(from_deg, state))
     times = buffers.add_bounded(_times(drives)[None], "SCALAR")
     paths = {
         "translation": buffers.add(singles(np.stack(origins, axis=1)), "VEC3"),
         "rotation": buffers.add(singles(np.stack(turns, axis=1)), "VEC4"),
     }
     panels = range(len(along))
+    scaled = np.flatnonzero(from_deg > 0).tolist()
+    sizes = range(0)
+    if scaled:
+        shown = np.stack(there, axis=1)[scaled, :, None]
+        first = buffers.add(singles(np.repeat(shown, 3, axis=-1)), "VEC3")
+        sizes = range(first, first + len(scaled))
     return {
         "name": "pack to flat" if "pack" in document.named else "flat to target",
         "samplers": [
-            {"input": times, "output": first + panel, "interpolation": "LINEAR"}
-            for first in paths.values()
+            {"input": times, "output": begin + panel, "interpolation": "LINEAR"}
+            for begin in paths.values()
             for panel in panels
-        ],
+        ]
+        + [{"input": times, "output": size, "interpolation": "STEP"} for size in sizes],
         "channels": [
             {"sampler": number * len(panels) + panel, "target": {"node": panel + 1, "path": name}}
             for number, name in enumerate(paths)
             for panel in panels
+        ]
+        + [
+            {"sampler": number, "target": {"node": panel + 1, "path": "scale"}}
+            for number, panel in enumerate(scaled, len(paths) * len(panels))
         ],
     }
 
