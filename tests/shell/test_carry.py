@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from command_line import orishell
-from orishell.conventions.errors import Remedy
+from orishell.cli import carry as carry_cli
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.progress import no_progress
 from orishell.conventions.quantities import SPACE
 from orishell.design_file import DesignFile, read_design_file
-from orishell.shell import carry, carry_boards, carry_feet, carry_steps, make_shell
+from orishell.shell import carry, carry_boards, carry_feet, carry_steps, carry_strengths, make_shell
 from orishell.shell.carry import find_carrying
 from orishell.shell.carry_change import Change
 from orishell.shell.carry_found import CarrySearch
@@ -60,6 +64,9 @@ def arch(
     text = ARCH.format(thickness=thickness, snow=snow, lines=lines, tie_strength=tie_strength)
     path.write_text(text, encoding="utf-8")
     return read_design_file(path)
+
+
+TRIAL = re.compile(r"(?P<number>\d+) = (?P<added>(?P<base>the file|\d+) [+-] [^:]+): ")
 
 
 def no_clock() -> float:
@@ -115,10 +122,21 @@ def test_what_is_found_carries_once_it_is_typed_in(found: tuple[DesignFile, Carr
 
 
 def test_what_was_tried_is_said(found: tuple[DesignFile, CarrySearch]) -> None:
+    """Each trial once, as what it adds to which earlier one; what is offered, as the file asks."""
     _, search = found
-    assert len(search.tried) >= len(search.found)
-    assert len(search.tried) == len(set(search.tried))
     assert all(": " in each for each in search.tried)
+    first, *others = search.tried
+    assert first.startswith("the file: ")
+    said = [TRIAL.match(each) for each in others]
+    trials = [each for each in said if each is not None]
+    numbers = [int(each["number"]) for each in trials]
+    assert numbers == list(range(1, len(trials) + 1))
+    for each in trials:
+        assert each["base"] == "the file" or int(each["base"]) < int(each["number"])
+    assert len({each["added"] for each in trials}) == len(trials)
+    confirmed = [each for each, trial in zip(others, said, strict=True) if trial is None]
+    assert all(" with cells as the file asks: " in each for each in confirmed)
+    assert sum(": carries: " in each for each in confirmed) == len(search.found)
 
 
 def test_a_file_that_carries_is_left_alone(tmp_path: Path) -> None:
@@ -157,7 +175,7 @@ def test_steps_propose_what_a_file_lacks(tmp_path: Path, weak: tuple[DesignFile,
     rows = [each.values["deployment.ties"] for each in carry_steps.fewer_ties(tied, begun)]
     assert rows == ["feet", {"folds": [2, 5]}, {"folds": [2, 4]}]
     # A number is what its user knows of crease lines: no kind takes its place.
-    assert not list(carry_steps.stronger_lines(file, begun))
+    assert not list(carry_steps.named_lines(file, begun))
 
 
 def test_every_step_is_proposed_in_the_order_of_a_builder(
@@ -165,7 +183,7 @@ def test_every_step_is_proposed_in_the_order_of_a_builder(
 ) -> None:
     """To pinned feet of whose crease lines nothing is known; rails and ballast are for others."""
     file, begun = weak
-    bare = file.tried({"structure.line_strength": None})
+    bare = file.tried({"structure.line_strength": None, "structure.crease_strength": 1e3})
     steps = dict.fromkeys(carry_steps.BUILDER)
     proposed = [step for step in steps if list(step(bare, begun))]
     others = {carry_feet.base_rail, carry_feet.more_ballast, carry_feet.anchored}
@@ -178,12 +196,128 @@ def test_every_step_is_proposed_in_the_order_of_a_builder(
         carry_boards.thicker,
         carry_boards.other_materials,
         carry_steps.gussets,
-        carry_steps.whole_boards,
         carry_steps.more_rows,
         carry_steps.deeper_waves,
         carry_steps.locked_creases,
     )]  # fmt: skip
     assert places == sorted(places)
+
+
+def test_nothing_is_proposed_that_bears_nobody_knows_what(
+    weak: tuple[DesignFile, Analysis],
+) -> None:
+    """Ties and locks without a strength; kinds of hinges where a membrane is the hinge."""
+    file, begun = weak
+    bare = file.tried({"structure.tie_strength": None, "structure.line_strength": None})
+    assert not list(carry_steps.ties_across_folds(bare, begun))
+    assert not list(carry_steps.locked_creases(bare, begun))
+    assert list(carry_steps.named_lines(bare, begun))
+    # A kind by name gives way to one that bears more in all directions, and to no other.
+    piano, bolted = (
+        list(carry_steps.named_lines(bare.tried({"structure.line_strength": kind}), begun))
+        for kind in ({"kind": "piano hinge"}, {"kind": "bolted hinge"})
+    )
+    assert [each.words for each in piano] == ["bolted hinge along every crease"]
+    assert not bolted
+    film = bare.tried(ON_MEMBRANE)
+    assert not list(carry_steps.named_lines(film, begun))
+
+
+ON_MEMBRANE: dict[str, Any] = {
+    "panel.construction": "sandwich", "panel.membrane": 0.0005, "panel.membrane_density": 1000,
+}  # fmt: skip
+NOT_GIVEN: dict[str, dict[str, Any]] = {
+    "lines": {"structure.line_strength": None},
+    "lines that bear no push": {"structure.line_strength": {"kind": "coated fabric"}},
+    "creases": {"structure.crease_stiffness": ["free", "rigid"]},
+    "ties": {"structure.tie_strength": None, "deployment.ties": "feet"},
+    "membrane": ON_MEMBRANE,
+}
+
+
+@pytest.mark.parametrize("changes", NOT_GIVEN.values(), ids=NOT_GIVEN)
+def test_strengths_that_are_not_given_come_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any]
+) -> None:
+    """What does without them is tried before any step; then all that is loaded is known.
+
+    Feet slide, so that ties between them are taut.
+    """
+    supports = [{"at": "feet", "kind": "sliding"}] if "deployment.ties" in changes else None
+    held = {} if supports is None else {"structure.supports": supports}
+    file = standing(tmp_path, RIGID_FEET, "rigid" if supports else "free")
+    given = {} if supports is None else {"structure.crease_strength": 1e6}
+    file = file.tried({**given, **held, **changes})
+    (missing, *_) = carry_strengths.not_given(file)
+    asked: list[DesignFile] = []
+
+    def first_step(file: DesignFile, _: Analysis) -> Iterator[Change]:
+        asked.append(file)
+        yield from ()
+
+    monkeypatch.setattr(carry, "BUILDER", (first_step,))
+    monkeypatch.setattr(carry, "DESIGNER", ())
+    search = find_carrying(file)
+    said = carry_strengths.in_words([missing])
+    assert search.tried[1].startswith(said.partition(" and ")[0])
+    assert asked
+    assert all(not carry_strengths.not_given(each) for each in asked)
+    assert search.nearest is not None
+    _, analysis = search.nearest
+    assert all(case.equilibrium is None or not case.equilibrium.unknown for case in analysis.cases)
+
+
+def test_what_is_not_known_of_an_analysis_is_not_given_in_its_file(
+    tmp_path: Path,
+) -> None:
+    """The file is asked, and not the analysis, as a shell that moves has no forces."""
+    file = standing(tmp_path, RIGID_FEET, "rigid").tried({"structure.line_strength": None})
+    for changes in ({}, ON_MEMBRANE):
+        other = file.tried(changes)
+        made = shell_of(other, trying(no_progress, "", LOADED)).analysis
+        assert made is not None
+        (case,) = made.cases
+        assert case.equilibrium is not None
+        assert set(case.equilibrium.unknown) == set(carry_strengths.not_given(other))
+
+
+def test_a_strength_that_only_its_user_knows_ends_it_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Panels of one's own modulus: nothing is analysed, and what is to be given is named."""
+    own = {"structure.material": None, "structure.modulus": 9e9}
+    monkeypatch.setattr(carry, "shell_of", no_clock)
+    with pytest.raises(DesignError, match=r"strength of panels is not .*give strength in"):
+        find_carrying(arch(tmp_path).tried(own))
+
+
+def test_changes_that_are_no_longer_needed_are_taken_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A rail beside feet that are anchored after it; what is left carries, typed in."""
+    file = standing(tmp_path, SLIDING).tried(
+        {
+            "panel.thickness": 0.021,
+            "deployment.ties": "folds",
+            "load_case": [{"name": "snow", "snow": {"ground": 200}}],
+        }
+    )
+    monkeypatch.setattr(carry, "BUILDER", (railed, carry_feet.anchored))
+    monkeypatch.setattr(carry, "DESIGNER", ())
+    monkeypatch.setattr(carry, "LIGHTER", ())
+    monkeypatch.setattr(carry._State, "is_nearer", lambda *_: True)
+    search = find_carrying(file)
+    assert any(" - a rail: carries: " in each for each in search.tried)
+    for each in search.found:
+        assert "rail" not in each.words
+        assert each.changes.keys() == {"structure.supports"}
+    assert search.found
+
+
+def railed(_: DesignFile, __: Analysis) -> Iterator[Change]:
+    """A base rail that is not enough."""
+    sides = {"material": "steel", "width": 0.03, "height": 0.03, "wall": 0.002}
+    yield Change({"structure.rail": sides}, {"rail": "a rail"})
 
 
 def test_thicker_panels_weigh_more_where_the_file_says_what_they_weigh(
@@ -283,14 +417,13 @@ def test_a_thickness_that_is_not_sold_is_said_and_not_made(
     monkeypatch.setattr(carry, "BUILDER", (carry_boards.thicker,))
     monkeypatch.setattr(carry, "DESIGNER", ())
     search = find_carrying(cardboard)
-    assert [each.replace(SPACE, " ") for each in search.tried if "cannot be made" in each]
-    assert all(
-        "no thicker board of corrugated cardboard is on the market (15 mm)"
-        in each.replace(SPACE, " ")
-        for each in search.tried
-    )
+    _, *tried = search.tried  # the file itself
+    assert tried
+    end = "cannot be made, as no thicker board of corrugated cardboard is on the market (15 mm)"
+    assert all(end in each.replace(SPACE, " ") for each in tried)
 
 
+RIGID_FEET = '[{ at = "feet", kind = "pinned", edges = true }]'
 SLIDING = '[{ at = "feet", kind = "friction", friction = 0.4 }]'
 BALLAST = '[{ at = "feet", kind = "pinned", friction = 0.4, ballast = 5 }]'
 
@@ -390,8 +523,7 @@ def test_gussets_are_few_first_then_more(weak: tuple[DesignFile, Analysis]) -> N
         places.append((asked.rows, asked.columns))
     assert places == [("valleys", 4), ("valleys", 2), ("valleys", 1), ("all", "all")]
     assert not list(carry_steps.gussets(file, begun))
-    whole = file.tried(next(carry_steps.whole_boards(file, begun)).values)
-    assert whole.stiffeners is None
+    whole = weak[0].tried({"panel.construction": "hinged", "panel.gap": None})
     assert not list(carry_steps.gussets(whole, begun))
 
 
@@ -456,7 +588,10 @@ def test_the_command_writes_design_files(
         assert path.read_text(encoding="utf-8").startswith("# a small arch")
         written = read_design_file(path)
         assert written.tables == arch(tmp_path).changed(each.change.values).tables
-        assert each.change.words.replace(SPACE, " ") in done.stdout
+        assert each.change.words.replace(SPACE, " ") in " ".join(done.stdout.split())
+    _, told = done.stdout.split("Designs that carry, the lightest first")
+    told = told.partition("wrote ")[0]
+    assert all(len(line) <= carry_cli.WIDTH for line in told.splitlines())
 
 
 def test_where_none_carries_it_ends_with_status_1(

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -16,8 +18,10 @@ if TYPE_CHECKING:
     from orishell.design_file import DesignFile
     from orishell.shell.carry_found import Carrying, CarrySearch
 
-HEAD = ("design", "what is changed", "kg", "parts", "pack", "used", "governs")
+HEAD = ("design", "kg", "parts", "pack", "used", "governs")
 NAME = "carries-{}.toml"
+WIDTH = 100
+"""Columns of a terminal that lines keep to."""
 
 
 def make_it_carry(asked: DesignFile, out: Path | None, *, json_report: bool, force: bool) -> None:
@@ -82,7 +86,7 @@ def _write(asked: DesignFile, found: CarrySearch, output: Any) -> list[Path]:
 
 def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str]:
     from orishell.conventions.row import Row
-    from orishell.io.sections import Bullets, Section, Table, section_lines
+    from orishell.io.sections import Section, Table, section_lines
 
     begun = found.begun
     yield from lines_of(Row(begun.sign, "stands", begun.in_words()))
@@ -90,18 +94,34 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
         yield "It carries as it is: nothing is to be changed."
         return
     if found.found:
-        names = [each.name for each in written] or map(str, range(1, len(found.found) + 1))
+        names = [each.name for each in written] or [str(k + 1) for k in range(len(found.found))]
         rows = [(name, *_cells(each, unit)) for name, each in zip(names, found.found, strict=True)]
         table = Table(HEAD, rows, numbers=0)
         yield from section_lines([Section("Designs that carry, the lightest first", (table,))])
+        yield "What is changed"
+        for name, each in zip(names, found.found, strict=True):
+            yield from _wrapped(f"{name}: {each.words}")
     else:
         yield "No design was found that carries."
-        yield from [f"Nearest came {found.near}"] if found.near else []
+        yield from _wrapped(f"Nearest came {found.near}", "") if found.near else []
     tried = list(found.tried)
     if found.ended:
         tried.append("more would have taken too long")
-    yield from section_lines([Section("What was tried, with few cells", (Bullets(tried),))])
+    yield "What was tried, with few cells (6 = 2 + ties: trial 6 is trial 2 with ties)"
+    yield from chain.from_iterable(map(_wrapped, tried))
     yield from (f"wrote     {each}" for each in written)
+
+
+def _wrapped(text: str, indent: str = "  ") -> list[str]:
+    """Lines of a terminal; units stay beside their numbers."""
+    return wrap(
+        text,
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=f"{indent}    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def _cells(each: Carrying, unit: str) -> tuple[str, ...]:
@@ -109,7 +129,6 @@ def _cells(each: Carrying, unit: str) -> tuple[str, ...]:
 
     pack = "-" if each.pack is None else " x ".join(plain(side, 3) for side in each.pack)
     return (
-        each.words,
         plain(each.mass, 3) if each.mass else "-",
         str(each.parts),
         f"{pack} {unit}" if each.pack else pack,

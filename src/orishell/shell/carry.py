@@ -4,7 +4,8 @@ Changes are made one after the other in the order of a builder, and in that of a
 choose the shape first. One stays if with it the shell is nearer to what it bears; where a shell
 carries, what it does not need is taken away again. All trials are made of whole shells with few
 cells; what is offered is then made and analysed as the file asks, contact and pack included. The
-search ends after so much predicted work: no clock decides, and what was tried is said.
+search ends after so much predicted work: no clock decides, and what was tried is said. Strengths
+that the file does not give come first: without them nothing is ever known to carry.
 """
 
 from __future__ import annotations
@@ -20,9 +21,10 @@ from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.analyse import require_structure
 from orishell.shell.carry_boards import as_sold, offer, thickness_key
-from orishell.shell.carry_change import NOTHING, Change, Step
-from orishell.shell.carry_found import Carrying, CarrySearch, parts_on_site
+from orishell.shell.carry_change import Change, Step, together
+from orishell.shell.carry_found import Carrying, CarrySearch, ended, parts_on_site
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
+from orishell.shell.carry_strengths import MAKES_KNOWN, in_words, not_given, refuse, require_known
 from orishell.shell.facts import Facts
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.load_trials import LOADED, LoadTrials, Refused
@@ -46,10 +48,16 @@ PACKED = tuple(each for each in LOADED if each != "pack")
 class _State:
     """A shell with some changes, as analysed with few cells."""
 
-    change: Change
+    name: str  # the number of its trial
+    changes: tuple[Change, ...]  # one after the other
     file: DesignFile
     facts: Facts
     analysis: Analysis
+
+    @property
+    def change(self) -> Change:
+        """All that is changed."""
+        return together(self.changes)
 
     @property
     def carries(self) -> bool:
@@ -97,9 +105,11 @@ def find_carrying(
     """Designs that carry all cases of a file, the lightest first, or what was tried in vain.
 
     tell: Is told what was tried so far, with each trial that ends.
-    Raises InputError, DesignError or VerificationError if the file itself cannot be made.
+    Raises InputError, DesignError or VerificationError if the file itself cannot be made, and
+    DesignError if a strength is not given that no change makes known.
     """
     require_structure(file)
+    require_known(file)
     progress = rising(progress)
     made = shell_of(file, trying(stretch(progress, 0.0, 0.1), "analysing the file", LOADED))
     assert made.analysis is not None
@@ -112,7 +122,7 @@ class _Search:
     def __init__(self, file: DesignFile, begun: Analysis, progress: Progress, tell: Tell) -> None:
         self.file, self.begun, self.progress, self.tell = file, begun, progress, tell
         self.trials = LoadTrials(file, begun, self._tell)
-        self.known: dict[str, _State | None] = {}
+        self.known: dict[str, _State | Refused] = {}
         self.tried: list[str] = []
         self.carrying: list[_State] = []
         self.nearest: _State | None = None
@@ -132,8 +142,9 @@ class _Search:
         self.tell(tuple(self.tried))
 
     def run(self) -> CarrySearch:
-        first = self._state(NOTHING, NOTHING)
-        if first is not None:
+        first = self._trial((), "the file")
+        if isinstance(first, _State):
+            first = self._made_known(first)
             for order, share in ((BUILDER, 0.5), (DESIGNER, 1.0)):
                 self.until = share * WORK
                 self._walk(first, order)
@@ -143,8 +154,26 @@ class _Search:
             self.begun, found, tuple(self.tried), None if found else near, self.ended
         )
 
+    def _made_known(self, at: _State) -> _State:
+        """The shell without that of which nobody knows what it bears; else DesignError."""
+        missing, why = not_given(at.file), ""
+        if missing:
+            self._note(f"{in_words(missing)} is not given", "first what does without that is tried")
+        for step, parts in MAKES_KNOWN:
+            for change in step(at.file, at.analysis) if parts & set(not_given(at.file)) else ():
+                made = self._changed(at, change)
+                at = made or at
+                if made is None:
+                    why = f"; tried without it, {self.tried[-1].partition(' + ')[2]}"
+                    continue
+                break
+        refuse(not_given(at.file), why)
+        self.nearest = at if missing else self.nearest
+        return at
+
     def _walk(self, at: _State, order: Sequence[Step]) -> None:
         """Take every step that brings the shell nearer to carrying, until it does."""
+        begun = len(at.changes)
         for step in chain.from_iterable(repeat(order, ROUNDS)):
             better = self._best(at, step, _State.is_nearer)
             at = better or at
@@ -154,11 +183,29 @@ class _Search:
         if not at.carries:
             return
         self.carrying.append(at)
+        at = self._without_useless(at, begun)
         for step in LIGHTER:
             lighter = self._best(at, step, lambda new, old: new.carries and new.weight < old.weight)
             if lighter is not None:
                 at = lighter
                 self.carrying.append(at)
+
+    def _without_useless(self, at: _State, begun: int) -> _State:
+        """A shell that carries without the changes that it does as well, or better, without.
+
+        begun: So many changes are not taken back.
+        """
+        for change in at.changes[begun:]:
+            if self.work > self.until:
+                break
+            rest = tuple(each for each in at.changes if each is not change)
+            state = self._trial(rest, f"{at.name} - {change.words}")
+            if isinstance(state, Refused) or state is at:
+                continue
+            if state.carries and state.weight <= at.weight:
+                at = state
+                self.carrying.append(at)
+        return at
 
     def _best(
         self, at: _State, step: Step, better: Callable[[_State, _State], bool]
@@ -169,35 +216,45 @@ class _Search:
             if self.work > self.until:
                 self.ended = True
                 break
-            state = self._state(at.change, change)
+            state = self._changed(at, change)
             if state is not None and better(state, at):
                 found.append(state)
         return min(found, key=lambda each: each.rank, default=None)
 
-    def _state(self, before: Change, change: Change, *, again: bool = True) -> _State | None:
-        """A changed shell with few cells; None if it cannot be made. No change is tried twice.
+    def _changed(self, at: _State, change: Change) -> _State | None:
+        """A shell with one more change, or with what its refusal offers in its place."""
+        made = self._trial((*at.changes, change), f"{at.name} + {change.words}")
+        if isinstance(made, Refused):
+            other = self._fitting(at.change, change, made)
+            if other is not None:
+                made = self._trial((*at.changes, other), f"{at.name} + {other.words}")
+        return None if isinstance(made, Refused) else made
 
-        again: Whether what its refusal offers is tried in its place.
+    def _trial(self, changes: tuple[Change, ...], words: str) -> _State | Refused:
+        """A changed shell with few cells, or why it is none. No change is tried twice.
+
+        words: What is changed of which trial.
         """
-        whole = before | change
+        whole = together(changes)
         key = repr(sorted(whole.values.items()))
         if key in self.known:
             return self.known[key]
-        self.known[key] = None
-        if change.refused:
-            self._note(whole.words, f"cannot be made, as {change.refused}")
-            return None
-        made = self.trials.made(whole.values, whole.words or "the file", quick=True)
-        self.panels += self.file.panel_count
+        name = str(len(self.known)) if changes else words
+        said = f"{name} = {words}" if changes else words
+        made: Facts | Refused
+        if changes and changes[-1].refused:
+            made = Refused(changes[-1].refused)
+        else:
+            made = self.trials.made(whole.values, said, quick=True)
+            self.panels += self.file.panel_count
         if isinstance(made, Refused):
-            self._note(whole.words or "the file", f"cannot be made, as {made.why}")
-            other = self._fitting(before, change, made) if again and change.values else None
-            return None if other is None else self._state(before, other, again=False)
+            self.known[key] = Refused(made.why)  # what it offers is tried once
+            self._note(said, f"cannot be made, as {made.why}")
+            return made
         assert made.analysis is not None
-        state = _State(whole, self.file.tried(whole.values), made, made.analysis)
+        state = _State(name, changes, self.file.tried(whole.values), made, made.analysis)
         self.known[key] = state
-        if whole.words:
-            self._note(whole.words, state.analysis.in_words())
+        self._note(said, ended(state.analysis))
         if self.nearest is None or state.lacks < self.nearest.lacks:
             self.nearest = state
         return state
@@ -226,14 +283,14 @@ class _Search:
                 self.ended = self.ended or not found
                 break
             trials += 1
-            words = state.change.words or "the file"
+            words = f"{state.name} with cells as the file asks"
             made = self.trials.made(state.change.values, words, quick=False, skip=PACKED)
             if isinstance(made, Refused):
-                self._note(f"{words}, as the file asks", f"cannot be made, as {made.why}")
+                self._note(words, f"cannot be made, as {made.why}")
                 continue
             assert made.analysis is not None
+            self._note(words, ended(made.analysis))
             if not made.analysis.carries:
-                self._note(f"{words}, with cells as the file asks", made.analysis.in_words())
                 continue
             packed = made.deployment.packed
             box = None if packed is None else (packed.length, packed.width, packed.height)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from orishell.conventions.errors import Remedy
@@ -50,5 +52,12 @@ class Change:
 
 
 NOTHING = Change({}, {})
+
+
+def together(changes: Iterable[Change]) -> Change:
+    """Changes, one after the other."""
+    return reduce(or_, changes, NOTHING)
+
+
 Step = Callable[[DesignFile, Analysis], Iterator[Change]]
 """A kind of change, as it may be made to a file of which something was found."""

@@ -65,7 +65,7 @@ class CarrySearch:
 
     begun: Analysis  # of the file as it is
     found: tuple[Carrying, ...]  # designs that carry, the lightest first
-    tried: tuple[str, ...]  # every change, in words, and how it ended
+    tried: tuple[str, ...]  # every trial: what it adds to which, and how it ended
     nearest: tuple[Change, Analysis] | None  # what came nearest, with few cells, if none carries
     ended: bool  # whether more would have taken too long
 
@@ -86,6 +86,11 @@ class CarrySearch:
             return ""
         change, analysis = self.nearest
         return f"{change.words or 'the file as it is'}: {analysis.in_words()}"
+
+
+def ended(found: Analysis) -> str:
+    """How a trial ended, in a line."""
+    return f"carries: {found.governing_in_words()}" if found.carries else found.in_words()
 
 
 def parts_on_site(facts: Facts) -> int:

@@ -8,6 +8,7 @@ from the file: where neither has one, no step makes one up.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import attrgetter, gt
 from typing import Literal
 
 from orishell.conventions.formatting import rounded
@@ -22,11 +23,6 @@ from orishell.shell.load_trials import STANDING_CELLS
 from orishell.structure.hinge_lines import DIRECTIONS, hinge_lines
 from orishell.structure.results import Analysis
 
-NOT_WHOLE = (
-    "panel.membrane", "panel.membrane_density", "panel.gap", "stiffeners",
-    "structure.membrane_modulus", "structure.membrane_strength",
-)  # fmt: skip
-"""What goes with panels that have their hinges in creases, and not with whole boards."""
 DEEPER = 1.5
 """The zigzag and the waves of g become so many times as deep at a time."""
 FEW = 4
@@ -37,21 +33,34 @@ Rows = Literal["valleys", "crests", "all"] | tuple[int, ...]
 FOLDS = {"deployment.ties": "folds"}
 
 
-def stronger_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Crease lines of a kind that bears more in a direction, and of which all is known."""
+def named_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Crease lines of a kind of which all is known, where it is not of the file's own.
+
+    Or of one that bears more, where the file names a kind and gives no figures of its own. Not
+    where a membrane is the hinge of panels.
+    """
     assert file.structure is not None
-    asked = file.structure.filled(file.unit).line_strength
+    if file.panel is not None and not file.panel.is_solid:
+        return
+    asked, given = file.structure.line_strength, value_at(file.tables, "structure.line_strength")
+    kind = None if asked is None else asked.kind
+    named = None if kind is None or given != {"kind": kind} else hinge_lines()[kind]
+    lines, of = file.structure.filled(file.unit).line_strength, attrgetter(*DIRECTIONS)
+    lacks = lines is None or None in of(lines)
     for name, made in hinge_lines().items():
-        known = [getattr(made, each) for each in DIRECTIONS]
-        has = [None if asked is None else getattr(asked, each) for each in DIRECTIONS]
-        if None not in known and None in has:
+        bears = of(made)
+        if None in bears:
+            continue
+        if lacks or (named is not None and all(map(gt, bears, of(named)))):
             values = {"structure.line_strength": {"kind": name}}
             yield Change(values, {"lines": f"{name} along every crease"})
 
 
 def ties_across_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Ties between feet, and across the folds of every inner vertex."""
-    if file.deployment.ties in ("none", "feet"):
+    """Ties between feet and across the folds of every vertex, if what they bear is known."""
+    assert file.structure is not None
+    known = file.structure.tie_strength is not None
+    if known and file.deployment.ties in ("none", "feet"):
         yield Change(FOLDS, {"ties": 'ties across the folds (ties = "folds")'})
 
 
@@ -106,14 +115,6 @@ def _more_gussets(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all
         yield "all", "all"
 
 
-def whole_boards(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Whole boards on hinges beside them."""
-    if file.panel is not None and file.panel.construction != "hinged":
-        dropped = {key: None for key in NOT_WHOLE if value_at(file.tables, key) is not None}
-        values = {"panel.construction": "hinged", **dropped}
-        yield Change(values, {"boards": 'whole boards (construction = "hinged")'})
-
-
 def more_rows(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Two rows more: as they are odd, or even."""
     if file.tolerance is None and file.drawing is None:
@@ -141,20 +142,21 @@ def deeper_folds(file: DesignFile, _: Analysis) -> Iterator[Change]:
 
 
 def locked_creases(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Every crease locked once the shell stands."""
+    """Every crease locked once the shell stands, if it is known what it bears then."""
     assert file.structure is not None
-    if file.structure.crease_stiffness[0] != float("inf"):
+    known = file.structure.crease_strength is not None
+    if known and file.structure.crease_stiffness[0] != float("inf"):
         yield Change({"structure.crease_stiffness": "rigid"}, {"locks": "every crease locked"})
 
 
 BUILDER: tuple[Step, ...] = (
-    held_edges, base_rail, more_ballast, more_ballast, anchored, clamped, stronger_lines,
+    held_edges, base_rail, more_ballast, more_ballast, anchored, clamped, named_lines,
     ties_across_folds, flaps, thicker, thicker, other_materials, gussets, gussets, gussets,
-    whole_boards, more_rows, deeper_waves, deeper_waves, deeper_folds, locked_creases,
+    more_rows, deeper_waves, deeper_waves, deeper_folds, locked_creases,
 )  # fmt: skip
 """In the order in which somebody would who has the sheet already."""
 DESIGNER: tuple[Step, ...] = (
-    held_edges, anchored, stronger_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
+    held_edges, anchored, named_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
     ties_across_folds, clamped, thicker, thicker, gussets, gussets, locked_creases,
 )  # fmt: skip
 """In the order of somebody who may choose its shape first."""

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from orishell.conventions.errors import DesignError, OrishellError, Remedy
+from orishell.conventions.errors import DesignError, InputError, OrishellError, Remedy
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
@@ -84,4 +84,7 @@ def _refused(error: OrishellError) -> Refused:
     """What is said of a refusal, and what it offers."""
     if isinstance(error, DesignError):
         return Refused(error.condition, error.candidates)
-    return Refused(getattr(error, "what", str(error)))
+    if isinstance(error, InputError):
+        got = f" ({error.where}: {error.got}, expected {error.expected})" if error.expected else ""
+        return Refused(f"{error.what}{got}")
+    return Refused(str(error).removesuffix("."))
