@@ -25,7 +25,6 @@ from orishell.workshop.boards import (
     SIDES,
     board_labels,
     distinct_corners,
-    has_membrane,
     hung_on,
     seen_from_outside,
     solid_marks,
@@ -203,7 +202,7 @@ def _draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, 
             yield f"-{layer.ending}", page
         return
     parts = board_parts(document)
-    usual = "boards" if has_membrane(document) else LAYERS[0]
+    usual = "boards" if any(part.side for part in parts) else LAYERS[0]
     contents = (part.content() for part in parts)
     placed = [*zip(contents, nest_boards(document, workshop), strict=True)]
     stocks = zip(stocks_of_boards(document), sheets_of_stocks(document, workshop), strict=True)
