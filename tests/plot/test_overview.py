@@ -39,15 +39,17 @@ def picture(
         last="Locked",
         unit="m",
         hinges=IN_CREASES if hinged is None else at_height(design.mechanism, hinged),
-        gussets=[in_a_fold(design.mechanism)] if gussets else [],
+        others=lambda drive: in_a_fold(design.mechanism, drive) if gussets else [],
     )
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 
 
-def in_a_fold(mechanism: Mechanism) -> np.ndarray:
+def in_a_fold(mechanism: Mechanism, drive: float) -> list[np.ndarray]:
     """Corners (1, 4, 3) of a gusset at a vertex, along all of the edges of its column."""
-    above, vertex, below = mechanism.positions(mechanism.target_drive)[1:4, 1]
-    return np.array([[vertex, above, 0.5 * (above + below), below]])
+    if drive != mechanism.target_drive:
+        return []
+    above, vertex, below = mechanism.positions(drive)[1:4, 1]
+    return [np.array([[vertex, above, 0.5 * (above + below), below]])]
 
 
 def at_height(mechanism: Mechanism, height: float) -> Hinges:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -64,6 +64,10 @@ class DrawnContact:
     panels: tuple[tuple[int, int], ...]  # row and column of the panels that touch
 
 
+def _no_others(_: float) -> Sequence[Array]:
+    return ()
+
+
 def plot_overview(
     path: Path,
     motion: FoldingMotion,
@@ -76,7 +80,7 @@ def plot_overview(
     hinge: HingeSection | None = None,
     beside: OffsetSection | None = None,
     hinges: HingeLines = IN_CREASES,
-    gussets: Sequence[Array] = (),
+    others: Callable[[float], Sequence[Array]] = _no_others,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -100,8 +104,9 @@ def plot_overview(
         A section with the surfaces that crests and valleys should follow, to draw below all.
     hinges
         Those of whole boards, which are drawn where they are: beside the panels of the sheet.
-    gussets
-        Corners (1, 4, 3) of each gusset at the target, where it is drawn.
+    others
+        Corners (K, 4, 3) of panels of each part that goes with the sheet and is there at a drive
+        (radians).
     """
     target = motion.mechanism.target_drive
     mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
@@ -109,17 +114,18 @@ def plot_overview(
     camera = choose_camera(locked)
 
     def panels(drive: float) -> Array:
-        """Corners (F, 4, 3) of all panels in a state."""
+        """Corners (F, 4, 3) of all panels in a state, those of what goes with the sheet last."""
         positions = mechanism.positions(drive)
         if isinstance(hinges, Hinges):
             return hinges.drawn_boards(positions).reshape(-1, 4, 3)
-        return np.concatenate([_drawn_panels(positions), flaps.at(drive)])
+        return np.concatenate([_drawn_panels(positions), flaps.at(drive), *others(drive)])
 
     drives = [share * target for share in STATE_SHARES]
     if motion.pack is not None:
         drives = [target + share * (motion.pack - target) for share in OPENING] + drives[-1:]
     if contact is not None:
         drives.append(contact.drive)
+
     states = [panels(drive) for drive in drives]
     shown_panels = panels(target)
 
@@ -140,7 +146,7 @@ def plot_overview(
     size = np.ptp(points, axis=0)
     set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
-    _draw_shell(shell, np.concatenate([shown_panels, *gussets]), camera, WIDTH / 2)
+    _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
     drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
     sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))

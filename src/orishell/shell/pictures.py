@@ -17,6 +17,8 @@ from orishell.deviation import Deviation, drawn_shell, measure_points, measure_s
 from orishell.document import Document
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
+from orishell.motion.quads import grid_corners
+from orishell.numerics.arrays import Array
 from orishell.plot import (
     DrawnContact,
     DrawnWeight,
@@ -85,13 +87,13 @@ def draw_pictures(
         motion,
         design.targets,
         title=_title(file),
-        last=_last_state(design, lock),
+        last=_last_state(design, lock) + (", girders drawn" if design.boxes else ""),
         unit=file.unit,
         contact=_drawn(lock),
         hinge=hinge,
         beside=_offset_section(design),
         hinges=document.hinges,
-        gussets=[part.shell.positions[part.mesh.faces] for part in design.plates],
+        others=lambda drive: _others(design, drive),
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
@@ -176,6 +178,18 @@ def _drawn(lock: Lock) -> DrawnContact | None:
     if contact is None or contact is lock.clipped_contact or contact.apart is not None:
         return None
     return DrawnContact(contact.drive, contact.panels)
+
+
+def _others(design: Design, drive: float) -> list[Array]:
+    """Corners (K, 4, 3) of panels: of girders where they are joined, of plates at the target."""
+    found = [
+        grid_corners(box.sleeve.positions(drive)).reshape(-1, 4, 3)
+        for box in design.boxes
+        if drive >= box.joined_from
+    ]
+    if drive == design.mechanism.target_drive:
+        found += [part.shell.positions[part.mesh.faces] for part in design.attached]
+    return found
 
 
 def _last_state(design: Design, lock: Lock) -> str:
