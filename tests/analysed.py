@@ -161,7 +161,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             buckling_at_points=(0.1,),
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
-            in_plates=None,
+            in_plates=(),
         )
         return CaseResult(name, stiffness, loads, forces, None, stands)
 

@@ -1,7 +1,8 @@
 """Decks for CalculiX with free hinges: every panel has nodes of its own, tied by equations.
 
-They are written from the analysed model: its mesh, places, loads, supports and sections, and what
-ties and flaps act as the analysis found. Elements are CalculiX's own.
+They are written from the analysed model: its mesh, with that of box girders, places, loads,
+supports and sections, and what ties and flaps act as the analysis found. Elements are those of
+CalculiX.
 """
 
 from __future__ import annotations
@@ -42,17 +43,32 @@ class Deck:
     locked: bool = False  # panels share nodes, and turns with them
 
     @property
+    def parts(self) -> list[Integers]:
+        """Nodes (F, m+1, n+1) of the model in panels of the sheet, and in those of every strip."""
+        strips = self.model.plates if self.model.design.boxes else ()
+        return [self.model.mesh.nodes, *(each.nodes[each.own.nodes] for each in strips)]
+
+    @property
+    def nodes(self) -> Integers:
+        """The node (own,) of the model at every one of the panels' own nodes."""
+        return np.concatenate([each.ravel() for each in self.parts])
+
+    @property
     def own(self) -> int:
         """Nodes of all panels, without the middles of sides."""
-        return self.model.mesh.nodes.size
+        return len(self.nodes)
 
     def cells(self) -> tuple[Integers, Integers]:
         """Corners (C, 4) of cells as numbers of the panels' own nodes, and their panels (C,)."""
-        count, size, _ = self.model.mesh.nodes.shape
-        own = np.arange(self.own).reshape(count, size, size)
-        corners = [own[:, :-1, :-1], own[:, 1:, :-1], own[:, 1:, 1:], own[:, :-1, 1:]]
-        panels = np.repeat(np.arange(count), (size - 1) ** 2)
-        return np.stack([each.ravel() for each in corners], axis=1), panels
+        corners, panels, first, before = [], [], 0, 0
+        for nodes in self.parts:
+            own = first + np.arange(nodes.size).reshape(nodes.shape)
+            around = [own[:, :-1, :-1], own[:, 1:, :-1], own[:, 1:, 1:], own[:, :-1, 1:]]
+            corners.append(np.stack([each.ravel() for each in around], axis=1))
+            count = len(corners[-1]) // len(nodes)
+            panels.append(before + np.repeat(np.arange(len(nodes)), count))
+            first, before = first + nodes.size, before + len(nodes)
+        return np.concatenate(corners), np.concatenate(panels)
 
     def middles(self) -> tuple[Integers, Integers]:
         """Sides (S, 2) of cells by own nodes, and which (C, 4) each cell has."""
@@ -63,12 +79,12 @@ class Deck:
 
     def masters(self) -> Integers:
         """The first own node (N,) at every node of the model."""
-        _, first = np.unique(self.model.mesh.nodes.ravel(), return_index=True)
+        _, first = np.unique(self.nodes, return_index=True)
         return first
 
     def together(self, ends: Integers) -> Iterator[tuple[int, int]]:
         """Pairs of nodes that have their displacements in common: the first, and another."""
-        nodes, masters = self.model.mesh.nodes.ravel(), self.masters()
+        nodes, masters = self.nodes, self.masters()
         yield from (
             (int(masters[node]), own) for own, node in enumerate(nodes) if masters[node] != own
         )
@@ -115,9 +131,12 @@ class Deck:
     def sections(self) -> tuple[Array, Array]:
         """Thickness (C,) of cells, and Young's modulus: as stiff in its plane and in bending."""
         section = self.model.section
-        count = 2 * len(self.cells()[0])
-        both = (np.broadcast_to(each, count) for each in (section.membrane, section.bending))
-        membrane, bending = (each.reshape(-1, 2).mean(axis=1) for each in both)
+        every = [section, *(self.model.plate_sections if len(self.parts) > 1 else ())]
+        both = []
+        for nodes, own in zip(self.parts, every, strict=True):
+            count = 2 * nodes[:, 1:, 1:].size
+            both.append([np.broadcast_to(each, count) for each in (own.membrane, own.bending)])
+        membrane, bending = np.concatenate(both, axis=1).reshape(2, -1, 2).mean(axis=2)
         thickness = np.sqrt(12 * bending / membrane)
         if self.locked:
             row, column = np.divmod(self.cells()[1], self.model.grid.columns - 1)
@@ -133,7 +152,7 @@ class Deck:
 
     def _lines(self, steps: tuple[str, ...], off: Array | None) -> Iterator[str]:
         model = self.model
-        nodes, points = model.mesh.nodes.ravel(), model.mesh.facets.points
+        nodes, points = self.nodes, model.mesh.facets.points
         points = points if off is None else points + off
         (corners, _), (ends, which) = self.cells(), self.middles()
         places = np.concatenate([points[nodes], points[nodes[ends]].mean(axis=1)])

@@ -19,7 +19,7 @@ from orishell.structure.mesh.geometric import geometric_stiffness
 from orishell.structure.mesh.plates import Plates, mesh_plates
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
-from orishell.structure.mesh.stops import Stops
+from orishell.structure.mesh.stops import Stops, plate_line
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.plates import turned_plates
 
@@ -74,9 +74,9 @@ class Cell:
 
     @classmethod
     def of(cls, cells: int, case: Case) -> Cell:
-        stops = Stops(frozenset(case.at[:, 0].tolist()), case.share)
+        stops = Stops.of_plates(case.grid, case.at[:, 0].tolist(), case.share)
         sheet = mesh_sheet(case.positions, case.grid, cells, stops=stops)
-        plates = mesh_plates(sheet, case.grid, case.at, stops.line(cells))
+        plates = mesh_plates(sheet, case.grid, case.at, plate_line(case.share, cells))
         whole = SheetMesh(sheet.facets, sheet.nodes, sheet.places, None, plates.added)
         sections = (Section.solid(MODULUS, each, POISSON) for each in (THICKNESS, THIN))
         return cls(case, whole, plates, *sections)

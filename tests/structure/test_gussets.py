@@ -162,7 +162,7 @@ def test_plywood_uses_no_less_than_by_its_grain() -> None:
     for _ in range(300):
         direct, bent = random.normal(size=(2, 1, 3)) * 1e6 * random.uniform(0, 1, size=(2, 1, 1))
         used = used_of_plates(
-            structure, PanelStresses(one, one, direct, bent, none), "permanent", "m"
+            structure, (PanelStresses(one, one, direct, bent, none),), "permanent", "m"
         )
         assert used is not None
         for turn in (0.0, 0.25 * np.pi, 0.5 * np.pi):

@@ -67,7 +67,7 @@ PLAIN = arch(KEYS).model
 
 def test_a_force_is_in_the_middle_where_lines_of_nodes_are_moved() -> None:
     """As gussets move them: four nodes share it, in the panel's middle all the same."""
-    stops = Stops(frozenset({1}), 0.8)
+    stops = Stops.of_plates(PLAIN.grid, [1], 0.8)
     mesh = mesh_sheet(PLAIN.positions, PLAIN.grid, 4, stops=stops)
     exposure = replace(PLAIN.exposure, mesh=mesh.facets, panels=mesh.panels)
     corners = PLAIN.positions.reshape(-1, 3)[PLAIN.grid.faces_vertices()[1]]

@@ -192,6 +192,14 @@ export interface BoxReport {
   height: number;
 }
 
+/** The largest stress in box girders. */
+export interface BoxStress {
+  /** Von Mises' stress, averaged over a patch of a fixed share of a panel. */
+  size: number;
+  /** Which panel of which strip, "box 4 upper 3", or which plate across: "plate 4,3". */
+  part: string;
+}
+
 /** How large a shell is, by the keys of the table [target.fit] (lengths). */
 export interface BuiltSizes {
   outside: Record<string, number>;
@@ -611,6 +619,8 @@ export interface Equilibrium {
   arms: AtCrease | null;
   /** The largest stress of gussets; None if there are none. */
   gussets: PlateStress | null;
+  /** The largest stress of box girders; None if there are none. */
+  boxes: BoxStress | null;
   /** The largest stress of base rails; None without them. */
   rail: AtRail | null;
   /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
@@ -869,7 +879,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "rail" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "ties" | "rail" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1942,6 +1952,8 @@ export interface Utilisation {
   arms: number | null;
   /** None, too, where there are none. */
   gussets: number | null;
+  /** Likewise. */
+  boxes: number | null;
   /**  */
   ties: number | null;
   /** None, too, without base rails. */
@@ -1949,7 +1961,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "ties" | "rail" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "ties" | "rail" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

@@ -7,7 +7,13 @@ from orishell.document.document import (
     DocumentTie,
     FirstContact,
 )
-from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedGussets, LoadedShell
+from orishell.document.loaded import (
+    LoadedCase,
+    LoadedCreases,
+    LoadedGirders,
+    LoadedGussets,
+    LoadedShell,
+)
 
 __all__ = [
     "FLAT",
@@ -19,6 +25,7 @@ __all__ = [
     "FirstContact",
     "LoadedCase",
     "LoadedCreases",
+    "LoadedGirders",
     "LoadedGussets",
     "LoadedShell",
     "Part",

@@ -54,6 +54,15 @@ class LoadedGussets:
 
 
 @record
+class LoadedGirders:
+    """Meshed strips of box girders and plates across them, none of whose triangles are panels'."""
+
+    names: tuple[str, ...]  # what their panels are called
+    triangles: Integers  # corners (S, 3): nodes of the shell
+    panels: Integers  # which of their panels (S,) each is of
+
+
+@record
 class LoadedCreases:
     """The largest force along every crease (C,) of a shell, of all load cases in balance."""
 
@@ -85,6 +94,7 @@ class LoadedShell:
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
     gussets: LoadedGussets | None = None  # None without any; none of them is in its triangles
+    girders: LoadedGirders | None = None  # None without box girders
     creases_turn: bool = False  # whether creases may turn, in some case at least
     rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

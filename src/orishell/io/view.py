@@ -239,12 +239,12 @@ def _megapascals(document: Document) -> float:
 def _on_panels(loaded: LoadedShell, case: LoadedCase) -> Array:
     """Loads of a case on every panel (P, 3), with its flaps those on what is meshed.
 
-    Nodes that panels share count for one of them.
+    Nodes that panels share count for one of them, those of what only stiffens them for none.
     """
-    owner = np.zeros(len(loaded.points), dtype=np.intp)
-    owner[loaded.triangles] = loaded.panels[:, None]
     count = int(loaded.panels.max()) + 1
-    axes = [np.bincount(owner, weights=force, minlength=count) for force in case.forces.T]
+    owner = np.full(len(loaded.points), count)
+    owner[loaded.triangles] = loaded.panels[:, None]
+    axes = [np.bincount(owner, force, count + 1)[:count] for force in case.forces.T]
     return np.stack(axes, axis=1)
 
 

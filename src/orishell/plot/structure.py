@@ -130,7 +130,7 @@ def exaggeration(points: Array, displacements: Array) -> float:
 
 @record
 class _Panels:
-    """Panels of a loaded shell, and gussets behind them: triangles and outlines."""
+    """Panels of a loaded shell, gussets and box girders behind them: triangles and outlines."""
 
     count: int
     panel: Integers  # the panel (T,) of every triangle
@@ -147,6 +147,10 @@ class _Panels:
         own = np.repeat(sheet + np.arange(added), gussets.shape[1])
         panels = np.concatenate([panels, own])
         triangles = np.concatenate([triangles, gussets.reshape(-1, 3)])
+        if shell.girders is not None:
+            panels = np.concatenate([panels, sheet + added + shell.girders.panels])
+            triangles = np.concatenate([triangles, shell.girders.triangles])
+            added += len(shell.girders.names)
         sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
         owned = np.column_stack([np.repeat(panels, 3), sides])
         rims, times = np.unique(owned, axis=0, return_counts=True)

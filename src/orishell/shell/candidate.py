@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.deployment import Site, find_site
 from orishell.deployment.feet import Feet, find_feet, stand
@@ -53,14 +52,6 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":
         clock.lap("clash")
-    if file.structure is not None and file.stiffeners and file.stiffeners.kind == "boxes":
-        raise InputError(
-            "a structure is analysed without box girders",
-            keys=("stiffeners.kind", "structure"),
-            got='"boxes"',
-            expected='"gussets"',
-            remedy="leave the table [structure] out, or name gussets",
-        )
     design, lock = with_boxes(
         design,
         lock,

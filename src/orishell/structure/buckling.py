@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,13 +25,13 @@ def turned_by_load(
     model: Model,
     structure: Factorised,
     forces: Array,
-    borne: tuple[FacetForces, FacetForces | None],
+    borne: tuple[FacetForces, Sequence[FacetForces]],
     hung: tuple[Array, Array],
 ) -> Turned:
     """The geometric stiffness of free dofs.
 
     forces: Of all rows (M,) of the structure: ties pull, flaps push.
-    borne: What triangles bear, and those of plates that stiffen the sheet; None without any.
+    borne: What triangles bear, and those of plates that stiffen the sheet.
     hung: Forces (T, 18) that move triangles, and loads (N, 3) on points.
     """
     mesh, ties = model.mesh, len(model.site.ties)
@@ -43,8 +44,8 @@ def turned_by_load(
     if mesh.offsets is not None:
         turning = turning + by_arms(mesh, *hung)
     panels, plates = borne
-    if model.plates is not None and plates is not None:
-        turning = turning + turned_plates(model.plates, plates, mesh.count)
+    for each, found in zip(model.plates, plates, strict=True):
+        turning = turning + turned_plates(each, found, mesh.count)
     return geometric_stiffness(mesh, panels.forces, points, structure.free, turning)
 
 
@@ -70,17 +71,22 @@ def by_arms(mesh: SheetMesh, forces: Array, loads: Array) -> csr_array:
 
 
 def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
-    """Share (k,) of the strain energy of modes (n, k) in panels that are held at points."""
+    """Share (k,) of the strain energy of modes (n, k) in panels that are held at points.
+
+    All of it is that of panels and of what stiffens them.
+    """
     points = model.supports.points
     if not (len(points) and modes.size):
         return np.zeros(modes.shape[1])
-    elements = model.elements
+    elements, plates = model.elements, model.plate_elements
     corners = model.mesh.nodes[:, *CORNERS]
     standing = np.asarray(np.isin(corners, points).any(axis=1))
     there = standing[model.mesh.panels]
-    energies = []
+    shares = []
     for mode in modes.T:
         moved = structure.moved(mode)
-        energies.append((elements.forces(moved) * moved[elements.dofs]).sum(axis=1))
-    energy = np.stack(energies)
-    return np.asarray(energy[:, there].sum(axis=1) / energy.sum(axis=1))
+        energy, *others = (
+            (each.forces(moved) * moved[each.dofs]).sum(axis=1) for each in (elements, *plates)
+        )
+        shares.append(energy[there].sum() / (energy.sum() + sum(each.sum() for each in others)))
+    return np.array(shares)

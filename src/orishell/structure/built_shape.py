@@ -62,5 +62,12 @@ def built_off(linear: Equilibrium, most: float) -> Model:
     way = -1.0 if (mode * linear.displacements).sum() < 0 else 1.0
     facets, built = model.mesh.facets, replace(model)
     points = facets.points + way * most * mode
-    vars(built)["mesh"] = replace(model.mesh, facets=replace(facets, points=points))
+    mesh = replace(model.mesh, facets=replace(facets, points=points))
+    plates = model.plates
+    if model.design.boxes:  # whose nodes are all among those of the mesh
+        plates = tuple(
+            replace(each, own=replace(each.own, facets=replace(each.own.facets, points=own)))
+            for each, own in ((each, points[each.nodes]) for each in plates)
+        )
+    vars(built).update({"mesh": mesh, "_joined": (mesh, plates)})
     return built

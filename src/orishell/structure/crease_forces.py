@@ -125,9 +125,10 @@ def hold_moved_panels(
 
 
 def _restrained(model: Model) -> Integers:
-    """Nodes that supports and base rails hold, the ground included."""
+    """Nodes that supports, base rails and what stiffens panels hold, the ground included."""
     rails = (rail.nodes for rail in model.rails)
-    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground, *rails])
+    plates = (each.nodes for each in model.plates)
+    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground, *rails, *plates])
 
 
 def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:

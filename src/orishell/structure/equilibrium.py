@@ -30,9 +30,16 @@ from orishell.structure.load_path import LoadPath, Unfollowed
 from orishell.structure.loads import Vector, vector
 from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
+from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
-from orishell.structure.plates import PlateStress, most_stressed, used_of_plates
+from orishell.structure.plates import (
+    BoxStress,
+    PlateStress,
+    most_stressed,
+    most_stressed_box,
+    used_of_plates,
+)
 from orishell.structure.rail import AtRail, used_rail, worst_rail
 from orishell.structure.sandwich_shares import InSandwich, in_sandwich
 from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
@@ -48,7 +55,7 @@ class Equilibrium:
     REPORTED = (
         "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
         "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
-        "membrane", "arms", "gussets", "rail", "panel_residual", "utilisation",
+        "membrane", "arms", "gussets", "boxes", "rail", "panel_residual", "utilisation",
         "buckling", "buckling_factors", "frequencies", "path", "unfollowed", "duration", "strength",
     )  # fmt: skip
 
@@ -86,7 +93,7 @@ class Equilibrium:
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
-    in_plates: PanelStresses | None  # in plates that stiffen the sheet; None if there are none
+    in_plates: tuple[PanelStresses, ...]  # in what stiffens the sheet, as ``Model.plates`` has it
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
@@ -109,8 +116,7 @@ class Equilibrium:
         """The largest."""
         sizes = np.linalg.norm(self.displacements, axis=1)
         node = first_largest(sizes, SOLVED)
-        mesh = self.model.mesh
-        panel = int(np.argmax(((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))))
+        panel = _panel_of(self.model.mesh, node)
         return Displacement(
             size=float(sizes[node]),
             vector=vector(self.displacements[node]),
@@ -189,6 +195,11 @@ class Equilibrium:
         return most_stressed(self.model, self.in_plates)
 
     @cached_property
+    def boxes(self) -> BoxStress | None:
+        """The largest stress of box girders; None if there are none."""
+        return most_stressed_box(self.model, self.in_plates)
+
+    @cached_property
     def rail(self) -> AtRail | None:
         """The largest stress of base rails; None without them."""
         return worst_rail(self.model.rails, self.displacements)
@@ -260,6 +271,9 @@ class Equilibrium:
         grain, inside = self.by_grain, self.sandwich
         core = None if asked.sandwich is None else asked.sandwich.core_shear_strength
         creases = 0.0 if self.crease is None else self.crease.moment
+        stiffeners = used_of_plates(
+            self.model.of_plates, self.in_plates, self.duration, self.model.site.unit
+        )
         return Utilisation(
             panels=share_of(self.in_panels[0], self.strength) if grain is None else grain.panels,
             panel_shear=None if grain is None else grain.panel_shear,
@@ -270,9 +284,8 @@ class Equilibrium:
             creases=share_of(creases, asked.crease_strength),
             lines=None if line is None else line.size,
             arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
-            gussets=used_of_plates(
-                self.model.of_plates, self.in_plates, self.duration, self.model.site.unit
-            ),
+            gussets=None if self.gussets is None else stiffeners,
+            boxes=None if self.boxes is None else stiffeners,
             ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             rail=used_rail(self.rail, asked, self.duration, self.model.site.unit),
             buckling=None if self.buckling is None else 1 / self.buckling,
@@ -290,6 +303,7 @@ class Equilibrium:
             "lines": self.unknown_line.size > least,
             "arms": self.arms is not None and self.arms.size > 0,
             "gussets": self.gussets is not None and self.gussets.size > 0,
+            "boxes": self.boxes is not None and self.boxes.size > 0,
             "ties": bool(self.tie_forces.any()),
         }
         shares = self.utilisation.shares
@@ -304,3 +318,12 @@ class Equilibrium:
         """The largest share of what is borne, and of a displacement that makes it another shell."""
         known = (share or 0.0 for share in self.utilisation.shares.values())
         return max(self.displacement.share / COLLAPSED, *known)
+
+
+def _panel_of(mesh: SheetMesh, node: int) -> int:
+    """The panel that has a point of the mesh; the nearest one where what stiffens them has it."""
+    own = ((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))
+    if own.any():
+        return int(np.argmax(own))
+    away = np.linalg.norm(mesh.facets.points[mesh.seats] - mesh.facets.points[node], axis=-1)
+    return int(np.argmin(away.min(axis=(1, 2))))

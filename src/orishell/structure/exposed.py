@@ -15,12 +15,12 @@ from orishell.structure.mesh.sheet import SheetMesh
 
 
 def expose(
-    design: Design, site: Site, mesh: SheetMesh, inner: tuple[Mechanism, int], rails: Array
+    design: Design, site: Site, mesh: SheetMesh, inner: tuple[Mechanism, int], more: Array
 ) -> Exposure:
     """The mesh as loads see it.
 
     inner: The sheet without its flaps, and the number of columns of folded ones before its first.
-    rails: Masses (N,) of base rails at nodes (kg).
+    more: Masses (N,) of base rails and box girders at nodes (kg).
     """
     (sheet, before), facets, mass = inner, mesh.facets, site.areal_mass
     grid = sheet.grid
@@ -37,9 +37,11 @@ def expose(
         grid=grid,
         before=before,
         areal_mass=np.full(len(facets.triangles), mass),
-        hung=hung + rails,
+        hung=hung + more,
         unit=site.unit,
-        ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
+        ground=float(
+            points[..., 2].min() if standing else facets.points[facets.triangles, 2].min()
+        ),
         span=span if standing else None,
         feet=site.rows,
     )

@@ -6,8 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from orishell.document.loaded import LoadedCase, LoadedCreases, LoadedGussets, LoadedShell
+from orishell.document.loaded import (
+    LoadedCase,
+    LoadedCreases,
+    LoadedGirders,
+    LoadedGussets,
+    LoadedShell,
+)
 from orishell.numerics.equals import SOLVED, largest_along_first
+from orishell.structure.boxes import names_of
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import FORCES, worst_forces
 from orishell.structure.mesh.edge_forces import crease_sides
@@ -34,6 +41,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
         gussets=_gussets(model),
+        girders=_girders(model),
         creases_turn=bool(np.isfinite(model.structure.crease_stiffness[0])),
         rails=bool(model.rails),
         cases=tuple(_loaded(name, case, model) for name, case in cases),
@@ -43,10 +51,11 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
 
 def _gussets(model: Model) -> LoadedGussets | None:
     """Plates that stiffen the sheet; None without any."""
-    plates, parts, site = model.plates, model.design.plates, model.site
-    if plates is None:
+    parts, site = model.design.plates, model.site
+    if not parts:
         return None
-    section, own = model.plate_section, plates.own
+    (plates,), (section,) = model.plates, model.plate_sections
+    own = plates.own
     areas = own.facets.areas().reshape(len(parts), -1).sum(axis=1)
     masses = np.array([part.mass(site.areal_mass, site.metres) for part in parts])
     return LoadedGussets(
@@ -57,6 +66,24 @@ def _gussets(model: Model) -> LoadedGussets | None:
         bending=float(np.max(section.bending)),
         poisson=section.poisson,
         areal_mass=masses / areas,
+    )
+
+
+def _girders(model: Model) -> LoadedGirders | None:
+    """Strips of box girders, and plates across them; None without any."""
+    if not model.design.boxes:
+        return None
+    names = names_of(model.design)
+    triangles = [each.nodes[each.own.facets.triangles] for each in model.plates]
+    counts = [
+        len(each) // len(plate.own.nodes)
+        for each, plate in zip(triangles, model.plates, strict=True)
+    ]
+    panels = [len(plate.own.nodes) for plate in model.plates]
+    return LoadedGirders(
+        names=names,
+        triangles=np.concatenate(triangles),
+        panels=np.repeat(np.arange(len(names)), np.repeat(counts, panels)),
     )
 
 

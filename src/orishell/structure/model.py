@@ -15,8 +15,16 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
+from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
+from orishell.structure.boxes import (
+    parts_of,
+    plates_across,
+    sleeves_between_flaps,
+    strip_masses,
+    strip_sections,
+)
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.exposed import expose
 from orishell.structure.flaps import between_flaps, kept_apart
@@ -27,12 +35,13 @@ from orishell.structure.mesh.arms import joint_elements
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.frames import Frame
+from orishell.structure.mesh.girders import MeshedPart, join_parts, stops_of_sleeves
 from orishell.structure.mesh.hinges import rigid_stiffness
 from orishell.structure.mesh.plane import strains_along
 from orishell.structure.mesh.plates import LEAST_STANDING, Plates, mesh_plates
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
-from orishell.structure.mesh.stops import Stops, stops_of
+from orishell.structure.mesh.stops import Stops, plate_line
 from orishell.structure.mesh.stresses import turns_in_panels
 from orishell.structure.rail import lay_rails, rail_masses
 from orishell.structure.settings import Structure
@@ -78,7 +87,7 @@ class Model:
     @property
     def least_cells(self) -> int:
         """How many cells there are at least along a side of a panel."""
-        standing = LEAST_STANDING if self.design.plates else 1
+        standing = LEAST_STANDING if self.design.plates or self.design.boxes else 1
         return LEAST_CELLS if self.design.has_whole_boards else standing
 
     @property
@@ -104,7 +113,8 @@ class Model:
     @property
     def height(self) -> float:
         """Of the shell between its flaps."""
-        return float(np.ptp(self.mesh.facets.points[:, 2]))
+        facets = self.mesh.facets
+        return float(np.ptp(facets.points[facets.triangles, 2]))
 
     @property
     def displacement_limit(self) -> float | None:
@@ -116,7 +126,8 @@ class Model:
         if not isinstance(asked, str):
             return asked
         of, _, parts = asked.partition("/")
-        plan = np.ptp(self.mesh.facets.points[:, :2], axis=0).max()
+        facets = self.mesh.facets
+        plan = np.ptp(facets.points[facets.triangles, :2], axis=(0, 1)).max()
         whole = self.height if of == "height" else self.exposure.span or float(plan)
         return whole / int(parts)
 
@@ -197,24 +208,54 @@ class Model:
         """The meshed sheet, or its whole boards."""
         if self.design.has_whole_boards:
             return mesh_boards(self._plates(self.sheet.target_drive), self.grid, self.cells)
-        bare = mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
-        return bare if self.plates is None else replace(bare, added=self.plates.added)
-
-    @cached_property
-    def plates(self) -> Plates | None:
-        """Plates that stiffen the sheet; None if there are none."""
-        corners = [part.plate.corner for part in self.design.attached if part.plate is not None]
-        if not corners:
-            return None
-        at = np.array(corners) - [0, self.before]
-        bare = mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
-        return mesh_plates(bare, self.grid, at, self.stops.line(self.cells))
+        return self._joined[0]
 
     @property
-    def stops(self) -> Stops:
-        """Where plates that stiffen the sheet end."""
+    def plates(self) -> tuple[Plates, ...]:
+        """What stiffens the sheet: all gussets, or strips of box girders and plates across."""
+        return self._joined[1]
+
+    @cached_property
+    def bare(self) -> SheetMesh:
+        """The meshed sheet, with lines of nodes where what stiffens it ends, or hangs."""
+        return mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
+
+    @cached_property
+    def girders(self) -> tuple[MeshedPart, ...]:
+        """Its box girders: the upper and the lower strip of each, then plates across them."""
+        at, _ = plates_across(self.design, self.before)
+        return parts_of(self.bare, self.grid, self.sleeves, self.positions, at)
+
+    @cached_property
+    def _joined(self) -> tuple[SheetMesh, tuple[Plates, ...]]:
+        """The meshed sheet with what stiffens it, and this."""
+        if self.sleeves:
+            return join_parts(self.bare, self.girders)
+        corners = [part.plate.corner for part in self.design.attached if part.plate is not None]
+        if not corners:
+            return self.bare, ()
+        at = np.array(corners) - [0, self.before]
+        share = self.design.plates[0].plate
+        assert share is not None
+        plates = mesh_plates(self.bare, self.grid, at, plate_line(share.share, self.cells))
+        return replace(self.bare, added=plates.added), (plates,)
+
+    @property
+    def sleeves(self) -> tuple[Sleeve, ...]:
+        """The sleeves of its box girders, over the sheet without its flaps."""
+        return sleeves_between_flaps(self.design.boxes, self.before)
+
+    @property
+    def stops(self) -> Stops | None:
+        """Where plates that stiffen the sheet end, or strips hang on it; None without any."""
+        if self.design.boxes:
+            return stops_of_sleeves(self.grid, self.sleeves)
         plates = [part.plate for part in self.design.attached if part.plate is not None]
-        return stops_of([each.corner[0] for each in plates], [each.share for each in plates])
+        if not plates:
+            return None
+        assert len({each.share for each in plates}) == 1, "plates go along edges by one share"
+        rows = [each.corner[0] for each in plates]
+        return Stops.of_plates(self.grid, rows, plates[0].share)
 
     @cached_property
     def of_plates(self) -> Structure:
@@ -223,9 +264,19 @@ class Model:
         return self.structure.made_of(own.pop(), self.site.unit) if own else self.structure
 
     @cached_property
-    def plate_section(self) -> Section:
-        """Section of plates that stiffen the sheet, all of which are made alike."""
-        return whole_section(self.of_plates, self.design.plates[0].panel)
+    def plate_sections(self) -> tuple[Section, ...]:
+        """Sections of what stiffens the sheet, as ``plates`` has it."""
+        if self.design.boxes:
+            return strip_sections(
+                self.structure, self.design.panel, self.design.boxes, self.girders
+            )
+        return tuple(whole_section(self.of_plates, each.panel) for each in self.design.plates[:1])
+
+    @cached_property
+    def plate_elements(self) -> tuple[Elements, ...]:
+        """The triangles of what stiffens the sheet, as elements."""
+        both = zip(self.plates, self.plate_sections, strict=True)
+        return tuple(each.elements(section, self.mesh.count) for each, section in both)
 
     def vertices(self, drive: float) -> Array:
         """Nodes (V, 3) at the vertices of the sheet without its flaps, at a drive (radians).
@@ -280,8 +331,11 @@ class Model:
     def exposure(self) -> Exposure:
         """The mesh as loads see it."""
         asked, count = self.structure.rail, len(self.mesh.facets.points)
-        rails = rail_masses(asked, self.rails, count, self.site.unit)
-        return expose(self.design, self.site, self.mesh, (self.sheet, self.before), rails)
+        hung = rail_masses(asked, self.rails, count, self.site.unit)
+        if self.design.boxes:
+            made = self.design.boxes, self.plates, self.design.panel
+            hung += strip_masses(*made, self.site, count)
+        return expose(self.design, self.site, self.mesh, (self.sheet, self.before), hung)
 
     @cached_property
     def rails(self) -> tuple[Frame, ...]:
@@ -366,8 +420,7 @@ class Model:
         mesh = self.mesh
         springs = min(stiffness, rigid_stiffness(mesh, self.section))
         elements = [self.elements, *joint_elements(mesh, self.grid, springs)]
-        if self.plates is not None:
-            elements.append(self.plates.elements(self.plate_section, mesh.count))
+        elements += self.plate_elements
         elements += [rail.elements(mesh.count) for rail in self.rails]
         supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)

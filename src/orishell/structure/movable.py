@@ -69,14 +69,12 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
                 stood=stood,
             )
         )
-    spins = mesh.rotations().reshape(-1, 3)
-    if model.plates is not None:
-        spins = np.concatenate([spins, model.plates.turns])
+    spins = [mesh.rotations().reshape(-1, 3), *(each.turns for each in model.plates)]
     loose = len(pairs) or len(ground) or not stiffness or response.motions.shape[1]
     return Moving.of(
         parts,
         model.supports.dofs(mesh),
-        spins,
+        np.concatenate(spins),
         lever,
         steady=STEADY * typical if loose else 0.0,
     )

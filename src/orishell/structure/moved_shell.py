@@ -59,7 +59,7 @@ def deformed(
         model, (panels.forces(moved), turning, places), point.factor * on_panels, total
     )
     in_plates = [_in_place(each, moved) for each in others if isinstance(each, Corotational)]
-    on_plates = plate_forces(model, in_plates[0] if in_plates else None)
+    on_plates = plate_forces(model, in_plates)
     borne = np.zeros(len(model.site.ties) + len(model.flaps))
     feet: tuple[Foot, ...] = ()
     for part in others:

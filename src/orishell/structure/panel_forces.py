@@ -20,7 +20,7 @@ from orishell.structure.model import Model
 LEAST = 1e-10
 """Forces below this share of the largest one are rounding, and moments of that with a panel's size
 as their arm."""
-OUTSIDE = ("support", "rail", "gusset")
+OUTSIDE = ("support", "rail", "gusset", "box girder")
 """What holds nodes from outside the panels, and is no tie and no flap."""
 NAMES = np.array(
     ["remainder"]
@@ -58,7 +58,7 @@ def panel_forces(model: Model, case: CaseResult) -> PanelForces:
     codes = _held(model)
     blocks = [
         _rows(panels, "load", on.middles, on.loads),
-        _rows(panels, "support", on.middles, on.within),
+        _rows(panels, _within(model, codes), on.middles, on.within),
         *_at_edges(model, found, codes),
         *_at_corners(model, case, found, codes),
     ]
@@ -100,15 +100,21 @@ def _rows(
 
 def _held(model: Model) -> Integers:
     """What holds every node (N,) from outside: a number with a bit for each of ``OUTSIDE``."""
-    supports, plates = model.supports, model.plates
+    supports = model.supports
     found = np.zeros(len(model.mesh.facets.points), np.int64)
     found[supports.restrained[:, 0]] |= 1
     found[supports.ground] |= 1
     for rail in model.rails:
         found[rail.nodes] |= 2
-    if plates is not None:
-        found[plates.nodes[plates.nodes < model.mesh.node_count]] |= 4
+    for each in model.plates:
+        found[each.nodes[each.nodes < len(found)]] |= 4 if model.design.plates else 8
     return found
+
+
+def _within(model: Model, codes: Integers) -> Array:
+    """What holds panels (F,) at nodes inside them, in words."""
+    inside = codes[model.mesh.nodes[:, 1:-1, 1:-1]]
+    return np.asarray(NAMES[np.bitwise_or.reduce(inside, axis=(1, 2))])
 
 
 def _moved_to(forces: Array, arms: Array) -> Array:

@@ -1,7 +1,12 @@
-"""Plates that stiffen a sheet: what they bear, and what they add as they turn under it."""
+"""What stiffens a sheet, plates and strips: what it bears, and what it adds as it turns under it.
+
+Plates that are made alike are meshed together: gussets all at once, strips of box girders one by
+one, and the plates across each. What is found has one entry for each mesh of ``Model.plates``.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +15,7 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, first_largest
+from orishell.structure.boxes import names_of
 from orishell.structure.materials import Duration
 from orishell.structure.mesh.corotational import Corotational
 from orishell.structure.mesh.geometric import geometric_stiffness
@@ -37,37 +43,66 @@ class PlateStress:
     at: Vertex  # the vertex that the plate goes from
 
 
-def plate_forces(model: Model, corners: Array | None) -> FacetForces | None:
-    """What triangles of plates bear; None if there are no plates.
+@record
+class BoxStress:
+    """The largest stress in box girders."""
 
-    corners: Displacements and rotations (T', 18) of their corners; None if there are no plates.
+    size: float  # von Mises' stress, averaged over a patch of a fixed share of a panel
+    part: str  # which panel of which strip, "box 4 upper 3", or which plate across: "plate 4,3"
+
+
+def plate_forces(model: Model, corners: Sequence[Array]) -> tuple[FacetForces, ...]:
+    """What triangles of plates bear.
+
+    corners: Displacements and rotations (T', 18) of their corners.
     """
-    if model.plates is None or corners is None:
+    return tuple(
+        facet_stresses(each.own.facets, section, moved)
+        for each, section, moved in zip(model.plates, model.plate_sections, corners, strict=True)
+    )
+
+
+def stresses_in_plates(model: Model, borne: Sequence[FacetForces]) -> tuple[PanelStresses, ...]:
+    """Stresses of plates by patches."""
+    return tuple(
+        panel_stresses(each.own, section, found)
+        for each, section, found in zip(model.plates, model.plate_sections, borne, strict=True)
+    )
+
+
+def most_stressed(model: Model, stresses: Sequence[PanelStresses]) -> PlateStress | None:
+    """The gusset with the largest stress; None if there are none."""
+    if not model.design.plates or not stresses:
         return None
-    return facet_stresses(model.plates.own.facets, model.plate_section, corners)
-
-
-def stresses_in_plates(model: Model, borne: FacetForces | None) -> PanelStresses | None:
-    """Stresses of plates by patches; None if there are no plates."""
-    if model.plates is None or borne is None:
-        return None
-    return panel_stresses(model.plates.own, model.plate_section, borne)
-
-
-def most_stressed(model: Model, stresses: PanelStresses | None) -> PlateStress | None:
-    """The plate with the largest stress; None if there are no plates."""
-    if stresses is None:
-        return None
-    sizes = stresses.von_mises().max(axis=1)[np.unique(stresses.patches, return_index=True)[1]]
-    patch = first_largest(sizes, SOLVED)
-    number = int(stresses.panels[np.unique(stresses.patches)[patch]])
+    size, number = _largest(stresses)
     part = model.design.plates[number]
     assert part.plate is not None
-    return PlateStress(float(sizes[patch]), part.plate.corner)
+    return PlateStress(size, part.plate.corner)
+
+
+def most_stressed_box(model: Model, stresses: Sequence[PanelStresses]) -> BoxStress | None:
+    """The panel or plate of box girders with the largest stress; None if there are none."""
+    if not model.design.boxes or not stresses:
+        return None
+    size, number = _largest(stresses)
+    return BoxStress(size, names_of(model.design)[number])
+
+
+def _largest(stresses: Sequence[PanelStresses]) -> tuple[float, int]:
+    """The largest stress, and the plate that has it, all of them numbered one after the other."""
+    sizes, numbers, before = [], [], 0
+    for each in stresses:
+        patches, where = np.unique(each.patches, return_index=True)
+        sizes.append(each.von_mises().max(axis=1)[where])
+        numbers.append(before + each.panels[patches])
+        before += int(each.panels[-1]) + 1
+    every = np.concatenate(sizes)
+    most = first_largest(every, SOLVED)
+    return float(every[most]), int(np.concatenate(numbers)[most])
 
 
 def used_of_plates(
-    structure: Structure, stresses: PanelStresses | None, duration: Duration, unit: str
+    structure: Structure, stresses: Sequence[PanelStresses], duration: Duration, unit: str
 ) -> float | None:
     """The share of their strength that plates use at most; None if it is not known, or without any.
 
@@ -77,29 +112,38 @@ def used_of_plates(
     the share is no more than von Mises' stress over the less of f/sqrt(2) and sqrt(3) f_v: of what
     both faces have, and of what bending adds.
     """
-    if stresses is None:
+    if not stresses:
         return None
     grain = structure.grain_strength(duration, unit)
     if grain is None:
-        return share_of(float(stresses.von_mises().max()), structure.bears(duration, unit))
+        most = max(float(each.von_mises().max()) for each in stresses)
+        return share_of(most, structure.bears(duration, unit))
     weaker = grain.weaker()
     least = min(*weaker.bending, *weaker.tension, *weaker.compression)
     bears = min(least / np.sqrt(2), np.sqrt(3) * weaker.panel_shear)
-    together = von_mises(stresses.direct) + von_mises(stresses.bent)
-    return float(max((together / bears).max(), weaker.rolls(stresses.across).max()))
+    return float(
+        max(
+            max(
+                ((von_mises(each.direct) + von_mises(each.bent)) / bears).max(),
+                weaker.rolls(each.across).max(),
+            )
+            for each in stresses
+        )
+    )
 
 
 def turned_plates(plates: Plates, borne: FacetForces, count: int) -> csr_array:
     """What plates that turn under membrane forces add to the stiffness of all dofs (D, D).
 
-    As in panels, but that displacements are linear in triangles at the middle of a plate's outer
-    side: nodes in a row say nothing of slopes there, where both rows are one line.
+    As in panels, but that displacements are linear in triangles where a corner of a plate is a
+    straight angle, as in the middle of a gusset's outer side: nodes in a row say nothing of slopes
+    there, where both rows are one line.
     """
     from scipy.sparse import bsr_array, coo_array, csr_array
 
     own = plates.own
     every, none = np.arange(own.count), csr_array((own.count, own.count))
-    turned = geometric_stiffness(own, borne.forces, own.nodes[:, -1, -1], every, none)
+    turned = geometric_stiffness(own, borne.forces, plates.straight, every, none)
     slopes = turned.slopes + turned.curved * np.repeat(turned.bent, 6)[:, None]
     blocks = np.repeat(turned.weights, 3, axis=0)
     number = np.arange(len(blocks) + 1)
@@ -109,9 +153,14 @@ def turned_plates(plates: Plates, borne: FacetForces, count: int) -> csr_array:
 
 
 def movable_plates(model: Model) -> list[Corotational]:
-    """Plates as they may be moved far, their rotations behind those of panels; none without any."""
-    plates, mesh = model.plates, model.mesh
-    if plates is None:
-        return []
-    own, dofs = plates.own, plates.dofs[plates.own.dofs()]
-    return [Corotational.of(own.facets, model.plate_section, dofs, mesh.nodes.size + own.places)]
+    """Plates as they may be moved far, their rotations behind those of panels."""
+    panels = model.mesh.nodes.size
+    return [
+        Corotational.of(
+            each.own.facets,
+            section,
+            each.dofs[each.own.dofs()],
+            panels + each.first + each.own.places,
+        )
+        for each, section in zip(model.plates, model.plate_sections, strict=True)
+    ]

@@ -112,13 +112,19 @@ def seconds(model: Model, cells: int) -> float:
     """What an analysis with so many cells takes."""
     asked = model.structure
     stiffnesses, cases = len(set(asked.crease_stiffness)), len(asked.analysed)
-    size = (count_freedoms(model.grid, cells) / 1e5) ** GROWTH
+    size = (_freedoms(model, cells) / 1e5) ** GROWTH
     return float(size * stiffnesses * (FACTORS + CASE * cases))
 
 
 def memory(model: Model, cells: int) -> float:
     """The memory that an analysis with so many cells takes (bytes)."""
-    return BASE + BYTES * count_freedoms(model.grid, cells)
+    return BASE + BYTES * _freedoms(model, cells)
+
+
+def _freedoms(model: Model, cells: int) -> int:
+    """About how many degrees of freedom there are with so many cells, no less."""
+    grids = [model.grid, *(each.sleeve.grid for each in model.design.boxes)]
+    return sum(count_freedoms(grid, cells) for grid in grids)
 
 
 def _limit(model: Model, cells: int, spent: float) -> Stop | None:

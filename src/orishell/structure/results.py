@@ -85,6 +85,11 @@ CLIPPED_IN = (
     "creases gussets stand: they are hinged in these, and as flat as designed; where they "
     "have a core, its shear and wrinkling of faces"
 )
+HUNG_ON = (
+    "wind and snow on box girders: only their weight counts; what joins their hinges to panels, "
+    "and how far off these their boards stand; springs in their hinges, which turn freely, "
+    "whatever the creases of the sheet do"
+)
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (
     "imperfections of fit, and of shape but of cases that buckle soon and are followed, as these "
@@ -118,13 +123,14 @@ class Analysis:
         first = FOLLOWED if asked.nonlinear else LINEAR_BUT_SOFT if soft else LINEAR
         thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
-        clipped = CLIPPED_IN if self.model.plates is not None else ""
+        clipped = CLIPPED_IN if self.model.design.plates else ""
+        hung = HUNG_ON if self.model.design.boxes else ""
         off = any(found.path is not None and found.path.imperfection for found, _ in self.balanced)
         known = IMPERFECT_BUT_SOFT if off else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
         # Of plates that stiffen the sheet no grain is known.
-        ways = "" if asked.has_grain and self.model.plates is None else ONE_WAY
-        parts = (thinned, bare, clipped, built, ways)
+        ways = "" if asked.has_grain and not self.model.plates else ONE_WAY
+        parts = (thinned, bare, clipped, hung, built, ways)
         return (first, *(each for each in parts if each), *NOT_COVERED)
 
     @property

@@ -18,6 +18,7 @@ Limiting = Literal[
     "lines",
     "arms",
     "gussets",
+    "boxes",
     "ties",
     "rail",
     "buckling",
@@ -34,6 +35,7 @@ GOVERNING: Mapping[Limiting, str] = {
     "lines": "the force along a crease line",
     "arms": "the stress in the arms of hinges",
     "gussets": "the stress in gussets",
+    "boxes": "the stress in box girders",
     "ties": "the force in a tie",
     "rail": "the stress in the base rail",
     "buckling": "buckling",
@@ -41,6 +43,7 @@ GOVERNING: Mapping[Limiting, str] = {
 """What governs, in the words of terminal, page and studio."""
 NAMED: Mapping[Limiting, str] = {
     "lines": "crease lines",
+    "boxes": "box girders",
     "rail": "base rail",
     "panel_shear": "panels against shear in their plane",
     "rolling_shear": "panels against rolling shear",
@@ -77,6 +80,7 @@ class Utilisation:
     lines: float | None  # of the forces that creases bear as crease lines
     arms: float | None  # None, too, where hinges have none
     gussets: float | None  # None, too, where there are none
+    boxes: float | None  # likewise
     ties: float | None
     rail: float | None  # None, too, without base rails
     buckling: float | None  # of the load at which the shell buckles; None if it does not

@@ -118,6 +118,8 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
             of = f"strength of its {NAMED.get(name, name)}"
             place = {"lines": found.used_line, "panels": found.worst_crease}.get(name)
             at = "" if place is None else f" at the crease between {_beside(place)}"
+            if name == "boxes" and found.boxes is not None:
+                at = f" in {found.boxes.part}"
             text = f"uses {plain(100 * part, 3)} % of the {of}{at}"
             yield Finding("fails", "exceeds strength", text, part)
     factor = found.buckling

@@ -49,8 +49,8 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     Raises
     ------
     InputError
-        If the shell was not analysed, is of whole boards, has base rails, or no unit of length is
-        known.
+        If the shell was not analysed, is of whole boards, has box girders or base rails, or no unit
+        of length is known.
     """
     shell = document.loaded
     if shell is None:
@@ -66,6 +66,14 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             keys=("panel.construction",),
             got='"hinged"',
             expected='"sandwich" or "bevel"',
+        )
+    if shell.girders is not None:
+        raise InputError(
+            "box girders are not written for CalculiX",
+            keys=("stiffeners.kind",),
+            got='"boxes"',
+            expected='"gussets"',
+            remedy="leave inp out of --write, or name gussets",
         )
     if shell.rails:
         raise InputError(

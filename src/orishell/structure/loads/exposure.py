@@ -24,13 +24,15 @@ def vector(values: Array) -> Vector:
 class Exposure:
     """What is loaded, and how it stands."""
 
-    mesh: Facets  # nodes (N, 3) and triangles (T, 3), all panels' cells one way round
+    # nodes (N, 3), also of what stiffens panels and is not exposed itself, and triangles (T, 3) of
+    # panels, all cells one way round
+    mesh: Facets
     panels: Integers  # the panel (T,) of every triangle, as the grid counts it
     grid: Grid  # the grid of the sheet between its flaps; its vertices are the first nodes
     # number of columns of folded flaps before its first column, which points are counted with
     before: int
     areal_mass: Array  # mass (T,) per area of every triangle (kg per square of the unit)
-    hung: Array  # mass (N,) of flaps that hang on nodes (kg)
+    hung: Array  # mass (N,) of what hangs on nodes: flaps, gussets, box girders, base rails (kg)
     unit: str  # the design's unit of length
     ground: float  # height of the ground (length)
     span: float | None  # from foot to foot; None if it does not stand on two feet (length)
@@ -39,7 +41,7 @@ class Exposure:
     @property
     def rise(self) -> float:
         """Height of its top over the ground (length)."""
-        return float(self.mesh.points[:, 2].max()) - self.ground
+        return float(self.mesh.points[self.mesh.triangles, 2].max()) - self.ground
 
     @property
     def rows(self) -> Integers:

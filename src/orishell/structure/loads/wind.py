@@ -179,7 +179,7 @@ def _swept(exposure: Exposure, direction: float) -> tuple[Booleans, float]:
     That is the smaller of 2 b and 4 h: b is the width across the wind, h the height.
     """
     x, y = _blows(direction)
-    plan = exposure.mesh.points[:, :2]
+    plan = exposure.mesh.points[exposure.mesh.triangles, :2].reshape(-1, 2)
     distance = min(2 * float(np.ptp(plan @ [-y, x])), 4 * exposure.rise)
     behind = exposure.centroids()[:, :2] @ [x, y] - (plan @ [x, y]).min()
     return behind > distance, distance

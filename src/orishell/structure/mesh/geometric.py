@@ -160,11 +160,10 @@ def smooth_rotations(mesh: SheetMesh) -> csr_array:
     corners = points[:, [0, -1, -1, 0], [0, 0, -1, -1]]
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     normal = (normal / np.linalg.norm(normal, axis=1, keepdims=True))[:, None, None]
-    first = np.clip(np.arange(nodes.shape[1]) - 1, 0, max(nodes.shape[1] - 3, 0))
-    near = first[:, None] + np.arange(min(3, nodes.shape[1]))  # in a row, with every node
-    down = _slope_weights(points, near)
-    right = _slope_weights(points.swapaxes(1, 2), near).swapaxes(1, 2)
-    below, beside = nodes[:, near].swapaxes(2, 3), nodes[:, :, near]
+    rows, columns = (_in_a_row(each) for each in nodes.shape[1:])
+    down = _slope_weights(points, rows)
+    right = _slope_weights(points.swapaxes(1, 2), columns).swapaxes(1, 2)
+    below, beside = nodes[:, rows].swapaxes(2, 3), nodes[:, :, columns]
     along, across = (
         np.einsum("fijs,fijsx->fijx", weights, mesh.facets.points[those])
         for weights, those in ((down, below), (right, beside))
@@ -178,30 +177,35 @@ def smooth_rotations(mesh: SheetMesh) -> csr_array:
         np.cross(np.cross(across, normal) / volume, normal),
         np.cross(np.cross(normal, along) / volume, normal),
     )
-    values = np.stack(
-        [
-            weights[..., None, None] * turn[..., None, :, None] * normal[..., None, None, :]
-            for weights, turn in zip((down, right), rotations, strict=True)
-        ]
-    )  # (2, F, cells+1, cells+1, 3, 3, 3): of which row, node, neighbour, rotation, displacement
     own = np.arange(nodes.size).reshape(nodes.shape)[..., None, None, None]
-    rows = 3 * own + np.arange(3)[:, None]
-    columns = 3 * np.stack([below, beside])[..., None, None] + np.arange(3)
-    rows, columns = np.broadcast_to(rows, values.shape), np.broadcast_to(columns, values.shape)
-    places = (rows.ravel(), columns.ravel())
     shape = 3 * nodes.size, mesh.facets.points.size
-    return csr_array(coo_array((values.ravel(), places), shape=shape) @ points_by_dofs(mesh))
+    total = csr_array(shape)
+    for weights, turn, those in zip((down, right), rotations, (below, beside), strict=True):
+        # (F, cells+1, cells+1, 3, 3, 3): of which node, neighbour, rotation, displacement
+        values = weights[..., None, None] * turn[..., None, :, None] * normal[..., None, None, :]
+        places = tuple(
+            np.broadcast_to(each, values.shape).ravel()
+            for each in (3 * own + np.arange(3)[:, None], 3 * those[..., None, None] + np.arange(3))
+        )
+        total = total + coo_array((values.ravel(), places), shape=shape).tocsr()
+    return csr_array(total @ points_by_dofs(mesh))
+
+
+def _in_a_row(count: int) -> Integers:
+    """Which nodes (n, 3) of so many in a line there are with each, two if there are no more."""
+    first = np.clip(np.arange(count) - 1, 0, max(count - 3, 0))
+    return np.asarray(first[:, None] + np.arange(min(3, count)))
 
 
 def _slope_weights(points: Array, near: Integers) -> Array:
-    """Weights (F, n, n, 3) of three nodes in a column for the slope at every node.
+    """Weights (F, n, m, 3) of three nodes in a column for the slope at every node.
 
-    points: Nodes (F, n, n, 3), whose columns are straight.
+    points: Nodes (F, n, m, 3), whose columns are straight, or nearly so: places are along them.
     near: Which nodes (n, 3) of a column there are with every node.
     """
     steps = np.linalg.norm(np.diff(points, axis=1), axis=-1)
     place = np.pad(np.cumsum(steps, axis=1), ((0, 0), (1, 0), (0, 0)))
-    x = place[:, near] - place[:, :, None]  # (F, n, 3, n), from the node itself
+    x = place[:, near] - place[:, :, None]  # (F, n, 3, m), from the node itself
     weights = np.empty_like(x)
     for k in range(near.shape[1]):
         others = [x[:, :, other] for other in range(near.shape[1]) if other != k]

@@ -1,4 +1,4 @@
-"""Plates that stand on a sheet: triangles between edges of its columns, hinged there.
+"""Plates that stiffen a sheet: triangles between edges of its columns, hinged there.
 
 A plate goes from a vertex along the edges of the column above and below. Along both its nodes are
 those of the sheet, whose translations it shares; its rotations are its own, so that it is hinged
@@ -8,7 +8,7 @@ with the middle of its outer side as its fourth corner.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -34,6 +34,9 @@ class Plates:
     dofs: Integers  # dofs (D',) in the whole, of those of their own mesh
     beside: Integers  # the triangle (T',) of a panel that each of their triangles is beside
     added: Added  # the dofs that only they have
+    first: int = 0  # how many rotations of others are before theirs, behind those of panels
+    # nodes of their own mesh where a corner of a plate is a straight angle
+    straight: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
 
     @property
     def turns(self) -> Integers:
@@ -90,7 +93,7 @@ def mesh_plates(sheet: SheetMesh, grid: Grid, at: Integers, line: int) -> Plates
     turns = begin + 3 * len(inside) + np.arange(3 * own.size)
     dofs = np.concatenate([straight.ravel(), turns])
     beside = np.repeat(_triangles_beside(sheet, grid, at), len(triangles) // count)
-    return Plates(mesh, flat, dofs, beside, added)
+    return Plates(mesh, flat, dofs, beside, added, straight=own[:, -1, -1])
 
 
 def _along_edges(sheet: SheetMesh, grid: Grid, at: Integers) -> tuple[Integers, Integers]:

@@ -26,7 +26,7 @@ from orishell.structure.mesh.added import Added
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.rotations import cross_matrices
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.stops import NO_STOPS, Stops
+from orishell.structure.mesh.stops import Stops
 from orishell.structure.mesh.triangle import Facets
 
 if TYPE_CHECKING:
@@ -64,7 +64,9 @@ class SheetMesh:
     """A meshed shell."""
 
     facets: Facets  # its points (N), nodes first, and triangles
-    nodes: Integers  # nodes (F, cells+1, cells+1) of every panel, downwards and to the right
+    # nodes (F, cells+1, cells+1) of every panel, downwards and to the right; what is joined to a
+    # sheet may have another number of cells in the one direction than in the other
+    nodes: Integers
     # corners (T, 3) of every triangle, as places among all nodes of all panels one after the other
     places: Integers
     offsets: Offsets | None = None  # points that are no nodes; None if all are
@@ -98,8 +100,9 @@ class SheetMesh:
 
     def cells(self) -> Integers:
         """Nodes (T/2, 4) around every cell; its triangles are numbers 2 k and 2 k + 1."""
-        size = self.nodes.shape[1] - 1
-        return np.asarray(self.seats.reshape(len(self.nodes), -1)[:, _cells(size)].reshape(-1, 4))
+        _, down, right = self.nodes.shape
+        around = _cells(down - 1, right - 1)
+        return np.asarray(self.seats.reshape(len(self.nodes), -1)[:, around].reshape(-1, 4))
 
     def translations(self) -> Integers:
         """Dofs (M, 3) of the displacements of nodes."""
@@ -200,31 +203,47 @@ def mesh_sheet(
     grid: Grid,
     cells: int = CELLS,
     grading: float = GRADING,
-    stops: Stops = NO_STOPS,
+    stops: Stops | None = None,
 ) -> SheetMesh:
     """Mesh the panels of a folded state.
 
     positions: Vertices (rows, columns, 3).
     cells: Cells along every side of a panel, at least 1.
     grading: How much narrower cells at creases are; 0 for cells of one width.
-    stops: Where lines of nodes across columns have to be.
+    stops: Where lines of nodes across columns have to be; None for nowhere.
     """
-    faces, edges = grid.faces_vertices(), grid.faces_edges()
-    nodes = _nodes(grid, faces, edges, cells)
-    corners = positions.reshape(-1, 3)[faces]
-    down, right = (
-        each.reshape(len(faces), -1, 1) for each in _places(positions, cells, grading, stops)
-    )
-    top = corners[:, None, 0] * (1 - right) + corners[:, None, 3] * right
-    bottom = corners[:, None, 1] * (1 - right) + corners[:, None, 2] * right
-    points = np.empty((int(nodes.max()) + 1, 3))
-    points[nodes.reshape(len(faces), -1)] = top * (1 - down) + bottom * down
+    return mesh_panels(positions, grid, *_shares(positions, cells, grading, stops))
 
-    pattern = triangle_corners(cells)
+
+def mesh_panels(positions: Array, grid: Grid, down: Array, right: Array) -> SheetMesh:
+    """Mesh panels by lines of nodes, each straight in a panel.
+
+    positions: Vertices (rows, columns, 3).
+    down: Shares (rows - 1, columns, m+1) of the way down edges of columns.
+    right: Shares (columns - 1, n+1) of the way along edges of rows.
+    """
+    faces, tall, wide = grid.faces_vertices(), down.shape[2], right.shape[1]
+    nodes = _nodes(grid, tall - 1, wide - 1)
+    corners = positions.reshape(-1, 3)[faces][:, :, None]
+    first, last, across = _by_panel(down, right)
+    left = corners[:, 0] * (1 - first) + corners[:, 1] * first  # (F, m+1, 3)
+    end = corners[:, 3] * (1 - last) + corners[:, 2] * last
+    points = np.empty((int(nodes.max()) + 1, 3))
+    points[nodes] = left[:, :, None] * (1 - across) + end[:, :, None] * across
+
+    pattern = triangle_corners(tall - 1, wide - 1)
     flat = nodes.reshape(len(faces), -1)
     triangles = flat[:, pattern].reshape(-1, 3)
     places = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
     return SheetMesh(Facets(points, triangles), nodes, places)
+
+
+def _by_panel(down: Array, right: Array) -> tuple[Array, Array, Array]:
+    """Shares of panels' left and right edges (F, m+1, 1), and across (F, 1, n+1, 1)."""
+    tall, wide = down.shape[2], right.shape[1]
+    first, last = (each.reshape(-1, tall, 1) for each in (down[:, :-1], down[:, 1:]))
+    across = np.broadcast_to(right, (len(down), *right.shape)).reshape(-1, 1, wide, 1)
+    return first, last, across
 
 
 def count_freedoms(grid: Grid, cells: int) -> int:
@@ -234,12 +253,14 @@ def count_freedoms(grid: Grid, cells: int) -> int:
     return int(3 * nodes + 3 * panels * (cells + 1) ** 2)
 
 
-def _places(positions: Array, cells: int, grading: float, stops: Stops) -> tuple[Array, Array]:
-    """Nodes of all panels (F, cells+1, cells+1), as shares of the way down, and across.
+def _shares(
+    positions: Array, cells: int, grading: float, stops: Stops | None
+) -> tuple[Array, Array]:
+    """Lines of nodes, as shares down every edge of a column, and across every column of panels.
 
-    Panels that share a crease have the same there, so shares down are those of a row of panels,
-    shares across those of a column. Along the longer sides of panels cells differ less: those in
-    the middle would be as long as waves of buckling.
+    (rows - 1, columns, cells+1) and (columns - 1, cells+1). Panels that share a crease have the
+    same there. Along the longer sides of panels cells differ less: those in the middle would be as
+    long as waves of buckling.
     """
     tall = np.linalg.norm(np.diff(positions, axis=0), axis=-1).mean(axis=1)
     wide = np.linalg.norm(np.diff(positions, axis=1), axis=-1).mean(axis=0)
@@ -249,53 +270,64 @@ def _places(positions: Array, cells: int, grading: float, stops: Stops) -> tuple
         even - grading * np.minimum(1.0, other.mean() / own)[:, None] * wave
         for own, other in ((tall, wide), (wide, tall))
     )
-    down = stops.moved(down)
-    shape = len(tall), len(wide), cells + 1, cells + 1
-    both = (
-        np.broadcast_to(down[:, None, :, None], shape),
-        np.broadcast_to(right[None, :, None, :], shape),
-    )
-    first, second = (each.reshape(-1, *shape[2:]) for each in both)
-    return first, second
+    if stops is None:
+        return np.repeat(down[:, None], len(wide) + 1, axis=1), right
+    return stops.moved(down), right
 
 
-def centres(positions: Array, cells: int, stops: Stops = NO_STOPS) -> Array:
+def centres(positions: Array, cells: int, stops: Stops | None = None) -> Array:
     """Middles (F, 2 cells^2, 2) of the panels' triangles, as shares of the way down and across."""
-    places = np.stack(_places(positions, cells, GRADING, stops), axis=-1)
-    corners = places.reshape(len(places), -1, 2)[:, triangle_corners(cells)]
+    return centres_of(*_shares(positions, cells, GRADING, stops))
+
+
+def centres_of(down: Array, right: Array) -> Array:
+    """Middles (F, 2 m n, 2) of panels' triangles, likewise, by lines of nodes.
+
+    down, right: As of :func:`mesh_panels`.
+    """
+    first, last, across = (each[..., 0] for each in _by_panel(down, right))
+    along = first[:, :, None] * (1 - across) + last[:, :, None] * across
+    places = np.stack(np.broadcast_arrays(along, across), axis=-1)
+    pattern = triangle_corners(down.shape[2] - 1, right.shape[1] - 1)
+    corners = places.reshape(len(places), -1, 2)[:, pattern]
     return np.asarray(corners.mean(axis=2))
 
 
-def _cells(cells: int) -> Integers:
-    """Corners (cells^2, 4) of the cells of a panel, downwards and to the right."""
-    node = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+def _cells(down: int, right: int) -> Integers:
+    """Corners (down * right, 4) of the cells of a panel, downwards and to the right."""
+    node = np.arange((down + 1) * (right + 1)).reshape(down + 1, right + 1)
     around = (node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:])
     return np.stack([each.ravel() for each in around], axis=1)
 
 
-def triangle_corners(cells: int) -> Integers:
-    """Corners (2 cells^2, 3) of the triangles of a panel: two of each cell, one after the other.
+def triangle_corners(down: int, right: int | None = None) -> Integers:
+    """Corners (2 down * right, 3) of the triangles of a panel: two of each cell, one by one.
 
     Cells are cut from the side of the panel's corners towards its middle, so that an even number of
-    them is as symmetric as the panel.
+    them is as symmetric as the panel. There are as many cells across as ``down`` without ``right``.
     """
-    a, b, c, d = _cells(cells).T
-    late = np.arange(cells) >= cells / 2
-    outwards = (late[:, None] == late).ravel()[:, None]
+    across = down if right is None else right
+    a, b, c, d = _cells(down, across).T
+    low, late = np.arange(down) >= down / 2, np.arange(across) >= across / 2
+    outwards = (low[:, None] == late).ravel()[:, None]
     first = np.where(outwards, np.stack([a, b, c], axis=1), np.stack([a, b, d], axis=1))
     second = np.where(outwards, np.stack([a, c, d], axis=1), np.stack([b, c, d], axis=1))
     return np.stack([first, second], axis=1).reshape(-1, 3)
 
 
-def _nodes(grid: Grid, faces: Integers, edges: Integers, cells: int) -> Integers:
-    """Nodes (F, cells+1, cells+1): vertices first, then those inside edges, then inside panels."""
-    between = np.arange(cells - 1)
-    on_edges = grid.vertex_count + (cells - 1) * edges[..., None] + between
-    first = grid.vertex_count + (cells - 1) * len(grid.edges_vertices())
-    inside = first + np.arange(len(faces) * (cells - 1) ** 2)
-    nodes = np.empty((len(faces), cells + 1, cells + 1), np.int64)
+def _nodes(grid: Grid, down: int, right: int) -> Integers:
+    """Nodes (F, down+1, right+1): vertices first, then those inside edges, then inside panels."""
+    faces, edges = grid.faces_vertices(), grid.faces_edges()
+    inner = np.empty(len(grid.edges_vertices()), np.int64)
+    inner[edges[:, [0, 2]]], inner[edges[:, [1, 3]]] = down - 1, right - 1
+    begin = grid.vertex_count + np.cumsum(inner) - inner
+    left, bottom, end, top = begin[edges].T[..., None]
+    first, size = grid.vertex_count + int(inner.sum()), (down - 1) * (right - 1)
+    inside = first + np.arange(len(faces) * size)
+    nodes = np.empty((len(faces), down + 1, right + 1), np.int64)
     nodes[:, *CORNERS] = faces
-    nodes[:, 1:-1, 0], nodes[:, -1, 1:-1] = on_edges[:, 0], on_edges[:, 1]
-    nodes[:, 1:-1, -1], nodes[:, 0, 1:-1] = on_edges[:, 2], on_edges[:, 3]
-    nodes[:, 1:-1, 1:-1] = inside.reshape(len(faces), cells - 1, cells - 1)
+    tall, wide = np.arange(down - 1), np.arange(right - 1)
+    nodes[:, 1:-1, 0], nodes[:, -1, 1:-1] = left + tall, bottom + wide
+    nodes[:, 1:-1, -1], nodes[:, 0, 1:-1] = end + tall, top + wide
+    nodes[:, 1:-1, 1:-1] = inside.reshape(len(faces), down - 1, right - 1)
     return nodes

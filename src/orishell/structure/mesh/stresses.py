@@ -109,9 +109,13 @@ def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetForce
 
 def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> PanelStresses:
     """Stresses of panels, averaged over patches."""
-    count, cells = len(mesh.nodes), mesh.nodes.shape[1] - 1
+    count, *cells = mesh.nodes.shape[0], mesh.nodes.shape[1] - 1, mesh.nodes.shape[2] - 1
     areas = mesh.facets.areas()
-    down, right = (_overlaps(_places(mesh, side)) for side in (np.s_[:, :, 0], np.s_[:, 0]))
+    left, end, top = (
+        _places(mesh, side) for side in (np.s_[:, :, 0], np.s_[:, :, -1], np.s_[:, 0])
+    )
+    # Lines of nodes that cut a panel are on average where they are in its middle.
+    down, right = _overlaps(0.5 * (left + end)), _overlaps(top)
     turns = turns_in_panels(mesh)
     amounts = np.concatenate(
         [
@@ -125,7 +129,7 @@ def panel_stresses(mesh: SheetMesh, section: Section, found: FacetForces) -> Pan
         ],
         axis=1,
     )
-    by_cell = (areas[:, None] * amounts).reshape(count, cells, cells, 2, -1).sum(axis=3)
+    by_cell = (areas[:, None] * amounts).reshape(count, *cells, 2, -1).sum(axis=3)
     sums = np.einsum("fai,fbj,fijc->fabc", down, right, by_cell)
     half = PATCHES // 2
     quarters = sums.reshape(count, 2, half, 2, half, -1).sum(axis=(2, 4))

@@ -45,10 +45,7 @@ def details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[
         yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
     if found.arms is not None:
         yield "Largest stress of an arm", f"{said.stress(found.arms.size)} {_between(found.arms)}"
-    if found.gussets is not None:
-        row, column = found.gussets.at
-        where = f"by von Mises, in gusset {row},{column}, averaged over part of it"
-        yield "Largest stress of a gusset", f"{said.stress(found.gussets.size)} {where}"
+    yield from _stiffeners(found, said)
     if found.beside is not None:
         yield (
             "Largest stress at a crease",
@@ -108,12 +105,23 @@ def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
     return "by linear theory it does not" if case.limit_state in STRENGTH else "found for ULS only"
 
 
+def _stiffeners(found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
+    """The largest stress in what stiffens the sheet."""
+    if found.gussets is not None:
+        where = f"by von Mises, in gusset {vertex(found.gussets.at)}, averaged over part of it"
+        yield "Largest stress of a gusset", f"{said.stress(found.gussets.size)} {where}"
+    if found.boxes is not None:
+        where = f"by von Mises, in {found.boxes.part}, averaged over part of it"
+        yield "Largest stress of a box girder", f"{said.stress(found.boxes.size)} {where}"
+
+
 def _shares(found: Equilibrium) -> str:
     """Shares of what is borne, and of what that is not known."""
     there = {
         "membrane": found.membrane,
         "arms": found.arms,
         "gussets": found.gussets,
+        "boxes": found.boxes,
         **dict.fromkeys(NOT_EVERYWHERE),
     }
     words, unknown = [], []

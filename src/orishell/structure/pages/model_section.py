@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
+from orishell.structure.boxes import plates_across
 from orishell.structure.changes import STOPPED
 from orishell.structure.grain import BOTH_WAYS
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
@@ -81,8 +82,7 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         "Strength of ties",
         _known(asked.tie_strength, lambda force: quantity(force, "N")),
     )
-    if model.design.plates:
-        yield "Gussets", _plates_in_words(model, said)
+    yield from _stiffeners(model, said)
     if asked.rail is not None:
         of = model.rails
         length, count = (
@@ -99,6 +99,24 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} degrees of freedom",
     )
     yield "Refinement", _changes_in_words(model)
+
+
+def _stiffeners(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
+    """What stiffens it."""
+    if model.design.plates:
+        yield "Gussets", _plates_in_words(model, said)
+    if model.design.boxes:
+        yield "Box girders", _boxes_in_words(model)
+
+
+def _boxes_in_words(model: Model) -> str:
+    """Which rows are closed to box girders."""
+    rows = [str(each.sleeve.row) for each in model.design.boxes]
+    strips = sum(len(each.names) for each in model.design.boxes)
+    of = f"row{'s' * (len(rows) > 1)} {', '.join(rows)}"
+    plates = len(plates_across(model.design, 0)[1])
+    across = f", {plates} plate{'s' * (plates > 1)} across" if plates else ""
+    return f"{of}: {strips} panels{across}, made as those of the sheet, on hinges that turn freely"
 
 
 def _plates_in_words(model: Model, said: Quantities) -> str:
