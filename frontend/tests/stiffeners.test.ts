@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
-import { AS_PANELS, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+import { AS_PANELS, BOXES, EMPTY, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
 
 test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
   expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
@@ -25,5 +25,11 @@ test("a table of stiffeners says what is not usual, and is gone without a kind",
   expect(own).toEqual({ kind: "gussets", thickness: 0.004, material: "steel" });
   expect(stiffened(stiffened(own, "thickness", 0), "material", AS_PANELS)).toEqual(gussets);
   expect(stiffened(some, "kind", NONE)).toBeUndefined();
-  expect([undefined, "all", 3, [0, 2]].map(stepOf)).toEqual([1, 1, 3, null]);
+  const boxes = stiffened(own, "kind", BOXES);
+  expect(boxes).toEqual({ kind: "boxes" });
+  const held = stiffened(stiffened(boxes, "share", EMPTY["share"]), "columns", EMPTY["columns"]);
+  expect(held).toEqual({ kind: "boxes", share: "auto", columns: "none" });
+  expect(stiffened(held, "kind", "gussets")).toEqual({ kind: "gussets" });
+  expect(stiffened(held, "columns", 4)).toEqual({ kind: "boxes", share: "auto", columns: 4 });
+  expect([undefined, "none", "all", 3, [0, 2]].map(stepOf)).toEqual([1, null, 1, 3, null]);
 });

@@ -9,9 +9,18 @@ export const ROWS = "valleys", SHARE = 0.9;
 export const AS_PANELS = "";
 const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE, thickness: 0, material: AS_PANELS };
 
+/** What box girders are asked for where a number box is empty, and gussets know nothing of. */
+export const EMPTY: Table = { share: "auto", columns: "none" };
+export const BOXES = "boxes";
+/** Keys of gussets alone. */
+const OWN = ["thickness", "material", "bolts"];
+
 /** The table with another value; none without a kind. What says nothing new is left out. */
 export function stiffened(table: Table | undefined, key: string, value: unknown): Table | undefined {
-  const { [key]: _, ...rest } = table ?? {};
+  const { [key]: _, ...others } = table ?? {};
+  const kind = key === "kind" ? value : others["kind"];
+  const fit = ([name, each]: [string, unknown]) => (kind === BOXES ? !OWN.includes(name) : each !== EMPTY[name]);
+  const rest = Object.fromEntries(Object.entries(others).filter(fit));
   const made = value === USUAL[key] ? rest : { ...rest, [key]: value };
   return made["kind"] ? made : undefined;
 }

@@ -7,7 +7,7 @@ import { capital } from "../../shared/words.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import { listed } from "./row-list.ts";
-import { AS_PANELS, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+import { AS_PANELS, BOXES, EMPTY, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
 
 export class StiffenerControls {
   readonly element: HTMLElement;
@@ -20,6 +20,9 @@ export class StiffenerControls {
   private readonly unit = h("span", { class: "unit" });
   private readonly note = h("p", { class: "note" });
   private readonly rest: HTMLElement;
+  /** What gussets alone have. */
+  private readonly own: HTMLElement[];
+  private boxes = false;
 
   constructor(private readonly store: Store) {
     const { label, keys } = store.info.tables["stiffeners"]!;
@@ -31,16 +34,19 @@ export class StiffenerControls {
     this.thickness = this.box("thickness", { min: 0, step: "any", placeholder: "as panels" });
     // Emptied it is as panels again, which no number says.
     this.thickness.addEventListener("change", () => this.thickness.value === "" && this.set("thickness", 0));
+    for (const [key, box] of [["columns", this.step], ["share", this.share]] as const) {
+      box.addEventListener("change", () => box.value === "" && this.boxes && this.set(key, EMPTY[key]));
+    }
     this.material = h("select", { id: "stiffeners-material", "data-testid": "stiffeners-material", "aria-label": material!.label, onchange: () => this.set("material", this.material.value) });
     this.material.append(new Option("As panels", AS_PANELS), ...store.info.materials.map(({ name }) => new Option(capital(name), name)));
+    this.own = [row("thickness", thickness!, this.thickness, this.unit), row("material", material!, this.material)];
     this.rest = h(
       "div",
       { class: "parameter-list" },
       named(rows!, this.rows),
       row("columns", columns!, this.step),
       row("share", share!, this.share),
-      row("thickness", thickness!, this.thickness, this.unit),
-      row("material", material!, this.material),
+      ...this.own,
       this.note,
     );
     this.element = h(
@@ -72,9 +78,12 @@ export class StiffenerControls {
     this.rest.hidden = !table;
     this.kind.set(String(kind));
     this.rows.set(String(rows));
+    this.boxes = kind === BOXES;
+    for (const each of this.own) each.hidden = this.boxes;
     const step = stepOf(columns);
     setNumber(this.step, step === null ? "" : short(step));
-    this.step.placeholder = step === null ? "listed" : "";
+    this.step.placeholder = Array.isArray(columns) ? "listed" : this.boxes ? "none" : "";
+    this.share.placeholder = this.boxes ? "auto" : "";
     setNumber(this.share, short(Number(share)));
     setNumber(this.thickness, thickness === undefined ? "" : short(Number(thickness)));
     this.unit.textContent = unit;
