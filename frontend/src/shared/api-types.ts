@@ -227,7 +227,7 @@ export interface CarrySearch {
   words: string;
   /** Designs that carry, the lightest first. */
   found: Carrying[];
-  /** Every change, in words, and how it ended. */
+  /** Every trial: what it adds to which, and how it ended. */
   tried: string[];
   /** What came nearest, and how that ended; empty if a design carries. */
   near: string;
