@@ -314,11 +314,14 @@ SAMPLES: dict[str, Sample] = {
     "sleeve, flat-foldable": Sample(
         lambda: sleeve_over(flat_foldable(random_net(6, 5, 2)), 3), rounding=(1e-14, 1e-15)
     ),
+}
+"""Of every family the kinds of sheets that its closed form tells apart; sleeves over their rows."""
+COMPLEXES = {
     "sheet with sleeves": Sample(
         lambda: complex_of(flat_foldable(random_net(6, 5, 2))), rounding=(1e-14, 1e-15)
     ),
 }
-"""Of every family the kinds of sheets that its closed form tells apart; sleeves over their rows."""
+"""More than two panels meet at a line: what folds as a sheet, and is none."""
 
 
 @st.composite

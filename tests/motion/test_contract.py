@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from accelerations import shares_of_bounds
-from mechanisms import DRAWN, LEANING, NEAR, PARABOLA, SAMPLES, longitudinal
+from mechanisms import COMPLEXES, DRAWN, LEANING, NEAR, PARABOLA, longitudinal
+from mechanisms import SAMPLES as SHEETS
 from orishell.conventions.errors import DesignError
 from orishell.families.orthodiagonal import OrthodiagonalPattern, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
@@ -33,6 +34,7 @@ from samples import THOROUGH, led_by, thorough
 from strategies import graph
 
 Array = np.ndarray
+SAMPLES = {**SHEETS, **COMPLEXES}
 every = pytest.mark.parametrize("name", SAMPLES)
 
 
