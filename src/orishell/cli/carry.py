@@ -13,6 +13,7 @@ import typer
 
 from orishell.cli.files import bar, lines_of, say
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import SPACE
 
 if TYPE_CHECKING:
     from orishell.design_file import DesignFile
@@ -115,7 +116,7 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
 def _wrapped(text: str, indent: str = "  ") -> list[str]:
     """Lines of a terminal; units stay beside their numbers."""
     return wrap(
-        text,
+        text.replace(" %", f"{SPACE}%"),
         WIDTH,
         initial_indent=indent,
         subsequent_indent=f"{indent}    ",

@@ -191,19 +191,20 @@ class _Search:
                 self.carrying.append(at)
 
     def _without_useless(self, at: _State, begun: int) -> _State:
-        """A shell that carries without the changes that it does as well, or better, without.
+        """A shell that carries without the changes that it carries without, at no more weight.
 
-        begun: So many changes are not taken back.
+        begun: So many changes are not taken back; the last of the others is first.
         """
-        for change in at.changes[begun:]:
-            if self.work > self.until:
-                break
-            rest = tuple(each for each in at.changes if each is not change)
-            state = self._trial(rest, f"{at.name} - {change.words}")
-            if isinstance(state, Refused) or state is at:
+        for change in reversed(at.changes[begun:]):
+            if change not in at.changes or self.work > self.until:
                 continue
-            if state.carries and state.weight <= at.weight:
-                at = state
+            after = at.changes[at.changes.index(change) + 1 :]
+            if change.said.keys() <= {kind for each in after for kind in each.said}:
+                continue  # another of its kind has taken its place
+            rest = tuple(each for each in at.changes if each != change)
+            made = self._trial(rest, f"{at.name} - {change.words}")
+            if isinstance(made, _State) and made.carries and made.weight <= at.weight:
+                at = made
                 self.carrying.append(at)
         return at
 

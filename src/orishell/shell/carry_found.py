@@ -89,8 +89,11 @@ class CarrySearch:
 
 
 def ended(found: Analysis) -> str:
-    """How a trial ended, in a line."""
-    return f"carries: {found.governing_in_words()}" if found.carries else found.in_words()
+    """How a trial ended, in a line: what governs, or the worst that speaks against it."""
+    if found.carries:
+        return f"carries: {found.governing_in_words()}"
+    worst = found.ranked[0]
+    return found.in_words().replace(worst.said, worst.findings[0].text)
 
 
 def parts_on_site(facts: Facts) -> int:

@@ -85,6 +85,6 @@ def _refused(error: OrishellError) -> Refused:
     if isinstance(error, DesignError):
         return Refused(error.condition, error.candidates)
     if isinstance(error, InputError):
-        got = f" ({error.where}: {error.got}, expected {error.expected})" if error.expected else ""
-        return Refused(f"{error.what}{got}")
+        got = f"{error.got}, expected {error.expected}" if error.got and error.expected else ""
+        return Refused(f"{error.what}{f' ({error.where}: {got})' * bool(got)}")
     return Refused(str(error).removesuffix("."))
