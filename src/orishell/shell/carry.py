@@ -34,8 +34,10 @@ ROUNDS = 3
 """So many times all steps of an order are taken, as one may help after another."""
 GAIN = 0.95
 """A change stays that brings a shell to this share of what it uses, or nearer."""
-WORK = 100.0
+WORK = 60.0
 """Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
+LEFT = 8.0
+"""So many predicted seconds are left at least for what a shell that carries does not need."""
 PER_PANEL = 0.012
 """Predicted seconds in which a panel is designed, beside its analysis."""
 OFFERED, CONFIRMED = 3, 6
@@ -149,10 +151,9 @@ class _Search:
                 self.until = share * WORK
                 self._walk(first, order)
         found = self._confirmed()
-        near = None if self.nearest is None else (self.nearest.change, self.nearest.analysis)
-        return CarrySearch(
-            self.begun, found, tuple(self.tried), None if found else near, self.ended
-        )
+        best = None if found else self.nearest
+        near = None if best is None else (best.change, best.analysis)
+        return CarrySearch(self.begun, found, tuple(self.tried), near, self.ended)
 
     def _made_known(self, at: _State) -> _State:
         """The shell without that of which nobody knows what it bears; else DesignError."""
@@ -175,14 +176,14 @@ class _Search:
         """Take every step that brings the shell nearer to carrying, until it does."""
         begun = len(at.changes)
         for step in chain.from_iterable(repeat(order, ROUNDS)):
-            better = self._best(at, step, _State.is_nearer)
-            at = better or at
+            at = self._best(at, step, _State.is_nearer) or at
             if at.carries or self.work > self.until:
                 self.ended = self.ended or not at.carries
                 break
         if not at.carries:
             return
         self.carrying.append(at)
+        self.until = max(self.until, self.work + LEFT)
         at = self._without_useless(at, begun)
         for step in LIGHTER:
             lighter = self._best(at, step, lambda new, old: new.carries and new.weight < old.weight)
@@ -196,11 +197,10 @@ class _Search:
         begun: So many changes are not taken back; the last of the others is first.
         """
         for change in reversed(at.changes[begun:]):
-            if change not in at.changes or self.work > self.until:
+            after = at.changes[at.changes.index(change) + 1 :] if change in at.changes else ()
+            replaced = change.said.keys() <= {kind for each in after for kind in each.said}
+            if replaced or change not in at.changes or self.work > self.until:
                 continue
-            after = at.changes[at.changes.index(change) + 1 :]
-            if change.said.keys() <= {kind for each in after for kind in each.said}:
-                continue  # another of its kind has taken its place
             rest = tuple(each for each in at.changes if each != change)
             made = self._trial(rest, f"{at.name} - {change.words}")
             if isinstance(made, _State) and made.carries and made.weight <= at.weight:

@@ -70,13 +70,16 @@ class LoadTrials:
     def _tried(self, values: Mapping[str, Any], *, quick: bool) -> DesignFile:
         """The changed file, with few cells if it is to be quick; its work is counted."""
         file = self.file.tried(values)
-        assert file.structure is not None
-        cells = file.structure.cells
+        asked = file.structure
+        assert asked is not None
+        cells = asked.cells
         if quick:
             fewest = FEW_CELLS if file.stiffeners is None else STANDING_CELLS
             cells = min(max(fewest, self.model.least_cells), cells)
             file = self.file.tried({**values, "structure.cells": cells, "structure.refine": 0.0})
-        self.work += seconds(self.model, cells)
+        begun = self.model.structure.crease_stiffness
+        share = len(set(asked.crease_stiffness)) / len(set(begun))
+        self.work += share * seconds(self.model, cells)
         return file
 
 
