@@ -66,7 +66,7 @@ BRIEFLY = os.environ.get("ORISHELL_BRIEFLY") == "1"
 for those who look at the site's other pages."""
 LONG = (
     *("arch_pattern", "dome", "free_roof", "saddle"),
-    *("shelter_gussets", "shelter_sizes", "shelter_snow", "shelter_structure"),
+    *("shelter_boxes", "shelter_gussets", "shelter_sizes", "shelter_snow", "shelter_structure"),
 )
 """Examples that take more than 10 s: three quarters of the gallery's time."""
 

@@ -56,7 +56,8 @@ def test_every_panel_is_in_balance(support: str, cells: int) -> None:
     """Its loads, and forces and moments at its edges and corners; both sides of a crease agree.
 
     To 1e-8 of the loads, a hundredth of what is checked. 2e-9 is seen where creases are free and
-    displacements large: they are rounded; else 1e-13.
+    displacements large: they are rounded; else 1e-13. Both sides of a crease agree to 1e-8 of the
+    largest force along any, of free and of locked creases: 6e-6 N/m are seen in both.
     """
     supports = (Support(at="feet", kind="pinned").replace_unchecked(kind=support),)
     asked = Structure(
@@ -68,10 +69,10 @@ def test_every_panel_is_in_balance(support: str, cells: int) -> None:
     assert feet is not None
     found = analyse(design, asked, Site("m", feet, (), 1.9))
     assert found.balanced
-    for stands, case in found.balanced:
+    along = [on_creases(each.edges.per_length, found.model.grid) for each, _ in found.balanced]
+    near = 1e-8 * max(float(np.abs(each).max()) for each in along)
+    for (stands, case), values in zip(found.balanced, along, strict=True):
         assert stands.panel_residual < 1e-8, case.name
-        values = on_creases(stands.edges.per_length, found.model.grid)
-        near = 1e-8 * np.abs(values).max()
         both = values[..., [IN_PLANE, ABOUT]]
         np.testing.assert_allclose(both[:, 0], both[:, 1], atol=near)
         square = np.linalg.norm(values[..., [NORMAL, ACROSS]], axis=-1)
