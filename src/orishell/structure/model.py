@@ -213,7 +213,7 @@ class Model:
     @property
     def plates(self) -> tuple[Plates, ...]:
         """What stiffens the sheet: all gussets, or strips of box girders and plates across."""
-        return self._joined[1]
+        return self._joined[1] if self.design.plates or self.design.boxes else ()
 
     @cached_property
     def bare(self) -> SheetMesh:
