@@ -3,7 +3,7 @@
 Panels A_j and B_j lie above and below the crease e_j from vertex x_j of a row to the next; u_j and
 v_j are the edges of column j from x_j upwards and downwards. For any shares a_0 and b_0 let
 
-    a_j+1 = a_j |u_j x e_j| / |u_j+1 x e_j|,    b_j+1 = b_j |v_j x e_j| / |v_j+1 x e_j|,
+    a_j+1 = a_j abs(u_j x e_j)/abs(u_j+1 x e_j),    b_j+1 = b_j abs(v_j x e_j)/abs(v_j+1 x e_j),
     q_j = x_j + a_j u_j,    r_j = x_j + b_j v_j,    w_j = x_j + a_j u_j + b_j v_j.
 
 u_j, u_j+1 and e_j are fixed in A_j, so that q_j+1 - q_j = lambda_j e_j with a constant lambda_j,
