@@ -8,6 +8,7 @@ from orishell.conventions.record import record
 from orishell.design.hung import HungLines
 from orishell.motion import find_assignment
 from orishell.motion.boards import Boards
+from orishell.motion.grid import Panel
 from orishell.motion.layout import points_of
 from orishell.motion.sleeves import Q, R, Sleeve
 
@@ -29,9 +30,18 @@ class Box:
     @property
     def names(self) -> tuple[str, ...]:
         """What its panels are called, strip by strip, by the columns of the sheet's panels."""
-        columns = range(self.sleeve.columns.start, self.sleeve.columns.stop - 1)
         row = self.sleeve.row
-        return tuple(f"box {row} {strip} {column}" for strip in STRIPS for column in columns)
+        return tuple(f"box {row} {strip} {column}" for strip in STRIPS for column in self._columns)
+
+    @property
+    def hung_on(self) -> tuple[Panel, ...]:
+        """Row and column of the panel of the sheet that each of its panels hangs on."""
+        row = self.sleeve.row
+        return tuple((above, column) for above in (row - 1, row) for column in self._columns)
+
+    @property
+    def _columns(self) -> range:
+        return range(self.sleeve.columns.start, self.sleeve.columns.stop - 1)
 
     @property
     def hung(self) -> HungLines:

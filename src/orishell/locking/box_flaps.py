@@ -13,14 +13,23 @@ from orishell.clash.state import deepest_between, near_panels
 from orishell.design import Design
 from orishell.design.boxes import Box
 from orishell.motion.boards import Boards, join_boards
+from orishell.motion.grid import Panel
 from orishell.motion.layout import Layout, points_of
 from orishell.solids import BuiltPanels
+
+Called = tuple[str, Panel]
+"""What a panel is called; and the panel of the sheet that it is, or hangs on."""
+
+
+def called(box: Box) -> list[Called]:
+    """All panels of a box."""
+    return [*zip(box.names, box.hung_on, strict=True)]
 
 
 def flap_contact(
     design: Design, built: BuiltPanels | None, boxes: Sequence[Box], tolerance: float
-) -> tuple[str, str] | None:
-    """Names of a flap that is clipped on and of what it meets at the target; None if nothing.
+) -> tuple[Called, Called] | None:
+    """A flap that is clipped on and what it meets at the target; None if nothing.
 
     built: The sheet and its flaps as they are built; None if panels have no thickness.
     tolerance: By how much they may reach into each other (length).
@@ -30,33 +39,35 @@ def flap_contact(
         return None
     layout, target = Layout.of(flapped), flapped.target_drive
     flaps, points = layout.faces[layout.flaps], points_of(flapped, target)
-    names = [f"flap {list(each)}" for each in layout.names[layout.flaps].tolist()]
-    names += [each for box in boxes for each in box.names]
-    faces, every, flat = [flaps], [points], [points_of(flapped, 0.0)]
+    left = flapped.inner_columns.start  # columns of flaps before the sheet's
+    places = [(row, column - left) for row, column in layout.names[layout.flaps].tolist()]
+    every = [(f"flap {[*each]}", each) for each in places]
+    every += [each for box in boxes for each in called(box)]
+    faces, vertices, flat = [flaps], [points], [points_of(flapped, 0.0)]
     boards = [] if built is None else [_of_flaps(built, layout)]
     for box in boxes:
-        begin, behind = sum(map(len, every)), sum(map(len, faces))
+        begin, behind = sum(map(len, vertices)), sum(map(len, faces))
         faces.append(box.sleeve.grid.faces_vertices() + begin)
-        every.append(points_of(box.sleeve, target))
+        vertices.append(points_of(box.sleeve, target))
         flat.append(points_of(box.sleeve, 0.0))
         if box.boards is not None:
             boards.append(replace(box.boards, panels=box.boards.panels + behind))
-    whole, places = np.concatenate(faces), np.concatenate(every)
+    whole, there = np.concatenate(faces), np.concatenate(vertices)
     if boards:
         bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))
         groups = (bodies.panels >= len(flaps)).astype(np.int64)
-        met = deepest_between(bodies, places, tolerance, groups)
+        met = deepest_between(bodies, there, tolerance, groups)
         pair = None if met is None else bodies.carriers(met[0])
     else:
-        first, second = near_panels(places, whole, tolerance)
+        first, second = near_panels(there, whole, tolerance)
         chosen = (first < len(flaps)) & (second >= len(flaps))
         first, second = first[chosen], second[chosen]
-        depth = overlaps(corners_of(places, whole[first]), corners_of(places, whole[second]))
+        depth = overlaps(corners_of(there, whole[first]), corners_of(there, whole[second]))
         deep = np.flatnonzero(depth > tolerance)
         pair = (int(first[deep[0]]), int(second[deep[0]])) if len(deep) else None
     if pair is None:
         return None
-    return names[pair[0]], names[pair[1]]
+    return every[pair[0]], every[pair[1]]
 
 
 def _of_flaps(built: BuiltPanels, layout: Layout) -> Boards:

@@ -22,7 +22,7 @@ from orishell.design import Design
 from orishell.design.boxes import Box
 from orishell.design.stiffeners import Stiffeners
 from orishell.locking.boards import prove_boards
-from orishell.locking.box_flaps import flap_contact
+from orishell.locking.box_flaps import Called, called, flap_contact
 from orishell.locking.box_rows import box_columns, require_creases, require_one_side
 from orishell.locking.fold_rows import fold_rows
 from orishell.locking.result import BoxMotion, Contact, Lock
@@ -227,16 +227,16 @@ class BoxPlace:
                 candidates=[Remedy({"panel.thickness": thickness}) for thickness in thinner],
             )
         for sleeve in sleeves:
-            own = sleeve_design(self.design, sleeve, self.start, end)
+            alone = sleeve_design(self.design, sleeve, self.start, end)
             if not self.examined:
-                boxes.append(Box(sleeve, build_panels(own, end).boards))
+                boxes.append(Box(sleeve, build_panels(alone, end).boards))
                 continue
-            built, path = prove_boards(own, end, self.tolerance, progress)
+            built, path = prove_boards(alone, end, self.tolerance, progress)
             box = Box(sleeve, built.boards)
             boxes.append(box)
             if path.contact is not None and (first is None or path.contact.drive < first.drive):
-                names = tuple(box.names[panel] for panel in path.contact.panels)
-                first = self._named(path.contact, (names[0], names[1]))
+                one, other = (called(box)[panel] for panel in path.contact.panels)
+                first = self._met(path.contact, (one, other))
         return tuple(boxes), end if first is None else min(end, first.clear_until), first
 
     def _bodies(self, whole: Complex, boxes: Sequence[Box]) -> Bodies | None:
@@ -249,30 +249,30 @@ class BoxPlace:
 
     def _at_flaps(self, boxes: Sequence[Box]) -> Contact | None:
         """What flaps that are clipped on meet at the target; None if nothing."""
-        names = flap_contact(self.design, self.lock.built, boxes, self.tolerance)
-        if names is None:
+        met = flap_contact(self.design, self.lock.built, boxes, self.tolerance)
+        if met is None:
             return None
         target = self.lock.target_drive
-        return self._named(PathContact(target, target, (0, 0)), names)
+        return self._met(PathContact(target, target, (0, 0)), met)
 
     def _contact(self, found: PathContact, whole: Complex, boxes: Sequence[Box]) -> Contact:
-        """What meets, by its names."""
-        sheet = whole.grid.panel_count
-        names = [f"panel {list(each)}" for each in whole.layout.names[:sheet].tolist()]
-        names += [each for box in boxes for each in box.names]
+        """What meets, of the sheet and its sleeves."""
+        panels = whole.layout.names[: whole.grid.panel_count].tolist()
+        every = [(f"panel {[row, column]}", (row, column)) for row, column in panels]
+        every += [each for box in boxes for each in called(box)]
         first, second = sorted(found.panels)
-        return self._named(found, (names[first], names[second]))
+        return self._met(found, (every[first], every[second]))
 
-    def _named(self, found: PathContact, names: tuple[str, str]) -> Contact:
-        mechanism = self.design.mechanism
+    def _met(self, found: PathContact, both: tuple[Called, Called]) -> Contact:
+        (name, panel), (other, beside) = both
         return Contact(
             found.drive,
             found.clear_until,
-            ((self.rows[0], self.columns.start), (self.rows[0], self.columns.start)),
+            (panel, beside),
             "boards" if self.design.panel is not None else "distant panels",
-            corrugation_depth(mechanism.positions(found.drive)),
+            corrugation_depth(self.design.mechanism.positions(found.drive)),
             apart=found.apart,
-            called=names,
+            called=(name, other),
         )
 
     def _others(self) -> list[Remedy]:
