@@ -18,7 +18,15 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.progress import no_progress
 from orishell.conventions.quantities import SPACE
 from orishell.design_file import DesignFile, read_design_file
-from orishell.shell import carry, carry_boards, carry_feet, carry_steps, carry_strengths, make_shell
+from orishell.shell import (
+    carry,
+    carry_boards,
+    carry_change,
+    carry_feet,
+    carry_steps,
+    carry_strengths,
+    make_shell,
+)
 from orishell.shell.carry import find_carrying
 from orishell.shell.carry_change import Change
 from orishell.shell.carry_found import CarrySearch
@@ -196,6 +204,7 @@ def test_every_step_is_proposed_in_the_order_of_a_builder(
         carry_boards.thicker,
         carry_boards.other_materials,
         carry_steps.gussets,
+        carry_steps.box_girders,
         carry_steps.more_rows,
         carry_steps.deeper_waves,
         carry_steps.locked_creases,
@@ -542,17 +551,38 @@ def test_gussets_are_said_by_place_and_column(weak: tuple[DesignFile, Analysis])
     ]
 
 
-def test_gussets_bring_an_arch_on_free_hinges_nearer(
-    weak: tuple[DesignFile, Analysis],
+def test_box_girders_take_the_place_of_gussets(weak: tuple[DesignFile, Analysis]) -> None:
+    """With nothing of what gussets only have; and gussets that of no girders."""
+    file, begun = weak
+    own = {"stiffeners.kind": "gussets", "stiffeners.share": 0.5, "stiffeners.thickness": 0.01}
+    held = file.tried(own)
+    said, places = [], []
+    for _ in range(4):
+        change = next(carry_steps.box_girders(held, begun))
+        held = held.tried(change.values)
+        asked = held.stiffeners
+        assert asked is not None
+        assert (asked.kind, asked.share, asked.thickness) == ("boxes", "auto", None)
+        said.append(change.words)
+        places.append((asked.rows, asked.columns))
+        assert not list(carry_steps.gussets(held, begun))
+    assert places == [("valleys", 4), ("valleys", 2), ("valleys", 1), ("all", "all")]
+    assert said[0] == "box girders over the valleys, plates at every 4th column"
+    assert not list(carry_steps.box_girders(held, begun))
+
+
+@pytest.mark.parametrize("step", [carry_steps.gussets, carry_steps.box_girders])
+def test_stiffeners_bring_an_arch_on_free_hinges_nearer(
+    weak: tuple[DesignFile, Analysis], step: carry_change.Step
 ) -> None:
     """Every fourth column is enough for what its worst case uses to fall."""
     file, begun = weak
-    change = next(carry_steps.gussets(file, begun))
+    change = next(step(file, begun))
     trials = LoadTrials(file, begun, no_progress)
     made = trials.made(change.values, change.words, quick=True)
     assert not isinstance(made, Refused)
     assert made.analysis is not None
-    assert made.analysis.model.design.plates
+    assert made.analysis.model.design.attached
     used = [max(case.used for case in each.cases) for each in (begun, made.analysis)]
     assert used[1] < used[0]
 
@@ -566,7 +596,7 @@ def test_what_a_refusal_offers_takes_the_place_of_a_change() -> None:
     assert fitted.values == rows.changes
     assert fitted.words == "ties = { folds = [1, 3] } in [deployment]"
     assert ties.fitted(Remedy({"pattern.rows": 7})) is None
-    plates = Change({"stiffeners.kind": "gussets"}, {"gussets": "gussets in every column"})
+    plates = Change({"stiffeners.kind": "gussets"}, {"stiffeners": "gussets in every column"})
     smaller = plates.fitted(Remedy({"stiffeners.share": 0.7}))
     assert smaller is not None
     assert smaller.words == "gussets in every column, share = 0.7 in [stiffeners]"

@@ -97,7 +97,7 @@ def ended(found: Analysis) -> str:
 
 
 def parts_on_site(facts: Facts) -> int:
-    """What is handled on the site: pieces of the sheet, what is clipped on, ties, locks."""
+    """What is handled on the site: pieces, girders, what is clipped on, ties, locks."""
     design, deployment = facts.found.design, facts.deployment
     grid = design.mechanism.grid
     clipped = 0 if design.clipped is None else 2 * (grid.rows - 1)
@@ -106,4 +106,5 @@ def parts_on_site(facts: Facts) -> int:
         rows, columns = grid.rows - 1, grid.columns - 1
         locks = (rows - 1) * columns + rows * (columns - 1)
     clipped += sum(len(part.mesh.faces) for part in design.attached)
-    return max(1, len(deployment.pieces)) + clipped + len(deployment.ties) + locks
+    pieces = max(1, len(deployment.pieces)) + len(design.boxes)
+    return pieces + clipped + len(deployment.ties) + locks

@@ -26,7 +26,7 @@ from orishell.structure.results import Analysis
 DEEPER = 1.5
 """The zigzag and the waves of g become so many times as deep at a time."""
 FEW = 4
-"""Gussets are tried first in every column that is so many apart, then in twice as many."""
+"""Stiffeners are tried first in every column that is so many apart, then in twice as many."""
 COLUMNS = {"all": "every column", 1: "every column", 2: "every 2nd column"}
 PLACES = {"valleys": "valleys", "crests": "crests", "all": "valleys and on the crests"}
 Rows = Literal["valleys", "crests", "all"] | tuple[int, ...]
@@ -86,24 +86,45 @@ def flaps(file: DesignFile, _: Analysis) -> Iterator[Change]:
 
 
 def gussets(file: DesignFile, _: Analysis) -> Iterator[Change]:
-    """Gussets in few columns, of folds that look down or of all; then in more of them."""
+    """Gussets in few columns, of folds that look down or of all; then in more of them.
+
+    Not in place of box girders that the file has.
+    """
+    if file.stiffeners is None or file.stiffeners.kind == "gussets":
+        yield from _stiffened(file, "gussets", "gussets in the {}, {}")
+
+
+def box_girders(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """Box girders with plates in few columns, in the place of gussets; then with more of them."""
+    yield from _stiffened(file, "boxes", "box girders over the {}, plates at {}")
+
+
+def _stiffened(file: DesignFile, kind: str, words: str) -> Iterator[Change]:
+    """Stiffeners of a kind where there are none of it, or more of them."""
     assert file.structure is not None
     if file.panel is not None and file.panel.construction == "hinged":
         return
     finer = {} if file.structure.cells >= STANDING_CELLS else {"structure.cells": STANDING_CELLS}
-    for rows, columns in _more_gussets(file.stiffeners):
+    there = file.stiffeners
+    begun: dict[str, object] = {}
+    if there is not None and there.kind != kind:
+        given = value_at(file.tables, "stiffeners") or {}
+        begun, there = {f"stiffeners.{key}": None for key in given}, None
+    if there is None:
+        begun |= {"stiffeners.kind": kind}
+        begun |= {"stiffeners.share": "auto"} if kind == "boxes" else {}
+    for rows, columns in _more_places(there):
         placed = {
-            "stiffeners.kind": "gussets",
             "stiffeners.rows": rows if isinstance(rows, str) else list(rows),
             "stiffeners.columns": columns,
         }
         which = PLACES[rows] if isinstance(rows, str) else f"rows {', '.join(map(str, rows))}"
-        said = f"gussets in the {which}, {COLUMNS.get(columns, f'every {columns}th column')}"
-        yield Change({**placed, **finer}, {"gussets": said})
+        often = COLUMNS.get(columns, f"every {columns}th column")
+        yield Change({**begun, **placed, **finer}, {"stiffeners": words.format(which, often)})
 
 
-def _more_gussets(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:
-    """Rows and columns of gussets where there are more than there were."""
+def _more_places(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:
+    """Rows and columns of stiffeners where there are more than there were."""
     if there is None:
         yield "valleys", FEW
         yield "all", FEW
@@ -152,12 +173,13 @@ def locked_creases(file: DesignFile, _: Analysis) -> Iterator[Change]:
 BUILDER: tuple[Step, ...] = (
     held_edges, base_rail, more_ballast, more_ballast, anchored, clamped, named_lines,
     ties_across_folds, flaps, thicker, thicker, other_materials, gussets, gussets, gussets,
-    more_rows, deeper_waves, deeper_waves, deeper_folds, locked_creases,
+    box_girders, box_girders, more_rows, deeper_waves, deeper_waves, deeper_folds, locked_creases,
 )  # fmt: skip
 """In the order in which somebody would who has the sheet already."""
 DESIGNER: tuple[Step, ...] = (
     held_edges, anchored, named_lines, deeper_waves, deeper_waves, deeper_folds, more_rows,
-    ties_across_folds, clamped, thicker, thicker, gussets, gussets, locked_creases,
+    ties_across_folds, clamped, thicker, thicker, gussets, gussets, box_girders, box_girders,
+    locked_creases,
 )  # fmt: skip
 """In the order of somebody who may choose its shape first."""
 LIGHTER: tuple[Step, ...] = (thinner, fewer_ties, thinner)

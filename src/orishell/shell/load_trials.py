@@ -41,7 +41,7 @@ class LoadTrials:
 
     def __init__(self, file: DesignFile, analysis: Analysis, progress: Progress) -> None:
         self.file, self.model, self.progress = file, analysis.model, progress
-        self.work = 0.0  # predicted seconds of the analyses so far
+        self.work = 0.0  # predicted seconds of the analyses so far, each with its own model
 
     def made(
         self,
@@ -63,24 +63,23 @@ class LoadTrials:
             found = shell_of(file, work)
         except REFUSALS as error:
             return _refused(error)
-        if found.analysis is None or any(tie.slack is False for tie in found.deployment.ties):
+        if found.analysis is None:
+            return Refused(TAUT)
+        model = found.analysis.model
+        self.work += seconds(model, model.structure.cells)
+        if any(tie.slack is False for tie in found.deployment.ties):
             return Refused(TAUT)
         return found
 
     def _tried(self, values: Mapping[str, Any], *, quick: bool) -> DesignFile:
-        """The changed file, with few cells if it is to be quick; its work is counted."""
+        """The changed file, with few cells if it is to be quick."""
         file = self.file.tried(values)
-        asked = file.structure
-        assert asked is not None
-        cells = asked.cells
-        if quick:
-            fewest = FEW_CELLS if file.stiffeners is None else STANDING_CELLS
-            cells = min(max(fewest, self.model.least_cells), cells)
-            file = self.file.tried({**values, "structure.cells": cells, "structure.refine": 0.0})
-        begun = self.model.structure.crease_stiffness
-        share = len(set(asked.crease_stiffness)) / len(set(begun))
-        self.work += share * seconds(self.model, cells)
-        return file
+        if not quick:
+            return file
+        assert file.structure is not None
+        fewest = FEW_CELLS if file.stiffeners is None else STANDING_CELLS
+        cells = min(max(fewest, self.model.least_cells), file.structure.cells)
+        return self.file.tried({**values, "structure.cells": cells, "structure.refine": 0.0})
 
 
 def _refused(error: OrishellError) -> Refused:
