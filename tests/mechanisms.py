@@ -245,6 +245,11 @@ def complex_of(sheet: Mechanism, share: float = 0.8) -> Complex:
     return Complex(sheet, tuple(sleeve_over(sheet, row, share) for row in rows))
 
 
+def sleeves_of(whole: Complex) -> list[Sleeve]:
+    """The sleeves among the strips of a complex."""
+    return [each for each in whole.strips if isinstance(each, Sleeve)]
+
+
 @dataclass(frozen=True)
 class Sample:
     """A sheet that keeps the contract, by the same curves or sectors at any scale."""

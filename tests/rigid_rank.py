@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from mechanisms import sleeves_of
 from orishell.motion import Mechanism
 from orishell.motion.complex import Complex
 from orishell.motion.grid import Vertex
@@ -87,31 +88,29 @@ def freedoms_with_plates(mechanism: Mechanism, corners: Sequence[Vertex]) -> int
 def freedoms_of_complex(
     whole: Complex, drive: float, plates: Sequence[tuple[int, int]] = ()
 ) -> int:
-    """Those of a sheet with sleeves in one state.
+    """Those of a sheet with strips that it carries in one state.
 
     plates: Sleeves and their columns of vertices in which a plate holds the four panels about it
         that meet there on one side, each along its edge.
     """
     points, (panels, vertices) = points_of(whole, drive), whole.firsts
     ends, bodies = [], []
-    for first, begin, mechanism in zip(
-        panels, vertices, (whole.sheet, *whole.sleeves), strict=True
-    ):
+    for first, begin, mechanism in zip(panels, vertices, (whole.sheet, *whole.strips), strict=True):
         mesh = mesh_of(mechanism)
         ends.append(points[begin + mesh.edges[mesh.crease]])
         bodies.append(first + mesh.edge_faces[mesh.crease])
     count = len(whole.layout.faces)
-    for first, begin, sleeve in zip(panels[1:], vertices[1:], whole.sleeves, strict=True):
-        number = begin + sleeve.grid.vertices()
-        columns = np.arange(sleeve.columns.start, sleeve.columns.stop - 1)
-        across, own = whole.grid.columns - 1, np.arange(len(columns))
-        for strip, above in ((0, sleeve.row - 1), (1, sleeve.row)):
-            line = number[2 * strip]
-            ends.append(points[np.stack([line[:-1], line[1:]], axis=-1)])
-            hung = first + strip * len(own) + own
-            bodies.append(np.stack([hung, above * across + columns], axis=-1))
+    for part, hanging in whole.hangings:
+        strips = whole.strips[part - 1]
+        line = (vertices[part] + strips.grid.vertices())[hanging.line]
+        on = whole.panels(hanging.part, hanging.panels, strips.columns)
+        for row in (hanging.line - 1, hanging.line):
+            if 0 <= row < len(strips.parallel):
+                hung = whole.panels(part, row, strips.columns)
+                ends.append(points[np.stack([line[:-1], line[1:]], axis=-1)])
+                bodies.append(np.stack([hung, on], axis=-1))
     for which, column in plates:
-        sleeve, first, begin = whole.sleeves[which], panels[1 + which], vertices[1 + which]
+        sleeve, first, begin = sleeves_of(whole)[which], panels[1 + which], vertices[1 + which]
         q, w, r = (begin + sleeve.grid.vertices())[:, column]
         at = sleeve.columns.start + column
         x = whole.grid.vertices()[sleeve.row, at]

@@ -8,13 +8,17 @@ import numpy as np
 import pytest
 
 from mechanisms import complex_of, flat_foldable, parallel, random_net
-from orishell.deployment.air import FACES, FAN, Air, box_volumes
+from orishell.deployment.air import FAN, Air, cell_volumes
 from orishell.deployment.weight import Body
 from orishell.design_file import check_design
 from orishell.motion import Mechanism
 from orishell.motion.complex import Complex
-from orishell.motion.sleeves import Q, R, W
+from orishell.motion.sleeves import Q, R, Sleeve, W
 from orishell.shell.make import Shell, make_shell
+
+FACES = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
+"""Sides of a part of a box between two columns, by its corners x, q, w and r at one, then at the
+other."""
 
 
 @pytest.mark.parametrize("sheet", [parallel(), flat_foldable(random_net(6, 5, 2))], ids=repr)
@@ -24,8 +28,9 @@ def test_volumes_are_those_of_solids(sheet: Mechanism) -> None:
 
     whole = complex_of(sheet)
     points = sheet.positions(0.6 * sheet.target_drive)
-    for sleeve in whole.sleeves[::2]:
-        found = box_volumes(sleeve, points)
+    for sleeve in whole.strips[::2]:
+        found = cell_volumes(sleeve.cells[0], points)
+        assert isinstance(sleeve, Sleeve)
         lines, x = sleeve.carried(points), points[sleeve.row, sleeve.columns]
         ring = np.stack([x, lines[Q], lines[W], lines[R]])
         for column, volume in enumerate(found.tolist()):
@@ -68,7 +73,10 @@ def test_pressure_balances_own_weight(shell: Shell) -> None:
         lifted = np.diff([body.at(each)[0] for each in ends])[0]
         grown = np.diff(
             [
-                sum(box_volumes(s, whole.sheet.positions(each)).sum() for s in whole.sleeves)
+                sum(
+                    cell_volumes(s.cells[0], whole.sheet.positions(each)).sum()
+                    for s in whole.strips
+                )
                 for each in ends
             ]
         )[0]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from design_tables import Tables, made, mended
-from mechanisms import flat_foldable, random_net
+from mechanisms import flat_foldable, random_net, sleeves_of
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design import Design
 from orishell.design.stiffeners import Stiffeners
@@ -94,12 +94,12 @@ def require_plates(shell: Shell) -> None:
     assert max(common(names, found, "plate").values(), default=0.0) < NOTHING * total
     whole = shell.design.moving
     assert isinstance(whole, Complex)
-    rows = [sleeve.row for sleeve in whole.sleeves]
+    rows = [sleeve.row for sleeve in sleeves_of(whole)]
     at = [
         each.split(" ")[1].split(",") for part in shell.design.attached for each in part.names
         if part.kind == "plate"
     ]  # fmt: skip
-    plates = [(rows.index(int(r)), int(c) - whole.sleeves[0].columns.start) for r, c in at]
+    plates = [(rows.index(int(r)), int(c) - whole.strips[0].columns.start) for r, c in at]
     assert len(plates) == shell.report.deployment.plates
     target = whole.target_drive
     if has_flaps(whole.sheet):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mechanisms import complex_of, flat_foldable, miura_net, parallel
+from mechanisms import complex_of, flat_foldable, miura_net, parallel, sleeves_of
 from orishell.motion import Mechanism, diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.layout import points_of
@@ -70,8 +70,8 @@ def test_one_motion_and_none_with_a_plate(number: int) -> None:
     whole = random_complex(number)
     alone = freedoms_of_complex(Complex(whole.sheet, ()), whole.target_drive)
     assert freedoms_of_complex(whole, whole.target_drive) == alone
-    which = number % len(whole.sleeves)
-    column = number % len(whole.sleeves[which].above)
+    which = number % len(whole.strips)
+    column = number % len(sleeves_of(whole)[which].above)
     if alone == 1:
         assert freedoms_of_complex(whole, whole.target_drive, [(which, column)]) == 0
 
@@ -80,7 +80,7 @@ def test_strips_are_parallel_to_the_panels_on_the_other_side() -> None:
     whole = complex_of(parallel())
     for drive in (0.3, 1.1, whole.target_drive):
         sheet = whole.sheet.positions(drive)
-        for sleeve in whole.sleeves:
+        for sleeve in sleeves_of(whole):
             points, row = sleeve.positions(drive), sleeve.row
             x = sheet[row, sleeve.columns]
             down = sheet[row + 1, sleeve.columns] - x
@@ -113,7 +113,7 @@ def test_the_largest_share_is_where_a_side_is_as_narrow_as_it_may_be() -> None:
 def test_a_straight_sheet_has_sleeves_as_wide_as_its_creases() -> None:
     """Of Miura-ori columns are parallel: a parallelogram is swept, all shares alike."""
     sheet = flat_foldable(miura_net())
-    sleeve = complex_of(sheet, 0.6).sleeves[1]
+    sleeve = sleeves_of(complex_of(sheet, 0.6))[1]
     np.testing.assert_allclose(sleeve.widths, 1.0, rtol=0, atol=1e-12)
     np.testing.assert_allclose(sleeve.above, 0.6, rtol=0, atol=1e-12)
     np.testing.assert_allclose(sleeve.below, 0.6, rtol=0, atol=1e-12)

@@ -17,15 +17,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.conventions.record import Angle, record
+from orishell.motion.carried import Lines
 from orishell.motion.complex import Complex
-from orishell.motion.sleeves import Q, R, Sleeve, W
 from orishell.numerics.arrays import Array
 
 FAN = 500.0
 """What a small radial fan gives (Pa)."""
-FACES = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
-"""Sides of a part of a box between two columns, by its corners x, q, w and r at one, then at the
-other: all are plane."""
 
 
 @record
@@ -44,18 +41,19 @@ class Air:
     fan_to: Angle | None
 
 
-def box_volumes(sleeve: Sleeve, points: Array) -> Array:
-    """Volumes (..., n-1) of a sleeve between its columns, of vertices (..., rows, columns, 3)."""
-    lines = sleeve.carried(points)
-    x = points[..., sleeve.row, sleeve.columns, :]
-    ring = np.stack([x, lines[..., Q, :, :], lines[..., W, :, :], lines[..., R, :, :]], axis=-3)
-    corners = np.concatenate([ring[..., :-1, :], ring[..., 1:, :]], axis=-3)
-    corners = corners - corners[..., :1, :, :]  # (..., 8, n-1, 3) from the first of each
-    total = np.zeros(corners.shape[:-3] + corners.shape[-2:-1])
-    for a, b, c, d in FACES:
-        p, q, r, s = (corners[..., k, :, :] for k in (a, b, c, d))
-        for one, two, three in ((p, q, r), (p, r, s)):
-            total += (one * np.cross(two, three)).sum(axis=-1)
+def cell_volumes(cell: Lines, points: Array) -> Array:
+    """Volumes (..., n-1) of a cavity between its columns, of vertices (..., rows, columns, 3).
+
+    Its sides are plane, and so are its sections along columns.
+    """
+    ring = cell.carried(points)
+    near, far = ring[..., :-1, :], ring[..., 1:, :]
+    near, far = near - ring[..., :1, :-1, :], far - ring[..., :1, :-1, :]
+    after, beyond = (np.roll(each, -1, axis=-3) for each in (near, far))
+    # Two triangles of each side, and those of the farther end from its first corner; the nearer end
+    # is in one plane with the origin.
+    triangles = (near, after, beyond), (near, beyond, far), (far[..., :1, :, :], far, beyond)
+    total = sum((one * np.cross(two, three)).sum(axis=(-3, -1)) for one, two, three in triangles)
     return np.asarray(np.abs(total) / 6)
 
 
@@ -90,7 +88,8 @@ def find_air(
     there = (every >= between[0]) & (every <= between[1] * (1 + 1e-12))
     at, lift = every[there], energy[there] * metres
     points = whole.sheet.positions(at)
-    volume = sum(box_volumes(each, points).sum(axis=-1) for each in whole.sleeves) * metres**3
+    cells = [cell for each in whole.strips for cell in each.cells]
+    volume = sum(cell_volumes(each, points).sum(axis=-1) for each in cells) * metres**3
     volume = np.asarray(volume)
     target = int(np.argmin(np.abs(at - whole.target_drive)))
     most = int(np.argmax(volume))

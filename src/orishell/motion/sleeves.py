@@ -12,18 +12,16 @@ b_j+1 v_j+1 and lambda_j e_j, all of them fixed in B_j: it is rigid, and stays p
 is w_j r_j r_j+1 w_j+1, which stays parallel to A_j. Both are trapezoids whose common side is nu_j
 e_j, nu_j = lambda_j + mu_j - 1. Nothing is asked of the sheet but that its panels are rigid.
 
-So the two strips are a folding sheet of their own, with three rows q, w and r: flat where the sheet
-is, with fold angles of the sheet, and accelerations that are constant multiples of its.
+So the sheet carries the two strips (:mod:`~orishell.motion.carried`), with three lines q, w and r.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.mechanism import Mechanism, mechanism_in_one_line
+from orishell.motion.carried import Carried, Hanging, Lines
+from orishell.motion.mechanism import Mechanism
 from orishell.numerics.arrays import Array
 
 Q, W, R = range(3)
@@ -88,103 +86,46 @@ def _cross(first: Array, second: Array) -> Array:
 
 
 @record
-class Sleeve:
-    """A sleeve over a row of a sheet: a folding sheet of three rows, q, w and r, as all are."""
-
-    whole: Mechanism
-    row: int  # of vertices of the sheet
-    columns: slice  # of vertices of the sheet
-    above: Array  # a_j (n,)
-    below: Array  # b_j (n,)
-    widths: Array  # (3, n-1), lambda, nu and mu: rows q, w and r
+class Sleeve(Carried):
+    """A sleeve over a row of a sheet: strips with three lines of vertices, q, w and r."""
 
     @classmethod
     def over(cls, mechanism: Mechanism, forms: SleeveForms, share: float) -> Sleeve:
         """The sleeve whose hinges lie so far out on edges of columns, at the most."""
+        row, above, below = forms.row, share * forms.above, share * forms.below
+        none = np.zeros_like(above)
+
+        def lines(up: list[Array], down: list[Array]) -> Lines:
+            places = np.full(len(up), row)
+            edges = np.stack([places - 1, places])
+            return Lines(forms.columns, places, edges, np.array([up, down]))
+
         return cls(
-            mechanism,
-            forms.row,
-            forms.columns,
-            share * forms.above,
-            share * forms.below,
-            forms.widths(share),
+            whole=mechanism,
+            lines=lines([-above, -above, none], [none, below, below]),
+            # Strip q w is parallel to the panels below, strip w r to those above.
+            parallel=np.array([row, row - 1]),
+            down=np.stack([below, above]),
+            widths=forms.widths(share),
+            between=np.array([[row - 1, row + 1]] * 2),
+            hung=(
+                Hanging(Q, 0, row - 1, row - 1, 1 - above),
+                Hanging(R, 0, row, row, below),
+            ),
+            cells=(lines([none, -above, -above, none], [none, none, below, below]),),
         )
 
-    def __repr__(self) -> str:
-        return mechanism_in_one_line(self)
+    @property
+    def row(self) -> int:
+        """The row of vertices of the sheet that it is over."""
+        return int(self.lines.rows[Q])
 
     @property
-    def grid(self) -> Grid:
-        """The grid of its vertices."""
-        return Grid(3, len(self.above))
+    def above(self) -> Array:
+        """Shares a_j (n,) of edges upwards."""
+        return np.asarray(-self.lines.shares[0, Q])
 
     @property
-    def inner_columns(self) -> slice:
-        """All of them."""
-        return slice(0, len(self.above))
-
-    @property
-    def flap_columns(self) -> tuple[int, ...]:
-        """None."""
-        return ()
-
-    def without_flaps(self) -> Mechanism:
-        """Itself."""
-        return self
-
-    def with_stop(self, stop: float) -> Mechanism:
-        """Itself."""
-        return self
-
-    @property
-    def least_turning(self) -> Mechanism:
-        """The sleeve over the sheet that turns as little as possible."""
-        return self.on(self.whole.least_turning)
-
-    def on(self, whole: Mechanism) -> Sleeve:
-        """The sleeve over a sheet of the same panels, which stands otherwise."""
-        return Sleeve(whole, self.row, self.columns, self.above, self.below, self.widths)
-
-    @property
-    def target_drive(self) -> float:
-        """That of the sheet."""
-        return self.whole.target_drive
-
-    @property
-    def end_drive(self) -> float:
-        """That of the sheet."""
-        return self.whole.end_drive
-
-    def positions(self, drive: ArrayLike) -> Array:
-        """Positions (..., 3, n, 3) of its vertices."""
-        return self.carried(self.whole.positions(drive))
-
-    def carried(self, points: Array) -> Array:
-        """Positions (..., 3, n, 3) of its vertices on vertices (..., rows, columns, 3)."""
-        near = points[..., self.row - 1 : self.row + 2, self.columns, :]
-        x = near[..., 1, :, :]
-        up = self.above[:, None] * (near[..., 0, :, :] - x)
-        down = self.below[:, None] * (near[..., 2, :, :] - x)
-        return np.stack([x + up, x + up + down, x + down], axis=-3)
-
-    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
-        """Fold angles of its creases: at w as about x, from the other side; else as its parallels.
-
-        Strip q w is parallel to the panels below, strip w r to those above.
-        """
-        folds, row, columns = self.whole.fold_angles(drive), self.row, self.columns
-        between = slice(columns.start, columns.stop - 2)
-        return CreaseValues(
-            -folds.row[..., row - 1 : row, columns.start : columns.stop - 1],
-            folds.column[..., [row, row - 1], between],
-        )
-
-    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
-        """Bounds of the accelerations of its edges: those of the sheet, times what they share."""
-        along, down = self.whole.edge_accelerations(start, stop)
-        widest = self.widths.max(axis=0)
-        shares = [self.below.max(), self.above.max()]
-        return (
-            along[:, self.columns.start : self.columns.stop - 1] * widest,
-            down[:, [self.row, self.row - 1]] * shares,
-        )
+    def below(self) -> Array:
+        """Shares b_j (n,) of edges downwards."""
+        return np.asarray(self.lines.shares[1, R])

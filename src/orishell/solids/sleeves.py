@@ -1,20 +1,20 @@
-"""Boards of sleeves: how far they stand off the panels that they hang on.
+"""Boards of strips on a sheet: how far they stand off the panels that they hang on.
 
 A strip hangs on a board that goes on beyond their common line, on both sides of it. About that line
 the strip turns, from the one half of the board on which it lies in the flat sheet towards the other
-half, by the fold angle phi of the crease between the panels that sleeve and sheet share. The edge
+half, by the fold angle phi of the crease between the panels that both are parallel to. The edge
 of its own board, square cut and d from the line, has corners d sin(phi) -+ h cos(phi) over the
 plane of the panel, h being half the thickness of both. They are over the board of the panel if
 
     d >= h (1 + abs(cos(phi)))/sin(phi).
 
 This is least at 90 degrees, so it is asked for at both ends of the fold angles that are used. The
-line itself is in the middle of the board: the hinge lies in a groove on the side of the sleeve.
+line itself is in the middle of the board: the hinge lies in a groove on the side of the strip.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -22,8 +22,8 @@ import numpy as np
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
 from orishell.motion.boards import Boards, join_boards
+from orishell.motion.carried import Carried, Hanging
 from orishell.motion.complex import Complex
-from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 
@@ -32,11 +32,11 @@ FINE = 1e-6
 STATES = 257
 """States among which the least and the largest fold angles are looked for."""
 FIRST, LAST = 3, 1
-"""Sides of the panels of a sleeve's strips that hang on the sheet: of the upper, of the lower."""
+"""Sides of panels at the first and the last line of their strip."""
 
 
-def sleeve_design(design: Design, sleeve: Sleeve, start: float, stop: float) -> Design:
-    """A sleeve as a design of its own, of the panels of the sheet's, to be used between two drives.
+def sleeve_design(design: Design, strips: Carried, start: float, stop: float) -> Design:
+    """Strips as a design of their own, of the panels of the sheet's, to be used between two drives.
 
     Parameters
     ----------
@@ -45,11 +45,20 @@ def sleeve_design(design: Design, sleeve: Sleeve, start: float, stop: float) -> 
     """
     off = None
     if design.panel is not None:
-        away = stand_off(sleeve, start, stop, design.panel.height)
-        sides = np.zeros((2, len(away), 4))
-        sides[0, :, FIRST] = sides[1, :, LAST] = away
-        off = sides.reshape(-1, 4)
-    return replace(design, mechanism=sleeve, clipped=None, attached=(), boxes=(), stand_off=off)
+        away = np.zeros((strips.grid.rows - 1, strips.grid.columns - 1, 4))
+        for hanging in strips.hung:
+            for strip, side in sides_at(strips, hanging.line):
+                away[strip, :, side] = stand_off(strips, hanging, start, stop, design.panel.height)
+        off = away.reshape(-1, 4)
+    return replace(design, mechanism=strips, clipped=None, attached=(), boxes=(), stand_off=off)
+
+
+def sides_at(strips: Carried, line: int) -> Iterator[tuple[int, int]]:
+    """Strips on both sides of a line, each with the side of its panels that is there."""
+    if line < len(strips.parallel):
+        yield line, FIRST
+    if line:
+        yield line - 1, LAST
 
 
 def moving_boards(sheet: Boards, whole: Complex, boxes: Sequence[Box]) -> Boards:
@@ -61,10 +70,10 @@ def moving_boards(sheet: Boards, whole: Complex, boxes: Sequence[Box]) -> Boards
     return join_boards(every)
 
 
-def closes_to(sleeve: Sleeve, start: float, stop: float, build: PanelSpec) -> float:
+def closes_to(strips: Carried, start: float, stop: float, build: PanelSpec) -> float:
     """The drive up to which boards of strips may be used that are joined to the sheet at another.
 
-    What they stand off the panels that they hang on, and back from their own crease, may take the
+    What they stand off the panels that they hang on, and back from their own creases, may take the
     share of a strip's width that set-backs may take of panels. Below ``start`` if that is too much
     there.
 
@@ -75,26 +84,32 @@ def closes_to(sleeve: Sleeve, start: float, stop: float, build: PanelSpec) -> fl
     stop
         The drive up to which the sheet closes (radians).
     """
-    points = sleeve.positions(0.0)[..., :2]
-    along = np.diff(points[1], axis=0)
+    points = strips.positions(0.0)[..., :2]
+    along = np.diff(points, axis=1)[:-1]
     across = np.diff(points, axis=0)[:, :-1]
-    area = np.abs(across[..., 0] * along[:, 1] - across[..., 1] * along[:, 0])
-    room = build.share * (area / np.linalg.norm(along, axis=1)).min(axis=0)
+    area = np.abs(across[..., 0] * along[..., 1] - across[..., 1] * along[..., 0])
+    room = build.share * area / np.linalg.norm(along, axis=-1)
 
     def works(drive: float) -> bool:
-        folds = np.abs(sleeve.fold_angles(np.linspace(start, drive, STATES)).row[:, 0])
+        taken = np.zeros_like(room)
+        folds = np.abs(strips.fold_angles(np.linspace(start, drive, STATES)).row)
         back = build.height * np.tan(0.5 * np.minimum(folds.max(axis=0), np.pi - 1e-9))
-        return bool((stand_off(sleeve, start, drive, build.height) + back <= room).all())
+        taken[:-1] += back
+        taken[1:] += back
+        for hanging in strips.hung:
+            for strip, _ in sides_at(strips, hanging.line):
+                taken[strip] += stand_off(strips, hanging, start, drive, build.height)
+        return bool((taken <= room).all())
 
     if works(stop):
         return stop
     return bisect(works, start, stop, relative=FINE) if works(start) else 0.0
 
 
-def stand_off(sleeve: Sleeve, start: float, stop: float, half: float) -> Array:
-    """How far (n-1,) boards of both strips stand off their lines while the drive is in a range.
+def stand_off(strips: Carried, hanging: Hanging, start: float, stop: float, half: float) -> Array:
+    """How far (n-1,) boards stand off a line that they hang in while the drive is in a range.
 
-    Infinite where a crease is flat there, or shut.
+    Infinite where panels are parallel there to those that they hang on.
 
     Parameters
     ----------
@@ -103,7 +118,7 @@ def stand_off(sleeve: Sleeve, start: float, stop: float, half: float) -> Array:
     half
         Half the thickness of all boards (length).
     """
-    folds = np.abs(sleeve.fold_angles(np.linspace(start, stop, STATES)).row[:, 0])
+    folds = np.abs(strips.hung_folds(hanging, np.linspace(start, stop, STATES)))
     # Where an angle turns around between two states it is beyond both by less than they differ.
     steps = np.diff(folds, axis=0)
     turning = (steps[1:] * steps[:-1] < 0).any(axis=0)

@@ -29,9 +29,9 @@ def sleeves_between_flaps(boxes: tuple[Box, ...], before: int) -> tuple[Sleeve, 
     """Sleeves whose columns are counted without the columns of flaps before the first."""
     found = []
     for each in boxes:
-        columns = each.sleeve.columns
+        lines, columns = each.sleeve.lines, each.sleeve.columns
         shifted = slice(columns.start - before, columns.stop - before)
-        found.append(replace(each.sleeve, columns=shifted))
+        found.append(replace(each.sleeve, lines=replace(lines, columns=shifted)))
     return tuple(found)
 
 
