@@ -19,7 +19,8 @@ from orishell.locking.result import Lock
 from orishell.motion import diagonal, find_assignment
 from orishell.motion.layout import mesh_of, points_of
 from orishell.numerics.arrays import Array
-from orishell.solids.gussets import Gussets, stand_off
+from orishell.solids.gussets import Gussets
+from orishell.solids.plates import stand_off
 from overlaps import solids
 from rigid_rank import freedoms_with_plates
 

@@ -32,12 +32,12 @@ T = TypeVar("T")
 def record(cls: type[T]) -> type[T]:
     """Make a frozen dataclass of a class, with slots unless it has a ``cached_property``.
 
-    Records may hold arrays, so two of them are equal if they are the same one. A ``__repr__`` of
-    the class's own stays.
+    Records may hold arrays, so two of them are equal if they are the same one. A ``__repr__`` that
+    the class has stays.
     """
     slots = not any(isinstance(each, cached_property) for each in vars(cls).values())
     made: Any = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)
-    if "__repr__" not in cls.__dict__:
+    if cls.__repr__ is object.__repr__:
         made.__repr__ = _in_one_line
     return cast("type[T]", made)
 

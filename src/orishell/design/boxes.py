@@ -47,10 +47,10 @@ class Box:
     def hung(self) -> HungLines:
         """Both of its lines, on the side to which panels of its row fold together."""
         sleeve, row = self.sleeve, self.sleeve.row
-        across, count = sleeve.whole.grid.columns, len(sleeve.above)
+        across, count = sleeve.sheet.grid.columns, len(sleeve.above)
         columns = np.arange(sleeve.columns.start, sleeve.columns.stop)
         own = points_of(sleeve, 0.0)[:, :2].reshape(3, count, 2)[[Q, R]]
-        x = points_of(sleeve.whole, 0.0)[row * across + columns, :2]
+        x = points_of(sleeve.sheet, 0.0)[row * across + columns, :2]
         away = np.linalg.norm(own - x, axis=-1)
         panels = (np.array([[row - 1], [row]]) * (across - 1) + columns[:-1]).ravel()
         # Its own crease folds to the other side than those that it is over.

@@ -15,10 +15,9 @@ from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.design import Design
-from orishell.design.design import warn_of_no_lock
 from orishell.design.stiffeners import Stiffeners
 from orishell.locking.fold_rows import fold_columns
-from orishell.locking.gussets import held_by_plates, require_folds
+from orishell.locking.plates import require_folds, with_plates
 from orishell.locking.result import Lock
 from orishell.motion import diagonal
 from orishell.motion.boards import join_boards
@@ -26,7 +25,7 @@ from orishell.motion.complex import Complex
 from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
-from orishell.solids.box_plates import BoxPlates, plate_parts
+from orishell.solids.box_plates import BoxPlates, box_plate_parts
 from orishell.solids.sleeves import moving_boards
 
 
@@ -46,7 +45,7 @@ def with_box_plates(
     span = design.boxes[0].sleeve.columns
     columns = np.array(fold_columns(asked.columns, range(span.start, span.stop), "plate"))
     at = np.array([(box.sleeve.row, column) for box in design.boxes for column in columns.tolist()])
-    require_folds(design, at)
+    require_folds(design, at, "plate")
     every = [BoxPlates.of(design, box, columns) for box in design.boxes]
     levels = 0 if lock.built is None else lock.built.boards.outlines.shape[1]
     met = _met(design, lock, every, levels, tolerance * diagonal(design.mechanism.positions(0.0)))
@@ -60,15 +59,8 @@ def with_box_plates(
             candidates=[Remedy({"stiffeners.columns": "none"})],
             excess=1.0,
         )
-    parts = [part for plates in every for part in plate_parts(design, plates, levels)]
-    fixed_by, bare = held_by_plates(design, at), warn_of_no_lock(0.0)
-    warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
-    return replace(
-        design,
-        attached=(*design.attached, *parts),
-        fixed_by=fixed_by,
-        warnings=warnings,
-    )
+    parts = [part for plates in every for part in box_plate_parts(design, plates, levels)]
+    return with_plates(design, at, parts)
 
 
 def _met(

@@ -8,6 +8,8 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.design import Design
+from orishell.locking.fold_rows import between_flaps
+from orishell.locking.plates import require_creases
 from orishell.motion import find_assignment
 from orishell.motion.layout import SlitFlaps
 
@@ -18,37 +20,18 @@ def box_columns(design: Design) -> slice:
     A flap that is shut is in the plane of the two edges of the column beside it, where the end of a
     box would be: beside flaps they end a column before.
 
-    Raises InputError if there are none.
+    Raises InputError if there are none, panels are whole boards, or flaps are slit from each other.
     """
-    mechanism, count = design.mechanism, design.mechanism.grid.columns
-    start, stop = 0, count
-    if mechanism.flap_columns or design.clipped is not None:
-        inner = mechanism.inner_columns
-        start, stop = inner.start + 1, inner.stop - 1
-    if stop - start < 2:
-        raise InputError(
-            "flaps take the place of box girders at their sides, and there are no columns between",
-            keys=("stiffeners", "pattern.flap"),
-            remedy="flap = 0, or more columns",
-        )
-    return slice(start, stop)
-
-
-def require_creases(design: Design) -> None:
-    """Refuse whole boards, whose hinges are not in creases, and flaps that are slit."""
-    if design.has_whole_boards:
-        raise InputError(
-            "box girders hang on creases, and whole boards have their hinges beside these",
-            keys=("stiffeners", "panel.construction"),
-            got='"hinged"',
-            expected='"sandwich" or "bevel"',
-        )
+    require_creases(design, "box girders")
     if isinstance(design.mechanism, SlitFlaps):
         raise InputError(
             "box girders need a sheet without flaps that are slit from each other",
             keys=("stiffeners", "deployment.flap_attachment"),
             remedy='flap_attachment = "clipped" in [deployment]',
         )
+    every = slice(0, design.mechanism.grid.columns)
+    columns = between_flaps(design, every, 2, "box girders")
+    return slice(columns.start, columns.stop)
 
 
 def require_one_side(design: Design, rows: Sequence[int], columns: slice) -> None:

@@ -23,7 +23,7 @@ from orishell.design.boxes import Box
 from orishell.design.stiffeners import Stiffeners
 from orishell.locking.boards import prove_boards
 from orishell.locking.box_flaps import Called, called, flap_contact
-from orishell.locking.box_rows import box_columns, require_creases, require_one_side
+from orishell.locking.box_rows import box_columns, require_one_side
 from orishell.locking.fold_rows import fold_rows
 from orishell.locking.result import BoxMotion, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END
@@ -115,12 +115,11 @@ class BoxPlace:
         *,
         examined: bool = True,
     ) -> None:
-        require_creases(design)
-        require_convex(design.mechanism, "box girders")
         self.design, self.lock, self.examined = design, lock, examined
         self.asked = asked
         mechanism = design.mechanism
         self.columns = box_columns(design)
+        require_convex(mechanism, "box girders")
         self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
         require_one_side(design, self.rows, self.columns)
         self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
@@ -288,13 +287,12 @@ class BoxPlace:
             _, motion = self.moved(share, progress)
         except DesignError as error:
             return error
-        met = motion.opening or motion.closing
+        met, target = motion.opening or motion.closing, self.lock.target_drive
         assert met is not None
         first, second = met.names
-        met_target = self.lock.target_drive
         return DesignError(
             f"{first} and {second} meet",
-            place=f"at drive {in_degrees(met.drive)} of {in_degrees(met_target)} degrees",
+            place=f"at drive {in_degrees(met.drive)} of {in_degrees(target)} degrees",
             keys=("stiffeners.share", "stiffeners.rows"),
             candidates=self._others(),
             excess=1.0,

@@ -7,7 +7,28 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.design import Design
 from orishell.motion import Mechanism, find_assignment
+from orishell.motion.layout import has_flaps
+
+
+def between_flaps(design: Design, free: slice, least: int, what: str) -> range:
+    """Columns of vertices for what flaps that are shut leave no place to beside them.
+
+    free: The columns where there are no flaps.
+    what: What is put there, in the plural.
+    Raises InputError if there are fewer than the least.
+    """
+    inner = design.mechanism.inner_columns
+    flaps = has_flaps(design.mechanism) or design.clipped is not None
+    columns = range(inner.start + 1, inner.stop - 1) if flaps else range(free.start, free.stop)
+    if len(columns) < least:
+        raise InputError(
+            f"flaps take the place of {what} at their sides, and there are no columns between",
+            keys=("stiffeners", "pattern.flap"),
+            remedy="flap = 0, or more columns",
+        )
+    return columns
 
 
 def fold_rows(

@@ -14,27 +14,24 @@ import numpy as np
 from orishell.clash.bodies import Bodies
 from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
-from orishell.conventions.errors import DesignError, InputError, Remedy
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded, rounded_down
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
-from orishell.design.design import Fixing, warn_of_no_lock
 from orishell.design.stiffeners import Bolts, Stiffeners
-from orishell.locking.fold_rows import fold_columns, fold_rows
+from orishell.locking.fold_rows import between_flaps, fold_columns, fold_rows
+from orishell.locking.plates import require_creases, require_folds, with_plates
 from orishell.locking.result import Lock
 from orishell.locking.sheet import Sheet
 from orishell.motion import diagonal
 from orishell.motion.boards import join_boards
 from orishell.motion.convex import require_convex
-from orishell.motion.freedom import held_at, hold_alone
-from orishell.motion.layout import Layout, has_flaps, points_of
+from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
 from orishell.solids import build_panels
 from orishell.solids.gussets import Gussets, gusset_parts
 
-SHALLOW = 1e-3
-"""A crease that folds by an angle with a smaller sine has no fold for a gusset (radians)."""
 LEAST_LEFT = 0.5
 """A gusset keeps at least this share of its way along edges when it stands off boards."""
 SMALLER = 0.9
@@ -60,9 +57,9 @@ def with_gussets(
     """
     if asked is None or asked.kind != "gussets":
         return design
-    _require_creases(design)
+    require_creases(design, "gussets")
     at = _places(design, asked)
-    require_folds(design, at)
+    require_folds(design, at, "gusset")
     place = Place(design, lock, at, tolerance * diagonal(design.mechanism.positions(0.0)))
     build = None if design.panel is None else asked.made_of(design.panel, density)
     share = _largest(place, build) if asked.share == "auto" else asked.share
@@ -82,11 +79,7 @@ def with_gussets(
         )
     _require_bolts(found, asked.bolts)
     parts = gusset_parts(design, found, place.levels, asked.material or "", asked.bolts)
-    fixed_by, bare = held_by_plates(design, at), warn_of_no_lock(0.0)
-    warnings = tuple(each for each in design.warnings if fixed_by is None or each not in bare)
-    return replace(
-        design, attached=(*design.attached, *parts), fixed_by=fixed_by, warnings=warnings
-    )
+    return with_plates(design, at, parts)
 
 
 def _require_bolts(found: Gussets, bolts: Bolts | None) -> None:
@@ -109,65 +102,14 @@ def _require_bolts(found: Gussets, bolts: Bolts | None) -> None:
         )
 
 
-def held_by_plates(design: Design, at: Integers) -> Fixing | None:
-    """Whether gussets, or plates of boxes, at vertices (G, 2) keep the whole sheet still.
-
-    A gusset keeps the angle between two edges of the column. With it about its vertex there are two
-    triangles on a sphere whose three sides are fixed, so that no crease there turns: at a vertex on
-    the border there is one. They are no straight arcs, as creases of the row are neither flat nor
-    shut.
-    """
-    mechanism = design.mechanism
-    vertices = at[:, 0] * mechanism.grid.columns + at[:, 1]
-    if hold_alone(mechanism, vertices).all():
-        return "any"
-    return "all" if held_at(mechanism, vertices) else None
-
-
-def _require_creases(design: Design) -> None:
-    """Refuse whole boards, whose hinges are not in creases."""
-    if design.has_whole_boards:
-        raise InputError(
-            "gussets go along creases, and whole boards have their hinges beside these",
-            keys=("stiffeners", "panel.construction"),
-            got='"hinged"',
-            expected='"sandwich" or "bevel"',
-        )
-
-
 def _places(design: Design, asked: Stiffeners) -> Integers:
     """Rows and columns (G, 2) of the vertices that gussets go from."""
     mechanism = design.mechanism
     inner = mechanism.inner_columns
-    # Flaps that are shut take the place of gussets beside them.
-    beside = int(has_flaps(mechanism) or design.clipped is not None)
-    columns = range(inner.start + beside, inner.stop - beside)
-    if not columns:
-        raise InputError(
-            "flaps take the place of gussets at their sides, and there are no columns between",
-            keys=("stiffeners", "pattern.flap"),
-            remedy="flap = 0, or more columns",
-        )
+    columns = between_flaps(design, inner, 1, "gussets")
     rows = fold_rows(mechanism, asked.rows, inner, "gusset")
     chosen = fold_columns(asked.columns, columns, "gusset")
     return np.array([(row, column) for row in rows for column in chosen], np.int64).reshape(-1, 2)
-
-
-def require_folds(design: Design, at: Integers) -> None:
-    """Refuse gussets at vertices where the creases of the row do not fold, or are shut."""
-    mechanism = design.mechanism
-    folds = np.sin(mechanism.fold_angles(mechanism.target_drive).row)
-    padded = np.pad(folds, ((0, 0), (1, 1)), constant_values=1.0)
-    row, column = at.T
-    least = np.minimum(np.abs(padded[row - 1, column]), np.abs(padded[row - 1, column + 1]))
-    if (least < SHALLOW).any():
-        worst = at[int(np.argmin(least))].tolist()
-        raise DesignError(
-            "there is no fold for a gusset",
-            place=f"at vertex {worst[0]}, {worst[1]}",
-            keys=("stiffeners.rows", "stiffeners.columns"),
-            size="creases of its row are flat there, or shut",
-        )
 
 
 @record

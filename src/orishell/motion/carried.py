@@ -15,15 +15,12 @@ a second skin and the walls between both.
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Self
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.mechanism import Mechanism, mechanism_in_one_line
+from orishell.motion.on_sheet import OnSheet
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -67,10 +64,9 @@ class Hanging:
 
 
 @record
-class Carried:
+class Carried(OnSheet):
     """Strips of panels that a sheet carries: a folding sheet of their own."""
 
-    whole: Mechanism
     lines: Lines  # of its vertices (K,)
     parallel: Integers  # rows (K-1,) of panels of the sheet that its own are parallel to
     down: Array  # lengths (K-1, n) of its edges down columns, by those of these panels
@@ -81,9 +77,6 @@ class Carried:
     between: Integers
     hung: tuple[Hanging, ...]  # where it hangs
     cells: tuple[Lines, ...]  # lines around each cavity that it closes, in order
-
-    def __repr__(self) -> str:
-        return mechanism_in_one_line(self)
 
     @property
     def columns(self) -> slice:
@@ -105,36 +98,9 @@ class Carried:
         """None."""
         return ()
 
-    def without_flaps(self) -> Mechanism:
-        """Itself."""
-        return self
-
-    def with_stop(self, stop: float) -> Mechanism:
-        """Itself."""
-        return self
-
-    @property
-    def least_turning(self) -> Mechanism:
-        """The same on the sheet that turns as little as possible."""
-        return self.on(self.whole.least_turning)
-
-    def on(self, whole: Mechanism) -> Self:
-        """The same on a sheet of the same panels, which stands otherwise."""
-        return replace(self, whole=whole)
-
-    @property
-    def target_drive(self) -> float:
-        """That of the sheet."""
-        return self.whole.target_drive
-
-    @property
-    def end_drive(self) -> float:
-        """That of the sheet."""
-        return self.whole.end_drive
-
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., K, n, 3) of its vertices."""
-        return self.carried(self.whole.positions(drive))
+        return self.carried(self.sheet.positions(drive))
 
     def carried(self, points: Array) -> Array:
         """Positions (..., K, n, 3) of its vertices on vertices (..., rows, columns, 3)."""
@@ -142,7 +108,7 @@ class Carried:
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of its creases: those of the sheet."""
-        folds = self.whole.fold_angles(drive)
+        folds = self.sheet.fold_angles(drive)
         over = slice(self.columns.start, self.columns.stop - 1)
         turns = [
             turn_between(folds.row[..., over], one, other)
@@ -155,7 +121,7 @@ class Carried:
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of its edges: those of the sheet, times what they share."""
-        along, down = self.whole.edge_accelerations(start, stop)
+        along, down = self.sheet.edge_accelerations(start, stop)
         return (
             along[:, self.columns.start : self.columns.stop - 1] * self.widths.max(axis=0),
             down[:, self.parallel] * self.down.max(axis=1),
@@ -166,7 +132,7 @@ class Carried:
 
         They are lines of one strip only, or of two that are parallel to the same panels.
         """
-        folds = self.whole.fold_angles(drive).row
+        folds = self.sheet.fold_angles(drive).row
         over = slice(self.columns.start, self.columns.stop - 1)
         own = self.parallel[max(hanging.line - 1, 0)]
         return turn_between(folds[..., over], int(own), hanging.parallel)

@@ -18,58 +18,25 @@ from orishell.conventions.record import record
 from orishell.motion.carried import Carried, Hanging, Lines
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import Layout
-from orishell.motion.mechanism import Mechanism, mechanism_in_one_line
+from orishell.motion.mechanism import Mechanism
+from orishell.motion.on_sheet import OnSheet
 from orishell.numerics.arrays import Array, Integers
 
 
 @record
-class Complex:
+class Complex(OnSheet):
     """A sheet without slit flaps and the strips that it carries, as one mechanism."""
 
-    sheet: Mechanism
     strips: tuple[Carried, ...]
-
-    def __repr__(self) -> str:
-        return mechanism_in_one_line(self)
 
     @property
     def grid(self) -> Grid:
         """That of the sheet."""
         return self.sheet.grid
 
-    @property
-    def inner_columns(self) -> slice:
-        """Those of the sheet."""
-        return self.sheet.inner_columns
-
-    @property
-    def flap_columns(self) -> tuple[int, ...]:
-        """Those of the sheet."""
-        return self.sheet.flap_columns
-
-    def without_flaps(self) -> Mechanism:
-        """Itself: strips are over sheets without flaps."""
-        return self
-
-    def with_stop(self, stop: float) -> Mechanism:
-        """Itself."""
-        return self
-
-    @property
-    def least_turning(self) -> Complex:
-        """The same on the sheet that turns as little as possible."""
-        sheet = self.sheet.least_turning
+    def on(self, sheet: Mechanism) -> Complex:
+        """All of it on a sheet of the same panels, which stands otherwise."""
         return Complex(sheet, tuple(each.on(sheet) for each in self.strips))
-
-    @property
-    def target_drive(self) -> float:
-        """That of the sheet."""
-        return self.sheet.target_drive
-
-    @property
-    def end_drive(self) -> float:
-        """That of the sheet."""
-        return self.sheet.end_drive
 
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., rows, columns, 3) of the sheet's vertices."""

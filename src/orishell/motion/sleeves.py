@@ -101,7 +101,7 @@ class Sleeve(Carried):
             return Lines(forms.columns, places, edges, np.array([up, down]))
 
         return cls(
-            whole=mechanism,
+            sheet=mechanism,
             lines=lines([-above, -above, none], [none, below, below]),
             # Strip q w is parallel to the panels below, strip w r to those above.
             parallel=np.array([row, row - 1]),

@@ -3,28 +3,25 @@
 At a column the cross-section of a sleeve is the plane parallelogram x, q = x + a u, w = q + b v and
 r = x + b v. A plate there keeps the angle between u and v. Along all four sides it stands off
 the panels beside it: those of the sheet at x q and r x, those of strips at q w and w r, by as much
-as gussets do (:mod:`~orishell.solids.gussets`).
+as gussets do (:mod:`~orishell.solids.plates`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
-from orishell.design.part import SHELL, DocumentState, Part
+from orishell.design.part import Part
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid
-from orishell.motion.layout import points_of
-from orishell.motion.mesh import build_mesh
 from orishell.motion.sleeves import Q, R, W
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids.boards import inset_panels
-from orishell.solids.gussets import LETTERS, angle_about, lying, stand_off, upright_boards
+from orishell.solids.plates import angle_about, lying, plate_parts, stand_off, upright_boards
 
 
 @record
@@ -89,37 +86,13 @@ class BoxPlates:
         return upright_boards(self.cut() + flat[:, None], self.build, levels)
 
 
-def plate_parts(design: Design, plates: BoxPlates, levels: int) -> Iterator[Part]:
+def box_plate_parts(design: Design, plates: BoxPlates, levels: int) -> Iterator[Part]:
     """Plates as parts, each beside the vertex of the flat sheet that it stands at.
 
     levels: At how many heights boards have outlines.
     """
-    mechanism, sleeve = design.mechanism, plates.box.sleeve
-    drive = float(np.rad2deg(mechanism.target_drive))
-    numbers = sleeve.row * mechanism.grid.columns + plates.columns
-    places = points_of(mechanism, 0.0)[numbers, :2]
-    flat = plates.lying() + places[:, None]
-    boards = None if plates.build is None else plates.boards(places, levels)
-    mesh = build_mesh(np.array([[0, 1, 2, 3]]), 4)
-    for number, name in enumerate(plates.names):
-        column, own = int(plates.columns[number]), None
-        if boards is not None:
-            own = boards.chosen(boards.panels == number)
-            own = replace(own, panels=np.zeros(len(own), np.int64))
-        a, b = (each[column - sleeve.columns.start] for each in (sleeve.above, sleeve.below))
-        yield Part(
-            title=f"Plate at {sleeve.row}, {column}",
-            unit="unit",
-            mesh=mesh,
-            assignment=LETTERS,
-            flat=flat[number],
-            fold_angles_deg=np.zeros(4),
-            states=(DocumentState(plates.corners[number], np.zeros(4), drive),),
-            named={SHELL: 0},
-            names=(name,),
-            panel=plates.build,
-            boards=own,
-            kind="plate",
-            borne_at=np.array([(sleeve.row + step, column) for step in (0, -1, 1)]),
-            borne_shares=np.array([1 - 0.5 * (a + b), 0.5 * a, 0.5 * b]),
-        )
+    sleeve = plates.box.sleeve
+    own = plates.columns - sleeve.columns.start
+    a, b = 0.5 * sleeve.above[own], 0.5 * sleeve.below[own]
+    at = np.stack([np.full(len(plates), sleeve.row), plates.columns], axis=1)
+    return plate_parts(design, plates, at, np.stack([1 - (a + b), a, b], axis=1), levels)

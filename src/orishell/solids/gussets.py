@@ -1,22 +1,9 @@
-"""Gussets: plane triangles in the folds of a shell that stands, and how far they stand off panels.
+"""Gussets: plane triangles in the folds of a shell that stands, and holes of their bolts.
 
 At its vertex x a gusset goes along the edges u and v of the column, above and below, by a share a
 of each: its corners are x, x + a u and x + a v. It is in the plane of u and v, so it lies in one of
-the two angles between a panel beside u and the plane through u that it is in itself.
-
-A plate that is 2 g thick keeps off panels that are 2 h thick, and reach h to either side. In the
-section square to u let alpha be the angle between gusset and panel. The edge of the gusset, cut
-square and d from u, has its corners d sin(alpha) -+ g cos(alpha) over the panel's plane: above the
-board if
-
-    d >= (h + g abs(cos(alpha)))/sin(alpha).
-
-Boards end at their creases. So where alpha is more than a right angle the gusset is clear of the
-board, too, if it ends before the plane through u square to the panel,
-
-    d >= -g tan(alpha).
-
-The less of both will do, and the most of all panels beside u and v is taken for each.
+the two angles between a panel beside u and the plane through u that it is in itself
+(:mod:`~orishell.solids.plates`).
 """
 
 from __future__ import annotations
@@ -29,16 +16,11 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.design.holes import Holes
-from orishell.design.part import SHELL, DocumentState, Part
+from orishell.design.part import Part
 from orishell.design.stiffeners import Bolts, Plate
 from orishell.motion.boards import Boards
-from orishell.motion.grid import Vertex
-from orishell.motion.layout import points_of
-from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
-
-OFF_PLANE = 1e-6
-"""An angle with a smaller sine leaves a gusset no room (radians)."""
+from orishell.solids.plates import angle_about, lying, plate_parts, stand_off, upright_boards
 
 
 @record
@@ -175,76 +157,6 @@ class Gussets:
         return upright_boards(self.cut() + flat[:, None], self.build, levels)
 
 
-def lying(corners: Array) -> Array:
-    """Corners (G, K, 2) of plane plates (G, K, 3), each in its own plane.
-
-    The first corner is the origin, the second is on the x axis, and y goes up to the last.
-    """
-    away = corners - corners[:, :1]
-    along = _unit(away[:, 1])
-    upright = away[:, -1] - (away[:, -1] * along).sum(axis=1, keepdims=True) * along
-    axes = np.stack([along, _unit(upright)], axis=1)
-    return np.asarray(np.einsum("gcx,gkx->gck", away, axes))
-
-
-def upright_boards(cut: Array, build: PanelSpec, levels: int) -> Boards:
-    """Boards of plates (G, K, 2) that are cut square: one to each, or two on a membrane.
-
-    levels: At how many heights boards have outlines.
-    """
-    half, inner = build.height, 0.5 * build.membrane
-    layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
-    low, high = np.transpose(list(layers.values()))
-    heights = np.linspace(low, high, levels, axis=1)
-    count, corners = cut.shape[:2]
-    shape = count, len(layers), levels, corners
-    outlines = np.concatenate(
-        [
-            np.broadcast_to(cut[:, None, None], (*shape, 2)),
-            np.broadcast_to(heights[..., None, None], (*shape, 1)),
-        ],
-        axis=-1,
-    )
-    return Boards(
-        np.repeat(np.arange(count), len(layers)),
-        np.tile(np.array(list(layers)), count),
-        outlines.reshape(-1, levels, corners, 3),
-    )
-
-
-def angle_about(along: Array, one: Array, other: Array) -> Array:
-    """Angles (N,) between two half planes at a line, which has the direction ``along`` (N, 3)."""
-    line = _unit(along)
-    first, second = (
-        _unit(each - (each * line).sum(axis=1, keepdims=True) * line) for each in (one, other)
-    )
-    sine = np.linalg.norm(np.cross(first, second), axis=1)
-    return np.asarray(np.arctan2(sine, (first * second).sum(axis=1)))
-
-
-def stand_off(angle: Array, half: float, panel: float) -> Array:
-    """How far (N,) a plate stands off an edge, by its angle (N,) to a panel there.
-
-    half: Half its thickness.
-    panel: Half that of the panel.
-    """
-    sine, cosine = np.sin(angle), np.cos(angle)
-    room = sine > OFF_PLANE
-    above = np.full(len(angle), np.inf)
-    above[room] = (panel + half * np.abs(cosine[room])) / sine[room]
-    blunt = cosine < -OFF_PLANE
-    before = np.full(len(angle), np.inf)
-    before[blunt] = half * sine[blunt] / -cosine[blunt]
-    return np.asarray(np.maximum(np.minimum(above, before), 0.0))
-
-
-def _unit(vectors: Array) -> Array:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
-
-
-LETTERS = ("B", "B", "B", "B")
-
-
 def gusset_parts(
     design: Design,
     gussets: Gussets,
@@ -258,38 +170,16 @@ def gusset_parts(
     material: Of their boards, if that is not what panels are made of.
     bolts: What holds them; None if they are clipped in.
     """
-    mechanism, build = design.mechanism, gussets.build
-    across, drive = mechanism.grid.columns, float(np.rad2deg(mechanism.target_drive))
-    row, column = gussets.at.T
-    places = points_of(mechanism, 0.0)[row * across + column, :2]
-    flat = gussets.lying() + places[:, None]
-    boards = None if build is None else gussets.boards(places, levels)
+    shares = np.tile(_borne(gussets.share), (len(gussets), 1))
     holes = [None] * len(gussets) if bolts is None else gussets.holes(bolts)
-    mesh, shares = build_mesh(np.array([[0, 1, 2, 3]]), 4), _borne(gussets.share)
-    for number, name in enumerate(gussets.names):
-        at: Vertex = (int(row[number]), int(column[number]))
-        own, drilled = None, holes[number]
-        if boards is not None:
-            own = boards.chosen(boards.panels == number)
-            own = replace(own, panels=np.zeros(len(own), np.int64))
-        yield Part(
-            title=f"Gusset at {at[0]}, {at[1]}",
-            unit="unit",
-            mesh=mesh,
-            assignment=LETTERS,
-            flat=flat[number],
-            fold_angles_deg=np.zeros(4),
-            states=(DocumentState(gussets.corners[number], np.zeros(4), drive),),
-            named={SHELL: 0},
-            names=(name,),
-            panel=build,
+    parts = plate_parts(design, gussets, gussets.at, shares, levels)
+    for part, drilled, (row, column) in zip(parts, holes, gussets.at.tolist(), strict=True):
+        assert part.flat is not None
+        yield replace(
+            part,
             material=material,
-            boards=own,
-            holes=None if drilled is None else drilled.moved(0, places[number]),
-            kind="gusset",
-            borne_at=np.array([at, (at[0] - 1, at[1]), (at[0] + 1, at[1])]),
-            borne_shares=shares,
-            plate=Plate(at, gussets.share),
+            holes=None if drilled is None else drilled.moved(0, part.flat[0]),
+            plate=Plate((row, column), gussets.share),
         )
 
 
