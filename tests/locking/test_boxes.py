@@ -18,18 +18,21 @@ from orishell.document import Document
 from orishell.families.flat_foldable.named import graded_net
 from orishell.locking import lock_without_clash
 from orishell.locking.boxes import NARROWEST, BoxPlace, with_boxes
+from orishell.locking.result import Contact
 from orishell.motion.complex import Complex
 from orishell.motion.layout import has_flaps, points_of
 from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.shell.make import Shell
-from overlaps import NOTHING
+from orishell.solids.sleeves import moving_boards
+from overlaps import NOTHING, solids
 from rigid_rank import freedoms_of_complex
 from samples import THOROUGH
-from stiffened import bodies, common, random_design, shell_of
+from stiffened import bodies, common, random_design, shell_of, thin_solids
 
 QUICK, ALL = (0, 1, 2, 4, 5, 6, 10), 60
 STATES, FEW = 40, 8
+BEYOND = np.deg2rad(0.5)
 
 
 def boxed(number: int) -> tuple[Tables, Shell | DesignError]:
@@ -85,6 +88,49 @@ def test_nothing_meets_where_the_motion_is_proved(number: int) -> None:
     assert looked
     if shell.report.deployment.plates:
         require_plates(shell)
+
+
+@pytest.mark.parametrize("number", range(ALL) if THOROUGH else QUICK[:2])
+def test_what_is_named_has_volume_in_common(number: int) -> None:
+    """Half a degree beyond where two panels are said to meet; none where that is proved clear.
+
+    What is not proved names what could not be told apart: there is nothing to be found of that.
+    """
+    shell = boxed(number)[1]
+    if isinstance(shell, DesignError):
+        return
+    motion = shell.lock.boxes
+    assert motion is not None
+    for met in (motion.opening, motion.closing):
+        if met is not None and met.apart is None and not any("flap" in each for each in met.names):
+            away = np.copysign(BEYOND, met.drive - shell.lock.target_drive)
+            assert pair_volume(shell, met, met.drive + away) > 0
+            assert pair_volume(shell, met, met.clear_until) == 0
+
+
+def pair_volume(shell: Shell, met: Contact, drive: float) -> float:
+    """Volume in common of two panels of sheet and strips in a state, as a share of both."""
+    whole, built = shell.design.moving, shell.lock.built
+    assert isinstance(whole, Complex)
+    names = [f"panel {each}" for each in whole.layout.names[: whole.grid.panel_count].tolist()]
+    names += [name for box in shell.design.boxes for name in box.names]
+    both = [names.index(each) for each in met.names]
+    faces, points = whole.layout.faces, points_of(whole, drive)
+    if built is None:
+        return volume_of(thin_solids(points, faces[both]))
+    every = moving_boards(built.boards, whole, shell.design.boxes)
+    corners = every.carried(faces, points_of(whole, 0.0)[:, :2], points)
+    shares = []
+    for first, other in itertools.product(*(np.flatnonzero(every.panels == each) for each in both)):
+        own = np.array([first, other])
+        shares.append(volume_of(solids(corners[own], every.chosen(own))))
+    return max(shares)
+
+
+def volume_of(found: list[Any]) -> float:
+    """What two solids have in common, as a share of both."""
+    first, other = found
+    return float((first ^ other).volume() / (first.volume() + other.volume()))
 
 
 def require_plates(shell: Shell) -> None:
@@ -162,22 +208,31 @@ def test_bad_rows_and_whole_boards_are_refused() -> None:
         shell_of(design)
 
 
-def test_a_share_that_columns_leave_no_room_for_is_refused_with_one_that_works() -> None:
-    """Columns of the sheet run together, so that a strip's sides would be narrow, or cross."""
+def converging() -> tuple[Design, BoxPlace, Stiffeners]:
+    """A sheet whose columns run together in some rows, asked for sleeves out of proportion."""
     net = graded_net(
         4, 4, folds=[0.4696, 2.4258], sectors=[1.4466, 1.3419],
         row_lengths=[1.7633, 0.7314], column_lengths=[1.9514, 1.3053],
     )  # fmt: skip
-    sheet = flat_foldable(net)
-    design = Design(sheet, {}, {}, {}, None, ())
-    lock = lock_without_clash(design)
+    design = Design(flat_foldable(net), {}, {}, {}, None, ())
     asked = Stiffeners(kind="boxes", rows="all", share=0.98)
+    lock = lock_without_clash(design)
+    return design, BoxPlace(design, lock, asked, CONTACT_TOLERANCE), asked
+
+
+def test_a_share_that_columns_leave_no_room_for_is_refused_with_one_that_works() -> None:
+    """A strip's sides would be narrow, or cross; a row has what it has room for at the most."""
+    design, place, asked = converging()
     with pytest.raises(DesignError, match="narrower") as caught:
-        with_boxes(design, lock, asked, CONTACT_TOLERANCE)
+        with_boxes(design, place.lock, asked, CONTACT_TOLERANCE)
     offered = next(iter(caught.value.candidates)).changes["stiffeners.share"]
     assert isinstance(offered, float)
-    place = BoxPlace(design, lock, asked, CONTACT_TOLERANCE)
-    assert place.largest() * (1 - 1e-3) < offered <= place.largest()
-    widths = [each.widths.min() for each in place.sleeves(offered)]
-    assert min(widths) == pytest.approx(NARROWEST, rel=1e-2)
-    assert min(each.widths.min() for each in place.sleeves(0.98)) < NARROWEST
+    most = place.narrowest().largest(NARROWEST)
+    assert most * (1 - 1e-3) < offered <= most
+    for share, shares in ((offered, 1), (0.98, 2)):
+        sleeves = place.sleeves(share)
+        assert min(each.widths.min() for each in sleeves) == pytest.approx(NARROWEST, rel=1e-2)
+        assert len({each.share for each in sleeves}) >= shares
+        assert max(each.share for each in sleeves) == pytest.approx(share)
+    bare = Sleeve.over(design.mechanism, place.narrowest(), 0.98)
+    assert bare.widths.min() < NARROWEST

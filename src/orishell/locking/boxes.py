@@ -72,13 +72,14 @@ def with_boxes(
     if asked is None or asked.kind != "boxes":
         return design, lock
     place = BoxPlace(design, lock, asked, tolerance, examined=examined)
-    most = place.largest()
+    narrow = place.narrowest()
+    most = narrow.largest(NARROWEST)
     if asked.share == "auto":
-        share = place.widest(min(LARGEST, most), progress)
+        share = place.widest(LARGEST, progress)
     elif asked.share > most:
         raise DesignError(
             "strips of box girders would be narrower than they may be, as columns run together",
-            place=f"at row {place.narrowest()}",
+            place=f"at row {narrow.row}",
             keys=("stiffeners.share",),
             size=f"shares up to {most:.4g} leave {NARROWEST:g} of the width of a crease",
             candidates=[
@@ -126,17 +127,15 @@ class BoxPlace:
         self.tolerance = tolerance * diagonal(mechanism.positions(0.0))
         self.start = JOINED_AT * mechanism.target_drive
 
-    def largest(self) -> float:
-        """The largest share at which all strips are wide enough."""
-        return min(each.largest(NARROWEST) for each in self.forms)
-
-    def narrowest(self) -> int:
-        """The row that asks for the smallest share."""
-        return min(self.forms, key=lambda each: each.largest(NARROWEST)).row
+    def narrowest(self) -> SleeveForms:
+        """The sleeve whose strips are wide enough up to the smallest share."""
+        return min(self.forms, key=lambda each: each.largest(NARROWEST))
 
     def sleeves(self, share: float) -> list[Sleeve]:
-        """The sleeves of a share."""
-        return [Sleeve.over(self.design.mechanism, each, share) for each in self.forms]
+        """The sleeves of a share, in each row no more than it has room for."""
+        shares = [min(share, each.largest(NARROWEST)) for each in self.forms]
+        both = zip(self.forms, shares, strict=True)
+        return [Sleeve.over(self.design.mechanism, *each) for each in both]
 
     def widest(self, most: float, progress: Progress) -> float:
         """The largest share with which the sheet closes as far as without, or to its target.
@@ -203,8 +202,9 @@ class BoxPlace:
             opening = self._at_flaps(boxes) or opening
         joined = self.start if opening is None else opening.clear_until
         boxes = tuple(replace(box, joined_from=joined) for box in boxes)
+        shares = tuple(each.share for each in sleeves)
         return boxes, BoxMotion(
-            tuple(self.rows), share, joined, end, opening, closing or within, tuple(proofs)
+            tuple(self.rows), shares, joined, end, opening, closing or within, tuple(proofs)
         )
 
     def _built(

@@ -75,10 +75,10 @@ def _called(panel: Panel, side: str) -> str:
 class BoxMotion:
     """How far a shell moves with its box girders."""
 
-    REPORTED = ("rows", "share", "joined_from", "closes_to", "opening", "closing", "proofs")
+    REPORTED = ("rows", "shares", "joined_from", "closes_to", "opening", "closing", "proofs")
 
     rows: tuple[int, ...]  # of vertices that sleeves are over
-    share: float  # how far out sleeves hang on edges of columns, at the most
+    shares: tuple[float, ...]  # of each row, how far out it hangs on edges of columns at the most
     joined_from: Angle  # nearer to the flat sheet than this drive nothing is proved
     closes_to: Angle  # as far as boards of the sleeves have room, and are apart in each
     # what meets there; None if it was not asked further

@@ -126,6 +126,11 @@ class Sleeve(Carried):
         return np.asarray(-self.lines.shares[0, Q])
 
     @property
+    def share(self) -> float:
+        """How far out it hangs on edges of columns, at the most."""
+        return float(max(self.above.max(), self.below.max()))
+
+    @property
     def below(self) -> Array:
         """Shares b_j (n,) of edges downwards."""
         return np.asarray(self.lines.shares[1, R])
