@@ -16,7 +16,8 @@ from scipy.sparse.linalg import eigsh, splu
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.geometric import geometric_stiffness
-from orishell.structure.mesh.plates import Plates, mesh_plates
+from orishell.structure.mesh.parts import Plates, join_parts
+from orishell.structure.mesh.plates import mesh_plates
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
 from orishell.structure.mesh.stops import Stops, plate_line
@@ -76,8 +77,8 @@ class Cell:
     def of(cls, cells: int, case: Case) -> Cell:
         stops = Stops.of_plates(case.grid, case.at[:, 0].tolist(), case.share)
         sheet = mesh_sheet(case.positions, case.grid, cells, stops=stops)
-        plates = mesh_plates(sheet, case.grid, case.at, plate_line(case.share, cells))
-        whole = SheetMesh(sheet.facets, sheet.nodes, sheet.places, None, plates.added)
+        part = mesh_plates(sheet, case.grid, case.at, plate_line(case.share, cells))
+        whole, (plates,) = join_parts(sheet, (part,))
         sections = (Section.solid(MODULUS, each, POISSON) for each in (THICKNESS, THIN))
         return cls(case, whole, plates, *sections)
 

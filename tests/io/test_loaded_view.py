@@ -38,7 +38,13 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         for name, place in header["arrays"].items()
     }
     assert header["cases"] == [
-        {"name": each.name, "sign": each.sign, "balanced": each.balanced, "strength": None}
+        {
+            "name": each.name,
+            "sign": each.sign,
+            "balanced": each.balanced,
+            "strength": None,
+            "parts_strength": None,
+        }
         for each in loaded.cases
     ]
     np.testing.assert_array_equal(arrays["loaded_triangles"], loaded.triangles)
@@ -59,6 +65,10 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
     known = tuple(map(lambda case, each: replace(case, strength=each), loaded.cases, strengths))
     header, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=known))))
     assert [case["strength"] for case in header["cases"]] == [16, 24, None]
+    known = tuple(replace(each, parts_strength=9e6) for each in loaded.cases)
+    header, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=known))))
+    assert [case["parts_strength"] for case in header["cases"]] == [9, 9, 9]
+    assert "stiffeners" not in header
 
 
 def test_the_view_says_how_nodes_are_held() -> None:

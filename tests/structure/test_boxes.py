@@ -30,7 +30,8 @@ from orishell.motion.sleeves import Q, R, Sleeve, SleeveForms, W
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.structure import Analysis
-from orishell.structure.mesh.girders import join_parts, mesh_strips, stops_of_sleeves
+from orishell.structure.mesh.girders import mesh_strips, stops_of_sleeves
+from orishell.structure.mesh.parts import join_parts
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.mesh.stops import Stops
 from orishell.structure.model import Model

@@ -949,6 +949,8 @@ export interface Header {
   curves?: Curves;
   /** Load cases, where the shell was analysed as a structure. */
   cases?: NamedCase[];
+  /** Numbers of what stiffens a shell that was analysed, behind those of panels, by its names. */
+  stiffeners?: Record<string, number>;
 }
 
 /** Hinges of whole boards and their arms; lengths in the document's unit. */
@@ -1222,6 +1224,8 @@ export interface NamedCase {
   balanced: boolean;
   /** Stress (MPa) that panels bear under loads that last as long; null if that is not known, or without balance. */
   strength: number | null;
+  /** The same of what stiffens the sheet, which may be of another material. */
+  parts_strength: number | null;
 }
 
 /** The design file that the studio was started with. */

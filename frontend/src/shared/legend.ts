@@ -79,15 +79,15 @@ function key(container: HTMLElement, name: string, colour: string, kind = "orish
   item.append(name);
 }
 
-function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, force }: Drawn, unit: string): void {
-  const { name, balanced, strength } = deflection;
-  const what = balanced ? measure : "unstable: nothing resists this";
+function explainLoaded(container: HTMLElement, { deflection, measure, scale, most, of, force }: Drawn, unit: string): void {
+  const { name, balanced, strength, partsStrength } = deflection;
+  const what = balanced ? `${measure}${of === null ? "" : `, most in ${of}`}` : "unstable: nothing resists this";
   const mpa = (size: number): string => `${threeDigits(size)} MPa`;
   const end = !balanced ? "most" : measure === "stress" ? mpa(most) : length(most, unit);
   const drawn = !balanced ? "" : `; displacements \u00d7 ${threeDigits(scale)}`;
   if (balanced && measure === "utilisation") {
-    bar(container, `${name}: stress, ${threeDigits(100 * most)} % of strength at most${drawn}`, AMOUNT_MAP, [
-      "0", "50 %", `100 %: ${mpa(strength!)}`,
+    bar(container, `${name}: stress, ${threeDigits(100 * most)} % of strength at most, in ${of}${drawn}`, AMOUNT_MAP, [
+      "0", "50 %", `100 %: ${[...new Set([strength, partsStrength])].flatMap((each) => (each ? mpa(each) : [])).join(", ")}`,
     ]);
   } else {
     bar(container, `${name}: ${what}${drawn}`, AMOUNT_MAP, ["0", end]);

@@ -18,6 +18,8 @@ export interface Deflection {
   balanced: boolean;
   /** Stress (MPa) that panels bear under loads that last as long; null if that is not known. */
   strength: number | null;
+  /** The same of what stiffens the sheet. */
+  partsStrength: number | null;
   /** (N, 3) */
   displacements: Float32Array;
   /** Largest displacement. */
@@ -27,11 +29,11 @@ export interface Deflection {
 }
 
 export function deflectionOf(loaded: Loaded, number: number): Deflection {
-  const { name, sign, balanced, strength } = loaded.cases[number]!;
+  const { name, sign, balanced, strength, parts_strength: partsStrength } = loaded.cases[number]!;
   const size = loaded.points.length;
   const displacements = loaded.displacements.subarray(number * size, (number + 1) * size);
   const most = largest(sizes(displacements));
-  return { number, name, sign, balanced, strength, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
+  return { number, name, sign, balanced, strength, partsStrength, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
 }
 
 /** 1, 2 or 5 times a power of ten, as in orishell.plot.structure. */
@@ -54,35 +56,48 @@ export function scalesOf(proposed: number): number[] {
   }
 }
 
-/** Shares (3 T,) of the end of the colours at the corners of all triangles, NaN where it is not known; and the
- * most. Colours end at the most, those of utilisation at 1. */
-export function amountsOf(loaded: Loaded, deflection: Deflection, measure: Measure): { shares: Float32Array; most: number } {
+interface Amounts {
+  shares: Float32Array;
+  most: number;
+  /** The panel or stiffener with the most; null of displacements. */
+  of: number | null;
+}
+
+/** Shares (3 T,) of the end of the colours at the corners of all triangles, NaN where it is not known; the most,
+ * and what has it. Colours end at the most, those of utilisation at 1: of the strength of what each triangle is of. */
+export function amountsOf(loaded: Loaded, deflection: Deflection, measure: Measure): Amounts {
   const { triangles } = loaded;
   const count = triangles.length / 3;
   const moved = measure === "displacement";
+  const stresses = loaded.stresses.subarray(deflection.number * count, (deflection.number + 1) * count);
+  const { strength, partsStrength } = deflection;
+  const used = measure === "utilisation";
   const values = moved
     ? sizes(deflection.displacements)
-    : loaded.stresses.subarray(deflection.number * count, (deflection.number + 1) * count);
+    : used
+      ? stresses.map((stress, k) => stress / ((k < loaded.ofPanels ? strength : partsStrength) ?? NaN))
+      : stresses;
   const most = largest(values);
-  const end = measure === "utilisation" ? deflection.strength! : most || 1;
+  const end = used ? 1 : most || 1;
   const shares = Float32Array.from(triangles, (node, corner) => values[moved ? node : Math.floor(corner / 3)]! / end);
-  return { shares, most: measure === "utilisation" ? most / end : most };
+  return { shares, most, of: moved ? null : loaded.panels[values.indexOf(most)] ?? null };
 }
 
-/** Whether it is known how much of their strength panels use, in any case. */
+/** Whether it is known how much of its strength anything uses, in any case. */
 export function usesStrength({ cases }: Loaded): boolean {
-  return cases.some(({ strength }) => strength);
+  return cases.some((each) => each.strength ?? each.parts_strength);
 }
 
 /** The largest share of their strength (P,) that panels use, and the case (P,) in which: what they bear depends on
  * how long the loads of a case last. Null where the strength is not known. */
 export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32Array } | null {
-  const { cases: named, panels, stresses } = loaded;
-  if (!usesStrength(loaded)) return null;
-  const count = panels.reduce((most, panel) => Math.max(most, panel), 0) + 1;
+  const { cases: named, panels, ofPanels, stresses } = loaded;
+  if (!named.some(({ strength }) => strength)) return null;
+  const count = panels.subarray(0, ofPanels).reduce((most, panel) => Math.max(most, panel), 0) + 1;
   const shares = new Float32Array(count), cases = new Uint32Array(count);
   for (let k = 0; k < stresses.length; k++) {
     const number = Math.floor(k / panels.length), panel = panels[k % panels.length]!;
+    if (k % panels.length >= ofPanels) continue;
     const share = stresses[k]! / (named[number]!.strength ?? NaN);
     if (!(share > shares[panel]!)) continue;
     shares[panel] = share;
@@ -91,11 +106,19 @@ export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32
   return { shares, cases };
 }
 
-/** Lines (2 L,) round the panels, and those of them (2 B,) round the whole sheet: pairs of nodes. */
-export function rimsOf({ points, triangles, panels }: Loaded): { rims: Uint32Array; border: Uint32Array } {
+/** Lines (2 L,) round the panels and what stiffens them, and those (2 B,) round the whole sheet: pairs of nodes. */
+export function rimsOf(loaded: Loaded): { rims: Uint32Array; border: Uint32Array } {
+  return {
+    rims: sidesOf(loaded, loaded.panels.length, (beside) => beside.size > 0),
+    border: sidesOf(loaded, loaded.ofPanels, (beside) => beside.size === 1),
+  };
+}
+
+/** Sides of the first triangles that are wanted by the panels that they are at the rim of. */
+function sidesOf({ points, triangles, panels }: Loaded, count: number, wanted: (beside: Set<number>) => boolean): Uint32Array {
   const nodes = points.length / 3;
   const within = new Map<number, Set<number>>();
-  triangles.forEach((node, corner) => {
+  triangles.subarray(0, 3 * count).forEach((node, corner) => {
     const next = triangles[corner - (corner % 3) + ((corner + 1) % 3)]!;
     const code = Math.min(node, next) * nodes + Math.max(node, next);
     const beside = within.get(code) ?? new Set();
@@ -104,9 +127,7 @@ export function rimsOf({ points, triangles, panels }: Loaded): { rims: Uint32Arr
     if (!beside.delete(panel)) beside.add(panel);
     within.set(code, beside);
   });
-  const ends = (wanted: (panels: number) => boolean): Uint32Array =>
-    Uint32Array.from([...within].filter(([, beside]) => wanted(beside.size)).flatMap(([code]) => [Math.floor(code / nodes), code % nodes]));
-  return { rims: ends((count) => count > 0), border: ends((count) => count === 1) };
+  return Uint32Array.from([...within].filter(([, beside]) => wanted(beside)).flatMap(([code]) => [Math.floor(code / nodes), code % nodes]));
 }
 
 function sizes(vectors: Float32Array): Float32Array {

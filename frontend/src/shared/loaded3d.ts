@@ -16,8 +16,8 @@ export interface Shown {
   scale: number;
 }
 
-/** With the most that its colours show, and the largest load on a panel (N). */
-export type Drawn = Shown & { most: number; force: number };
+/** With the most that its colours show, what has it (but of displacements), and the largest load on a panel (N). */
+export type Drawn = Shown & { most: number; of: string | null; force: number };
 
 /** Stands for a stress that is not known. */
 const UNKNOWN = 3e30;
@@ -64,11 +64,11 @@ export class Loaded3D {
     this.drawn.visible = true;
     const { deflection, measure, scale } = shown;
     if (deflection !== this.deflection) this.build(loaded, deflection);
-    const { shares, most } = amountsOf(loaded, deflection, measure);
+    const { shares, most, of } = amountsOf(loaded, deflection, measure);
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));
     this.times.value = scale;
-    this.shown = { ...shown, most, force: this.marks.force };
+    this.shown = { ...shown, most, of: of === null ? null : loaded.called(of), force: this.marks.force };
   }
 
   paint(theme: Theme): void {

@@ -30,10 +30,14 @@ export interface Loaded {
   cases: Api.NamedCase[];
   /** (N, 3) without loads */
   points: Float32Array;
-  /** (T, 3) */
+  /** (T, 3), those of what stiffens the sheet last */
   triangles: Uint32Array;
-  /** (T,) the panel of each triangle */
+  /** (T,) the panel of each triangle, or which stiffener it is of, which are numbered behind all panels */
   panels: Uint32Array;
+  /** How many triangles are those of panels. */
+  ofPanels: number;
+  /** What a panel or stiffener is called. */
+  called: (number: number) => string;
   /** (K, 2) ends of ties */
   ties: Uint32Array;
   /** (C, N, 3) */
@@ -133,11 +137,16 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
   }
   const nodes = find<Float32Array>("loaded_points");
   if (nodes && header.cases) {
+    const panels = array<Uint32Array>("loaded_panels"), sheet = panelCount(view);
+    const stiffeners = new Map(Object.entries(header.stiffeners ?? {}).map(([name, number]) => [number, name]));
+    const behind = panels.findIndex((panel) => panel >= sheet);
     view.loaded = {
       cases: header.cases,
       points: nodes,
       triangles: array("loaded_triangles"),
-      panels: array("loaded_panels"),
+      panels,
+      ofPanels: behind < 0 ? panels.length : behind,
+      called: (number) => stiffeners.get(number) ?? panelName(view, number),
       ties: array("loaded_ties"),
       displacements: array("displacements"),
       stresses: array("stresses"),

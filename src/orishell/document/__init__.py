@@ -10,8 +10,8 @@ from orishell.document.document import (
 from orishell.document.loaded import (
     LoadedCase,
     LoadedCreases,
-    LoadedGirders,
     LoadedGussets,
+    LoadedParts,
     LoadedShell,
 )
 
@@ -25,8 +25,8 @@ __all__ = [
     "FirstContact",
     "LoadedCase",
     "LoadedCreases",
-    "LoadedGirders",
     "LoadedGussets",
+    "LoadedParts",
     "LoadedShell",
     "Part",
 ]

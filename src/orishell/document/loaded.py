@@ -20,46 +20,48 @@ class LoadedCase:
     balanced: bool
     forces: Array  # loads on nodes (N, 3) (N)
     displacements: Array  # of nodes (N, 3) (length)
-    stresses: Array  # the larger of von Mises' stresses (T,) at both faces (force per area)
+    # the larger of von Mises' stresses (T + S,) at both faces (force per area)
+    stresses: Array
     # the lowest factors of all loads under which it buckles, and displacements (N, 3) of the mode,
     # the largest is 1
     buckling: tuple[tuple[float, Array], ...] = ()
     # stress that panels bear under loads that last as long; None if that is not known, or the shell
     # is not in balance (force per area)
     strength: float | None = None
+    # the same of what stiffens the sheet, which may be of another material (force per area)
+    parts_strength: float | None = None
+
+
+@record
+class LoadedParts:
+    """What stiffens the sheet, meshed: gussets, panels of box girders and plates across these.
+
+    Their triangles come behind those of panels wherever stresses are.
+    """
+
+    names: tuple[str, ...]  # what each is called: "gusset 5,3", "box 4 upper 3", "plate 4,3"
+    triangles: Integers  # corners (S, 3): nodes of the shell
+    # which of them (S,) each triangle is of, numbered behind the panels of the sheet, flaps counted
+    panels: Integers
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        """The number of each by its name."""
+        first = int(self.panels.min())
+        return {name: first + k for k, name in enumerate(self.names)}
 
 
 @record
 class LoadedGussets:
-    """Meshed gussets: plates that are hinged to nodes of the shell along two of their edges."""
+    """Gussets as plates that are hinged to panels along two of their edges."""
 
     at: Integers  # row and column (G, 2) of the vertex that each goes from
-    # nodes (G, n, n), from the vertex up along its first edge, and down along its second: those of
-    # the shell there, their own behind all of them
+    # nodes (G, n, n), from the vertex up along its first edge, and down along its second
     nodes: Integers
-    inside: Array  # nodes (K, 3) of their own
     membrane: float  # stiffness in their plane (force per length by strain)
     bending: float  # moment per length by curvature (force times length)
     poisson: float  # Poisson's ratio
     areal_mass: Array  # mass (G,) per area, of what stands off panels (kg per square of the unit)
-
-    @property
-    def drawn(self) -> Integers:
-        """Nodes of the shell at the corners of triangles (G, 2 n - 3, 3) between both edges."""
-        up, down = self.nodes[:, :, 0], self.nodes[:, 0]
-        first = np.stack([up[:, :-1], up[:, 1:], down[:, 1:]], axis=-1)
-        # At their vertex both edges begin, so that there is no second one.
-        second = np.stack([up[:, 1:-1], down[:, 2:], down[:, 1:-1]], axis=-1)
-        return np.concatenate([first, second], axis=1)
-
-
-@record
-class LoadedGirders:
-    """Meshed strips of box girders and plates across them, none of whose triangles are panels'."""
-
-    names: tuple[str, ...]  # what their panels are called
-    triangles: Integers  # corners (S, 3): nodes of the shell
-    panels: Integers  # which of their panels (S,) each is of
 
 
 @record
@@ -76,7 +78,7 @@ class LoadedCreases:
 class LoadedShell:
     """A meshed shell at its target, in the document's frame, with its load cases."""
 
-    points: Array  # nodes (N, 3)
+    points: Array  # nodes (N, 3), those that only parts have behind those of panels
     # corners (T, 3), all one way round; the two of every cell follow each other
     triangles: Integers
     panels: Integers  # the panel (T,) of every triangle, flaps counted
@@ -93,8 +95,23 @@ class LoadedShell:
     cases: tuple[LoadedCase, ...]  # the load cases
     # whether panels are whole boards on hinges beside the creases: they share no points then
     whole_boards: bool = False
-    gussets: LoadedGussets | None = None  # None without any; none of them is in its triangles
-    girders: LoadedGirders | None = None  # None without box girders
+    # what stiffens the sheet; None if nothing does. None of it is in the triangles of panels
+    parts: LoadedParts | None = None
+    gussets: LoadedGussets | None = None  # these of it by rows of their cells; None without any
     creases_turn: bool = False  # whether creases may turn, in some case at least
     rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance
+
+    @property
+    def all_triangles(self) -> Integers:
+        """Corners (T + S, 3) of all triangles, those of panels first."""
+        if self.parts is None:
+            return self.triangles
+        return np.concatenate([self.triangles, self.parts.triangles])
+
+    @property
+    def all_panels(self) -> Integers:
+        """The panel (T + S,) of every triangle, or which part it is of."""
+        if self.parts is None:
+            return self.panels
+        return np.concatenate([self.panels, self.parts.panels])

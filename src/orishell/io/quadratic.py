@@ -55,7 +55,6 @@ def quadratic_mesh(shell: LoadedShell, *, hinged: bool) -> QuadraticMesh:
     parts, outer = [part], np.zeros(0, np.int64)
     gussets = shell.gussets
     if gussets is not None:
-        points = np.concatenate([points, gussets.inside])
         whole, triangles = _cells(gussets)
         number = int(part.max()) + 1 + np.arange(len(gussets.at))
         quads.append(whole.reshape(-1, 4))

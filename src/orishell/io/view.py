@@ -5,8 +5,8 @@ to N bytes, N a multiple of four), then the arrays, each beginning at a multiple
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
 they lie in the flat sheet, and carried by their panels, which whole boards shift. Parts that
 go with the sheet are views within the view, about the same ``origin``. A shell that was analysed
-as a structure is given as it was meshed, with displacements, stresses (in MPa) and loads on panels
-of every load case, and the nodes that are held.
+as a structure is given as it was meshed, what stiffens it behind its panels, with displacements,
+stresses (in MPa) and loads on panels of every load case, and the nodes that are held.
 """
 
 from __future__ import annotations
@@ -57,6 +57,8 @@ class NamedCase(TypedDict):
     # stress (MPa) that panels bear under loads that last as long; null if that is not known, or
     # without balance
     strength: float | None
+    # the same of what stiffens the sheet, which may be of another material
+    parts_strength: float | None
 
 
 class ArrayPlace(TypedDict):
@@ -88,6 +90,8 @@ class Header(TypedDict):
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]  # in the studio
     cases: NotRequired[list[NamedCase]]  # load cases, where the shell was analysed as a structure
+    # numbers of what stiffens a shell that was analysed, behind those of panels, by its names
+    stiffeners: NotRequired[dict[str, int]]
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
@@ -99,6 +103,8 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     more: dict[str, Any] = {} if curves is None else {"curves": curves}
     if document.loaded is not None:
         more["cases"] = [_named(case, _megapascals(document)) for case in document.loaded.cases]
+        if document.loaded.parts is not None:
+            more["stiffeners"] = document.loaded.parts.numbers
     told = {"report": dict(document.report), "contact": document.contact}
     arrays, world = _arrays_beside(document, origin), document.in_world(origin)
     return _dump_about(origin, document, world, beside=arrays, told=told, more=more)
@@ -111,6 +117,9 @@ def _named(case: LoadedCase, megapascal: float) -> NamedCase:
         "sign": case.sign,
         "balanced": case.balanced,
         "strength": None if case.strength is None else case.strength / megapascal,
+        "parts_strength": (
+            None if case.parts_strength is None else case.parts_strength / megapascal
+        ),
     }
 
 
@@ -215,8 +224,8 @@ def _arrays_beside(document: Document, origin: Array) -> dict[str, NDArray[Any]]
         loaded, cases = document.loaded, document.loaded.cases
         arrays |= {
             "loaded_points": _placed(loaded.points, origin),
-            "loaded_triangles": loaded.triangles.astype("<u4"),
-            "loaded_panels": loaded.panels.astype("<u4"),
+            "loaded_triangles": loaded.all_triangles.astype("<u4"),
+            "loaded_panels": loaded.all_panels.astype("<u4"),
             "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
             "displacements": np.stack([case.displacements for case in cases]).astype("<f4"),
             "stresses": (

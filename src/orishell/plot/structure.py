@@ -130,7 +130,7 @@ def exaggeration(points: Array, displacements: Array) -> float:
 
 @record
 class _Panels:
-    """Panels of a loaded shell, gussets and box girders behind them: triangles and outlines."""
+    """Panels of a loaded shell, what stiffens them behind them: triangles and outlines."""
 
     count: int
     panel: Integers  # the panel (T,) of every triangle
@@ -141,23 +141,15 @@ class _Panels:
 
     @classmethod
     def of(cls, shell: LoadedShell) -> _Panels:
-        sheet = int(shell.panels.max()) + 1
-        gussets = np.zeros((0, 1, 3), np.int64) if shell.gussets is None else shell.gussets.drawn
-        added, panels, triangles = len(gussets), shell.panels, shell.triangles
-        own = np.repeat(sheet + np.arange(added), gussets.shape[1])
-        panels = np.concatenate([panels, own])
-        triangles = np.concatenate([triangles, gussets.reshape(-1, 3)])
-        if shell.girders is not None:
-            panels = np.concatenate([panels, sheet + added + shell.girders.panels])
-            triangles = np.concatenate([triangles, shell.girders.triangles])
-            added += len(shell.girders.names)
+        _, panels = np.unique(shell.all_panels, return_inverse=True)
+        triangles, sheet = shell.all_triangles, int(panels[: len(shell.panels)].max()) + 1
         sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
         owned = np.column_stack([np.repeat(panels, 3), sides])
         rims, times = np.unique(owned, axis=0, return_counts=True)
         rims = rims[times == 1]
         edges, times = np.unique(rims[rims[:, 0] < sheet, 1:], axis=0, return_counts=True)
-        ends = np.cumsum(np.bincount(rims[:, 0], minlength=sheet + added))
-        return cls(sheet + added, panels, triangles, rims[:, 1:], ends, edges[times == 1])
+        ends = np.cumsum(np.bincount(rims[:, 0]))
+        return cls(len(ends), panels, triangles, rims[:, 1:], ends, edges[times == 1])
 
     def draw(self, axes: Axes, points: Array, case: LoadedCase, camera: Camera) -> ScalarMappable:
         """Panels at points (N, 3) from the farthest to the nearest, coloured by displacement."""

@@ -18,8 +18,8 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Vertex
 from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
-from orishell.structure.mesh.girders import MeshedPart, mesh_across, mesh_strips, number_nodes
-from orishell.structure.mesh.plates import Plates
+from orishell.structure.mesh.girders import mesh_across, mesh_strips
+from orishell.structure.mesh.parts import MeshedPart, Plates, number_nodes
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.settings import Structure
@@ -134,6 +134,5 @@ def strip_masses(
             volume = np.bincount(own.panels, own.volumes(), len(whole))
             mass = build.density * site.metres**3 * volume
         third = (mass / whole)[panels] * areas / 3
-        corners = strip.nodes[strip.own.facets.triangles]
-        np.add.at(found, corners, third[:, None])
+        np.add.at(found, strip.triangles, third[:, None])
     return found

@@ -63,11 +63,9 @@ def built_off(linear: Equilibrium, most: float) -> Model:
     facets, built = model.mesh.facets, replace(model)
     points = facets.points + way * most * mode
     mesh = replace(model.mesh, facets=replace(facets, points=points))
-    plates = model.plates
-    if model.design.boxes:  # whose nodes are all among those of the mesh
-        plates = tuple(
-            replace(each, own=replace(each.own, facets=replace(each.own.facets, points=own)))
-            for each, own in ((each, points[each.nodes]) for each in plates)
-        )
+    plates = tuple(
+        replace(each, own=replace(each.own, facets=replace(each.own.facets, points=own)))
+        for each, own in ((each, points[each.nodes]) for each in model.plates)
+    )
     vars(built).update({"mesh": mesh, "_joined": (mesh, plates)})
     return built

@@ -107,6 +107,12 @@ class Equilibrium:
         return self.model.structure.bears(self.duration, self.model.site.unit)
 
     @property
+    def plate_strength(self) -> float | None:
+        """The same of what stiffens the sheet; None if that is not known, or nothing does."""
+        model = self.model
+        return model.of_plates.bears(self.duration, model.site.unit) if model.plates else None
+
+    @property
     def buckling(self) -> float | None:
         """The lowest buckling factor; None if it does not buckle."""
         return self.buckling_factors[0] if self.buckling_factors else None

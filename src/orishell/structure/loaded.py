@@ -9,16 +9,18 @@ import numpy as np
 from orishell.document.loaded import (
     LoadedCase,
     LoadedCreases,
-    LoadedGirders,
     LoadedGussets,
+    LoadedParts,
     LoadedShell,
 )
+from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import SOLVED, largest_along_first
-from orishell.structure.boxes import names_of
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import FORCES, worst_forces
+from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.edge_forces import crease_sides
 from orishell.structure.model import Model
+from orishell.structure.plates import stiffener_names
 
 Named = Sequence[tuple[str, CaseResult]]
 """Cases, each with what it is called."""
@@ -31,7 +33,7 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
     return LoadedShell(
         points=facets.points,
         triangles=facets.triangles,
-        panels=model.mesh.panels,
+        panels=_numbered(model, model.mesh.panels),
         membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
         bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
         poisson=section.poisson,
@@ -40,8 +42,8 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         ties=model.nodes_of(model.site.ties),
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
+        parts=_parts(model),
         gussets=_gussets(model),
-        girders=_girders(model),
         creases_turn=bool(np.isfinite(model.structure.crease_stiffness[0])),
         rails=bool(model.rails),
         cases=tuple(_loaded(name, case, model) for name, case in cases),
@@ -49,8 +51,14 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
     )
 
 
+def _numbered(model: Model, panels: Integers) -> Integers:
+    """Numbers (...) of panels (...) of the model's grid, flaps counted."""
+    row, column = np.divmod(panels, model.grid.columns - 1)
+    return row * (model.design.mechanism.grid.columns - 1) + column + model.before
+
+
 def _gussets(model: Model) -> LoadedGussets | None:
-    """Plates that stiffen the sheet; None without any."""
+    """Gussets by rows of their cells; None without any."""
     parts, site = model.design.plates, model.site
     if not parts:
         return None
@@ -61,7 +69,6 @@ def _gussets(model: Model) -> LoadedGussets | None:
     return LoadedGussets(
         at=np.array([part.plate.corner for part in parts if part.plate is not None]),
         nodes=plates.nodes.reshape(own.nodes.shape),
-        inside=plates.added.places,
         membrane=float(np.max(section.membrane)),
         bending=float(np.max(section.bending)),
         poisson=section.poisson,
@@ -69,21 +76,19 @@ def _gussets(model: Model) -> LoadedGussets | None:
     )
 
 
-def _girders(model: Model) -> LoadedGirders | None:
-    """Strips of box girders, and plates across them; None without any."""
-    if not model.design.boxes:
+def _parts(model: Model) -> LoadedParts | None:
+    """All that stiffens the sheet; None if nothing does."""
+    if not model.plates:
         return None
-    names = names_of(model.design)
-    triangles = [each.nodes[each.own.facets.triangles] for each in model.plates]
     counts = [
-        len(each) // len(plate.own.nodes)
-        for each, plate in zip(triangles, model.plates, strict=True)
+        np.full(len(each.own.nodes), len(each.own.places) // len(each.own.nodes))
+        for each in model.plates
     ]
-    panels = [len(plate.own.nodes) for plate in model.plates]
-    return LoadedGirders(
+    names, first = stiffener_names(model), model.design.mechanism.grid.panel_count
+    return LoadedParts(
         names=names,
-        triangles=np.concatenate(triangles),
-        panels=np.repeat(np.arange(len(names)), np.repeat(counts, panels)),
+        triangles=np.concatenate([each.triangles for each in model.plates]),
+        panels=np.repeat(first + np.arange(len(names)), np.concatenate(counts)),
     )
 
 
@@ -96,11 +101,9 @@ def _creases(model: Model, cases: Named) -> LoadedCreases | None:
     names = [name for name, _ in balanced]
     which = largest_along_first(sizes[:, : len(FORCES)].T, SOLVED)
     at = np.arange(len(which))
-    row, column = np.divmod(crease_sides(model.grid)[1][..., 0], model.grid.columns - 1)
-    across = model.design.mechanism.grid.columns - 1
     there = sizes[at, which] > 0
     return LoadedCreases(
-        panels=row * across + column + model.before,
+        panels=_numbered(model, crease_sides(model.grid)[1][..., 0]),
         sizes=sizes[at, which],
         what=tuple(FORCES[k] if one else "" for k, one in zip(which, there, strict=True)),
         cases=tuple(
@@ -123,8 +126,16 @@ def _loaded(name: str, case: CaseResult, model: Model) -> LoadedCase:
         buckling=()
         if found is None
         else tuple(zip(found.buckling_factors, found.buckling_modes, strict=False)),
-        stresses=np.zeros(len(model.mesh.facets.triangles))
-        if found is None
-        else found.stresses.max(axis=1),
+        stresses=_stresses(model, found),
         strength=None if found is None else found.strength,
+        parts_strength=None if found is None else found.plate_strength,
     )
+
+
+def _stresses(model: Model, found: Equilibrium | None) -> Array:
+    """Von Mises' stresses (T + S,) of panels and what stiffens them; 0 without balance."""
+    if found is None:
+        count = len(model.mesh.places) + sum(len(each.own.places) for each in model.plates)
+        return np.zeros(count)
+    on_parts = [each.von_mises() for each in found.in_plates]
+    return np.concatenate([found.stresses, *on_parts]).max(axis=1)

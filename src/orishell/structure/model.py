@@ -35,10 +35,11 @@ from orishell.structure.mesh.arms import joint_elements
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.frames import Frame
-from orishell.structure.mesh.girders import MeshedPart, join_parts, stops_of_sleeves
+from orishell.structure.mesh.girders import stops_of_sleeves
 from orishell.structure.mesh.hinges import rigid_stiffness
+from orishell.structure.mesh.parts import MeshedPart, Plates, join_parts
 from orishell.structure.mesh.plane import strains_along
-from orishell.structure.mesh.plates import LEAST_STANDING, Plates, mesh_plates
+from orishell.structure.mesh.plates import LEAST_STANDING, mesh_plates
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.mesh.stops import Stops, plate_line
@@ -237,8 +238,8 @@ class Model:
         at = np.array(corners) - [0, self.before]
         share = self.design.plates[0].plate
         assert share is not None
-        plates = mesh_plates(self.bare, self.grid, at, plate_line(share.share, self.cells))
-        return replace(self.bare, added=plates.added), (plates,)
+        line = plate_line(share.share, self.cells)
+        return join_parts(self.bare, (mesh_plates(self.bare, self.grid, at, line),))
 
     @property
     def sleeves(self) -> tuple[Sleeve, ...]:

@@ -19,7 +19,7 @@ from orishell.structure.boxes import names_of
 from orishell.structure.materials import Duration
 from orishell.structure.mesh.corotational import Corotational
 from orishell.structure.mesh.geometric import geometric_stiffness
-from orishell.structure.mesh.plates import Plates
+from orishell.structure.mesh.parts import Plates
 from orishell.structure.mesh.stresses import (
     FacetForces,
     PanelStresses,
@@ -49,6 +49,11 @@ class BoxStress:
 
     size: float  # von Mises' stress, averaged over a patch of a fixed share of a panel
     part: str  # which panel of which strip, "box 4 upper 3", or which plate across: "plate 4,3"
+
+
+def stiffener_names(model: Model) -> tuple[str, ...]:
+    """What each of what stiffens the sheet is called, in the order of ``Model.plates``."""
+    return names_of(model.design) or tuple(part.names[0] for part in model.design.plates)
 
 
 def plate_forces(model: Model, corners: Sequence[Array]) -> tuple[FacetForces, ...]:

@@ -82,8 +82,8 @@ ECCENTRIC = (
 )
 CLIPPED_IN = (
     "what holds gussets in their folds, what that does to edges of panels, and how far off the "
-    "creases gussets stand: they are hinged in these, and as flat as designed; where they "
-    "have a core, its shear and wrinkling of faces"
+    "creases gussets stand: they are hinged in these; where they have a core, its shear and "
+    "wrinkling of faces"
 )
 HUNG_ON = (
     "wind and snow on box girders: only their weight counts; what joins their hinges to panels, "

@@ -67,7 +67,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             got='"hinged"',
             expected='"sandwich" or "bevel"',
         )
-    if shell.girders is not None:
+    if shell.parts is not None and shell.gussets is None:
         raise InputError(
             "box girders are not written for CalculiX",
             keys=("stiffeners.kind",),

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from orishell.conventions.quantities import MILLIMETRES
-from orishell.document import Document, DocumentState
+from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Integers
 
 SERIES = ".pvd"
 
+NOWHERE = -2
+"""The row and column of panels that are in none of the sheet; -1 are those of flaps beside it."""
 _GRID = b"<UnstructuredGrid>\n"
 
 
@@ -27,45 +30,60 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
     rising drive angles. A shell that was analysed as a structure is in ``shell-structure.vtu``.
 
     The z axis is up. Cells are the panels, with their number and, in a grid, their row and
-    column. Coordinates are in the document's unit, in double precision. VTU has no place for a
-    unit: a comment names it, and the field ``metres_per_unit`` has its length; the field
-    ``drive_deg`` has the drive angle.
+    column. Panels of other parts that are there, as boards clipped on, gussets and box girders,
+    come behind those of the sheet: a field that is called as one is, "box 4 upper 3", has its
+    number, and its row and column are -2. Coordinates are in the document's unit, in double
+    precision. VTU has no place for a unit: a comment names it, and the field ``metres_per_unit``
+    has its length; the field ``drive_deg`` has the drive angle.
     """
     chosen = document.state(settings.state)
     single = path.suffix.lower() != SERIES
     if single:
-        _write_state(path, document, chosen)
+        _write_state(path, document, settings.state)
     files, drives = [], []
     for number, state in enumerate(document.states or [chosen]):
         files.append(f"{path.stem}-{number:04d}.vtu")
         drives.append(np.nan if state.drive_deg is None else float(state.drive_deg))
-        _write_state(path.with_name(files[-1]), document, state)
+        _write_state(path.with_name(files[-1]), document, number)
     series = path.with_suffix(SERIES) if single else path
     series.write_text(_collection(files, drives, document.unit), encoding="utf-8", newline="\n")
     if document.loaded is not None:
         _write_structure(path.with_name(f"{path.stem}-structure.vtu"), document, document.loaded)
 
 
-def _write_state(path: Path, document: Document, state: DocumentState) -> None:
-    count = len(document.mesh.faces)
-    cell_data = {"panel": [np.arange(count, dtype=np.int32)]}
+def _write_state(path: Path, document: Document, which: int | str) -> None:
+    (sheet, state), *others = document.parts_in(which)
+    panels, points = [sheet.mesh.faces], [state.positions]
+    numbers: dict[str, int] = {}
+    for part, own in others:
+        first = sum(map(len, panels))
+        numbers |= {name: first + k for k, name in enumerate(part.names)}
+        panels.append(part.mesh.faces + sum(map(len, points)))
+        points.append(own.positions)
+    faces = np.concatenate(panels)
+    cell_data = {"panel": [np.arange(len(faces), dtype=np.int32)]}
     if document.rows_and_columns is not None:
-        rows, columns = (each.astype(np.int32) for each in document.rows_and_columns)
+        beside = np.full(len(faces) - len(sheet.mesh.faces), NOWHERE)
+        rows, columns = (
+            np.concatenate([each, beside]).astype(np.int32) for each in document.rows_and_columns
+        )
         cell_data |= {"row": [rows], "column": [columns]}
-    cells = ("quad", document.mesh.faces)
-    points, facts = document.in_world(state.positions), _facts(document, state.drive_deg)
-    _write_mesh(path, points, cells, facts, cell_data=cell_data)
+    facts = _facts(document, state.drive_deg, numbers)
+    _write_mesh(
+        path, document.in_world(np.concatenate(points)), ("quad", faces), facts, cell_data=cell_data
+    )
 
 
 def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None:
     """Write the meshed shell with what loads, deflects, stresses and buckles it in every case.
 
     Displacements of a case that nothing holds are those of its free motion, and it has no stresses.
+    What stiffens the sheet is among the panels, by numbers behind theirs, which fields name.
     """
     from xml.sax.saxutils import escape
 
     point_data: dict[str, Array] = {}
-    cell_data: dict[str, list[Any]] = {"panel": [shell.panels.astype(np.int32)]}
+    cell_data: dict[str, list[Any]] = {"panel": [shell.all_panels.astype(np.int32)]}
     for case in shell.cases:
         moved = "displacement" if case.balanced else "free motion"
         name = escape(case.name, {'"': "&quot;"})  # meshio writes names as they are
@@ -74,8 +92,12 @@ def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None
             point_data[f"buckles under {factor:.4g} times: {name}"] = mode
         if case.balanced:
             cell_data[f"von Mises: {name}"] = [case.stresses]
-    cells = ("triangle", shell.triangles)
-    points, facts = document.in_world(shell.points), _facts(document, document.shell.drive_deg)
+    cells, parts = ("triangle", shell.all_triangles), shell.parts
+    numbers = {} if parts is None else parts.numbers
+    points, facts = (
+        document.in_world(shell.points),
+        _facts(document, document.shell.drive_deg, numbers),
+    )
     _write_mesh(path, points, cells, facts, point_data=point_data, cell_data=cell_data)
 
 
@@ -90,21 +112,27 @@ def _write_mesh(
     path.write_bytes(path.read_bytes().replace(_GRID, _GRID + facts, 1))
 
 
-def _facts(document: Document, drive_deg: float | None) -> bytes:
-    """What is known of a whole state, for which meshio has no place."""
-    fields = {}
+def _facts(document: Document, drive_deg: float | None, numbers: Mapping[str, int]) -> bytes:
+    """What is known of a whole state, for which meshio has no place.
+
+    numbers: Those of panels that are none of the sheet's, by what they are called.
+    """
+    from xml.sax.saxutils import quoteattr
+
+    fields: dict[str, tuple[str, float]] = {}
     if document.unit in MILLIMETRES:
-        fields["metres_per_unit"] = MILLIMETRES[document.unit] / MILLIMETRES["m"]
+        fields["metres_per_unit"] = "Float64", MILLIMETRES[document.unit] / MILLIMETRES["m"]
     if drive_deg is not None:
-        fields["drive_deg"] = float(drive_deg)
+        fields["drive_deg"] = "Float64", float(drive_deg)
+    fields |= {name: ("Int32", number) for name, number in numbers.items()}
     lines = [f"<!--Unit: {document.unit}. Up: z.-->"]
     if fields:
         lines += [
             "<FieldData>",
             *(
-                f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="ascii">'
-                f"{value!r}</DataArray>"
-                for name, value in fields.items()
+                f'<DataArray type="{kind}" Name={quoteattr(name)} NumberOfTuples="1" '
+                f'format="ascii">{value!r}</DataArray>'
+                for name, (kind, value) in fields.items()
             ),
             "</FieldData>",
         ]

@@ -12,30 +12,15 @@ a grid of nodes: those on its four sides are the sheet's and the strips', likewi
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
-from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.motion.sleeves import Q, R, Sleeve, W
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.added import Added
-from orishell.structure.mesh.plates import Plates
+from orishell.structure.mesh.parts import MeshedPart, number_nodes
 from orishell.structure.mesh.sheet import SheetMesh, centres_of, mesh_panels, triangle_corners
 from orishell.structure.mesh.stops import Stops
 from orishell.structure.mesh.triangle import Facets
-
-
-@record
-class MeshedPart:
-    """A strip of a sleeve, or all plates across it, meshed beside the sheet."""
-
-    own: SheetMesh  # a mesh of its own, all of its panels
-    nodes: Integers  # nodes (M',) of the whole where its own are
-    beside: Integers  # the triangle (T',) of a panel of the sheet that each of its own is beside
-    # middles of its triangles (F, t, 2), as shares of the way down and across; None of plates
-    middles: Array | None = None
 
 
 def stops_of_sleeves(grid: Grid, sleeves: tuple[Sleeve, ...]) -> Stops:
@@ -156,48 +141,7 @@ def _shares(lines: Array) -> Array:
     return np.asarray(away / away[:, -1:])
 
 
-def number_nodes(nodes: Integers, first: int) -> int:
-    """Number nodes (M',) that have no number yet; returns the next one."""
-    new = np.flatnonzero(nodes < 0)
-    nodes[new] = first + np.arange(len(new))
-    return first + len(new)
-
-
 def _triangles_beside(cells: int, panels: Integers, rows: Integers) -> Integers:
     """A triangle of a panel (T',) for each one of a strip, by rows (m,) of cells of the panels."""
     cell = (panels[:, None, None] * cells + rows[:, None]) * cells + np.arange(cells)
     return np.repeat(2 * cell.ravel(), 2)
-
-
-def join_parts(
-    sheet: SheetMesh, parts: tuple[MeshedPart, ...]
-) -> tuple[SheetMesh, tuple[Plates, ...]]:
-    """The mesh of a sheet with the nodes of other parts behind its own, and these in it."""
-    every = [sheet.facets.points]
-    numbers = [np.arange(sheet.node_count)]
-    every += [each.own.facets.points for each in parts]
-    numbers += [each.nodes for each in parts]
-    number, place = np.concatenate(numbers), np.concatenate(every)
-    _, first = np.unique(number, return_index=True)
-    turns = np.array([each.own.nodes.size for each in parts])
-    whole = replace(
-        sheet,
-        facets=Facets(place[first], sheet.facets.triangles),
-        added=Added(np.zeros((0, 3)), int(turns.sum())),
-    )
-    begin = whole.count - 3 * int(turns.sum())
-    plates = []
-    for each, behind in zip(parts, np.cumsum(turns) - turns, strict=True):
-        straight = 3 * each.nodes[:, None] + np.arange(3)
-        own = begin + 3 * behind + np.arange(3 * each.own.nodes.size)
-        plates.append(
-            Plates(
-                own=each.own,
-                nodes=each.nodes,
-                dofs=np.concatenate([straight.ravel(), own]),
-                beside=each.beside,
-                added=Added(np.zeros((0, 3)), each.own.nodes.size),
-                first=int(behind),
-            )
-        )
-    return whole, tuple(plates)

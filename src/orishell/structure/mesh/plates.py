@@ -8,16 +8,11 @@ with the middle of its outer side as its fourth corner.
 
 from __future__ import annotations
 
-from dataclasses import field, replace
-
 import numpy as np
 
-from orishell.conventions.record import record
 from orishell.motion.grid import Grid
-from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.added import Added
-from orishell.structure.mesh.elements import Elements
-from orishell.structure.mesh.sections import Section
+from orishell.numerics.arrays import Integers
+from orishell.structure.mesh.parts import MeshedPart, number_nodes
 from orishell.structure.mesh.sheet import SheetMesh, triangle_corners
 from orishell.structure.mesh.triangle import Facets
 
@@ -25,35 +20,7 @@ LEAST_STANDING = 3
 """Fewer cells along edges of panels have no line of nodes on either side of their middle."""
 
 
-@record
-class Plates:
-    """Meshed plates, and where they are joined to the sheet."""
-
-    own: SheetMesh  # a mesh of their own, every plate a panel of it
-    nodes: Integers  # nodes (M',) of the sheet where theirs are, those of their own behind
-    dofs: Integers  # dofs (D',) in the whole, of those of their own mesh
-    beside: Integers  # the triangle (T',) of a panel that each of their triangles is beside
-    added: Added  # the dofs that only they have
-    first: int = 0  # how many rotations of others are before theirs, behind those of panels
-    # nodes of their own mesh where a corner of a plate is a straight angle
-    straight: Integers = field(default_factory=lambda: np.zeros(0, np.int64))
-
-    @property
-    def turns(self) -> Integers:
-        """Dofs (R, 3) of their rotations in the whole."""
-        return np.asarray(self.dofs[3 * self.own.node_count :].reshape(-1, 3))
-
-    def elements(self, section: Section, count: int) -> Elements:
-        """Their triangles as elements; ``count`` is the number of all dofs."""
-        found = self.own.elements(section)
-        return replace(found, dofs=self.dofs[found.dofs], count=count, beside=self.beside)
-
-    def corners_moved(self, moved: Array) -> Array:
-        """Displacements and rotations (T', 18) of triangles' corners, by those of all dofs (D,)."""
-        return self.own.corners_moved(moved[self.dofs])
-
-
-def mesh_plates(sheet: SheetMesh, grid: Grid, at: Integers, line: int) -> Plates:
+def mesh_plates(sheet: SheetMesh, grid: Grid, at: Integers, line: int) -> MeshedPart:
     """Mesh plates that go from vertices.
 
     sheet: The mesh of the sheet, with a line of nodes where they end.
@@ -82,18 +49,10 @@ def mesh_plates(sheet: SheetMesh, grid: Grid, at: Integers, line: int) -> Plates
 
     nodes = np.full(own.shape, -1)
     nodes[:, :, 0], nodes[:, 0] = sides
-    inside = np.flatnonzero(nodes.ravel() < 0)
     flat = nodes.ravel()
-    flat[inside] = sheet.node_count + np.arange(len(inside))
-    added = Added(mesh.facets.points[inside], own.size)
-
-    begin = sheet.count  # dofs of nodes of their own come behind all of the sheet's
-    starts = np.where(flat < sheet.node_count, 3 * flat, begin + 3 * (flat - sheet.node_count))
-    straight = starts[:, None] + np.arange(3)
-    turns = begin + 3 * len(inside) + np.arange(3 * own.size)
-    dofs = np.concatenate([straight.ravel(), turns])
+    number_nodes(flat, sheet.node_count)
     beside = np.repeat(_triangles_beside(sheet, grid, at), len(triangles) // count)
-    return Plates(mesh, flat, dofs, beside, added, straight=own[:, -1, -1])
+    return MeshedPart(mesh, flat, beside, straight=own[:, -1, -1])
 
 
 def _along_edges(sheet: SheetMesh, grid: Grid, at: Integers) -> tuple[Integers, Integers]:

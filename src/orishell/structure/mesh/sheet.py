@@ -22,7 +22,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.structure.mesh.added import Added
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.rotations import cross_matrices
 from orishell.structure.mesh.sections import Section
@@ -70,7 +69,7 @@ class SheetMesh:
     # corners (T, 3) of every triangle, as places among all nodes of all panels one after the other
     places: Integers
     offsets: Offsets | None = None  # points that are no nodes; None if all are
-    added: Added | None = None  # what stiffens it, whose dofs are the last; None if nothing does
+    turns: int = 0  # rotations of what stiffens it, three dofs each, which are the last
 
     @property
     def node_count(self) -> int:
@@ -79,9 +78,8 @@ class SheetMesh:
 
     @property
     def count(self) -> int:
-        """Number of dofs: translations of all nodes, then rotations, then those that are added."""
-        added = 0 if self.added is None else self.added.count
-        return 3 * self.node_count + 3 * self.nodes.size + added
+        """Number of dofs: translations of all nodes, then rotations, those of panels first."""
+        return 3 * (self.node_count + self.nodes.size + self.turns)
 
     @property
     def seats(self) -> Integers:

@@ -125,9 +125,7 @@ def _rigid_motions(mesh: SheetMesh, free: Integers, supported: Integers) -> Arra
         motions[mesh.translations()[:, axis], axis] = 1.0
         motions[mesh.translations(), 3 + axis] = np.cross(unit, away) / size
         motions[mesh.rotations()[..., axis], 3 + axis] = 1 / size
-        if mesh.added is not None:
-            first = mesh.count - mesh.added.count
-            motions[first:] += mesh.added.rigid(axis, nodes.mean(axis=0), size)
+        motions[mesh.count - 3 * mesh.turns + axis :: 3, 3 + axis] = 1 / size
     _, sizes, ways = np.linalg.svd(motions[supported], full_matrices=True)
     restrained = int((sizes > RESTRAINED * sizes.max(initial=0.0)).sum())
     return np.linalg.qr(motions[free] @ ways[restrained:].T)[0]
