@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
-import { AS_PANELS, BOXES, EMPTY, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
 
 test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
   expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
@@ -32,4 +32,21 @@ test("a table of stiffeners says what is not usual, and is gone without a kind",
   expect(stiffened(held, "kind", "gussets")).toEqual({ kind: "gussets" });
   expect(stiffened(held, "columns", 4)).toEqual({ kind: "boxes", share: "auto", columns: 4 });
   expect([undefined, "none", "all", 3, [0, 2]].map(stepOf)).toEqual([1, null, 1, 3, null]);
+});
+
+test("bolts are there with their holes, at usual distances until others are said", () => {
+  const bolts = bolted(undefined, "hole", 0.008);
+  expect(bolts).toEqual({ hole: 0.008, spacing: 0.08 });
+  expect(bolted({ hole: 1, spacing: 10 }, "hole", 12)).toEqual({ hole: 12, spacing: 120 });  // while one types
+  const others = bolted(bolted(bolts, "spacing", 0.06), "edge", 0.02);
+  expect(others).toEqual({ hole: 0.008, spacing: 0.06, edge: 0.02 });
+  expect(bolted(others, "hole", 0.01)).toEqual({ hole: 0.01, spacing: 0.06, edge: 0.02 });
+  expect(bolted(others, "edge", 0)).toEqual({ hole: 0.008, spacing: 0.06 });
+  expect(bolted(others, "spacing", 0)).toEqual({ hole: 0.008, spacing: 0.08, edge: 0.02 });
+  expect(bolted(others, "hole", 0)).toBeUndefined();
+  expect(bolted(undefined, "edge", 0.02)).toBeUndefined();
+  const gussets = stiffened({ kind: "gussets" }, "bolts", bolts);
+  expect(gussets).toEqual({ kind: "gussets", bolts });
+  expect(stiffened(gussets, "bolts", bolted(bolts, "hole", 0))).toEqual({ kind: "gussets" });
+  expect(stiffened(gussets, "kind", BOXES)).toEqual({ kind: "boxes" });
 });

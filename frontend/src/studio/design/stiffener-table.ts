@@ -15,13 +15,31 @@ export const BOXES = "boxes";
 /** Keys of gussets alone. */
 const OWN = ["thickness", "material", "bolts"];
 
+/** New holes of bolts are so many diameters apart. */
+const APART = 10;
+
+/** Bolts with another size: none without holes, at the usual distances where others were not said. */
+export function bolted(bolts: unknown, key: string, size: number): Table | undefined {
+  const before = (bolts as Table | undefined) ?? {};
+  const made: Table = { ...before, [key]: size };
+  if (!made["hole"]) return undefined;
+  const said = made["spacing"] && (key === "spacing" || made["spacing"] !== apart(before));
+  if (!said) made["spacing"] = apart(made);
+  if (!made["edge"]) delete made["edge"];
+  return made;
+}
+
+function apart({ hole }: Table): number {
+  return Number((APART * Number(hole)).toPrecision(12));
+}
+
 /** The table with another value; none without a kind. What says nothing new is left out. */
 export function stiffened(table: Table | undefined, key: string, value: unknown): Table | undefined {
   const { [key]: _, ...others } = table ?? {};
   const kind = key === "kind" ? value : others["kind"];
   const fit = ([name, each]: [string, unknown]) => (kind === BOXES ? !OWN.includes(name) : each !== EMPTY[name]);
   const rest = Object.fromEntries(Object.entries(others).filter(fit));
-  const made = value === USUAL[key] ? rest : { ...rest, [key]: value };
+  const made = value === undefined || value === USUAL[key] ? rest : { ...rest, [key]: value };
   return made["kind"] ? made : undefined;
 }
 

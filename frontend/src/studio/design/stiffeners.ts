@@ -7,7 +7,9 @@ import { capital } from "../../shared/words.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import { listed } from "./row-list.ts";
-import { AS_PANELS, BOXES, EMPTY, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+
+const SIZES = ["hole", "spacing", "edge"] as const;
 
 export class StiffenerControls {
   readonly element: HTMLElement;
@@ -17,11 +19,14 @@ export class StiffenerControls {
   private readonly share: HTMLInputElement;
   private readonly thickness: HTMLInputElement;
   private readonly material: HTMLSelectElement;
-  private readonly unit = h("span", { class: "unit" });
+  private readonly bolts: Record<(typeof SIZES)[number], HTMLInputElement>;
+  private readonly units = [...SIZES, "thickness"].map(() => h("span", { class: "unit" }));
   private readonly note = h("p", { class: "note" });
   private readonly rest: HTMLElement;
   /** What gussets alone have. */
   private readonly own: HTMLElement[];
+  /** What only gussets have that are bolted on. */
+  private readonly held: HTMLElement[];
   private boxes = false;
 
   constructor(private readonly store: Store) {
@@ -39,7 +44,11 @@ export class StiffenerControls {
     }
     this.material = h("select", { id: "stiffeners-material", "data-testid": "stiffeners-material", "aria-label": material!.label, onchange: () => this.set("material", this.material.value) });
     this.material.append(new Option("As panels", AS_PANELS), ...store.info.materials.map(({ name }) => new Option(capital(name), name)));
-    this.own = [row("thickness", thickness!, this.thickness, this.unit), row("material", material!, this.material)];
+    this.bolts = { hole: this.bolt("hole", "clipped in"), spacing: this.bolt("spacing"), edge: this.bolt("edge", "4 diameters") };
+    const sizes = store.info.tables["stiffeners.bolts"]!.keys;
+    const bolts = SIZES.map((key, k) => row(`bolts-${key}`, sizes[key]!, this.bolts[key], this.units[k]!));
+    this.held = bolts.slice(1);
+    this.own = [row("thickness", thickness!, this.thickness, this.units[SIZES.length]!), row("material", material!, this.material), ...bolts];
     this.rest = h(
       "div",
       { class: "parameter-list" },
@@ -73,8 +82,16 @@ export class StiffenerControls {
     return numberBox({ ...limits, id: `stiffeners-${key}`, "data-testid": `stiffeners-${key}` }, (value) => this.set(key, value, `type-stiffeners-${key}`));
   }
 
+  private bolt(key: (typeof SIZES)[number], placeholder = ""): HTMLInputElement {
+    const set = (size: number, gesture = ""): void => this.set("bolts", bolted(this.store.design.value.stiffeners?.["bolts"], key, size), gesture);
+    const id = `stiffeners-bolts-${key}`;
+    const box = numberBox({ min: 0, step: "any", placeholder, id, "data-testid": id }, (size) => size > 0 && set(size, `type-${id}`));
+    box.addEventListener("change", () => Number(box.value) || set(0));
+    return box;
+  }
+
   private show(table: Record<string, unknown> | undefined, unit: string): void {
-    const { kind = NONE, rows = ROWS, columns, share = SHARE, thickness, material = AS_PANELS } = table ?? {};
+    const { kind = NONE, rows = ROWS, columns, share = SHARE, thickness, material = AS_PANELS, bolts } = table ?? {};
     this.rest.hidden = !table;
     this.kind.set(String(kind));
     this.rows.set(String(rows));
@@ -86,7 +103,12 @@ export class StiffenerControls {
     this.share.placeholder = this.boxes ? "auto" : "";
     setNumber(this.share, short(Number(share)));
     setNumber(this.thickness, thickness === undefined ? "" : short(Number(thickness)));
-    this.unit.textContent = unit;
+    for (const each of this.units) each.textContent = unit;
+    for (const each of this.held) each.hidden = this.boxes || !bolts;
+    for (const key of SIZES) {
+      const size = (bolts as Record<string, unknown> | undefined)?.[key];
+      setNumber(this.bolts[key], size === undefined || size === "auto" ? "" : short(Number(size)));
+    }
     this.material.value = String(material);
     const words = Object.entries({ Rows: rows, Columns: columns }).flatMap(([name, each]) => (Array.isArray(each) ? [`${name} listed in the file: ${listed(each)}.`] : []));
     this.note.textContent = words.join(" ");
