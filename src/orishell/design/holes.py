@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -26,6 +27,29 @@ class Holes:
     def moved(self, panels: int, shift: Array) -> Holes:
         """The same shifted (2,), their panels numbered from another number on."""
         return replace(self, panels=self.panels + panels, middles=self.middles + shift)
+
+    def through(
+        self, boards: Boards, faces: Integers, flat: Array, positions: Array
+    ) -> tuple[Integers, Array, Array]:
+        """Where holes go through boards in a folded state.
+
+        The panels have the corners ``faces`` (F, 4); the vertices are ``flat`` (V, 2) in the flat
+        sheet and ``positions`` (V, 3) in the state.
+
+        Returns
+        -------
+        tuple
+            For every hole and every board that it goes through, the board (N,), the ends (N, 2, 3)
+            of the hole's axis on both faces of the board, the lower one first, and the hole's
+            diameter (N,).
+        """
+        there = (boards.panels[:, None] == self.panels) & ~boards.arms[:, None]
+        board, hole = np.nonzero(there)
+        heights = boards.outlines[board][:, [0, -1], 0, 2]
+        middles = np.repeat(self.middles[hole][:, None], 2, axis=1)
+        lying = np.concatenate([middles, heights[..., None]], axis=-1)
+        axes = replace(boards.chosen(board), outlines=lying[:, :, None])
+        return board, axes.carried(faces, flat, positions)[:, :, 0], self.diameters[hole]
 
     @classmethod
     def joined(cls, several: Sequence[Holes]) -> Holes | None:

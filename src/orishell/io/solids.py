@@ -95,6 +95,9 @@ class Solids:
     names: tuple[str, ...]  # What they are called, as in "3,12 top"
     boards: Boards  # The boards (B)
     corners: Array  # Corners (B, H, K, 3) of their outlines, in the document's frame and unit
+    drilled: Integers  # The board (N,) that each hole goes through
+    axes: Array  # Ends (N, 2, 3) of holes on both faces of it
+    diameters: Array  # Of holes (N,)
 
 
 @record
@@ -169,7 +172,12 @@ def _solids(part: Part, state: DocumentState) -> Solids:
     corners = part.boards_in(state)
     assert part.boards is not None
     names = tuple(part.board_name(board) for board in range(len(part.boards)))
-    return Solids(names, part.boards, corners)
+    none: Integers = np.zeros(0, np.int64)
+    drilled = none, np.zeros((0, 2, 3)), np.zeros(0)
+    if part.holes is not None:
+        flat = part.require_flat()
+        drilled = part.holes.through(part.boards, part.mesh.faces, flat, state.positions)
+    return Solids(names, part.boards, corners, *drilled)
 
 
 def _lying(flat: Array) -> DocumentState:

@@ -17,7 +17,7 @@ from orishell.workshop.boards import cut_of_sheet, sheet_title
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.on_sheet import back_of, with_places
-from orishell.workshop.palettes import Layer, Line, Text, load_palette
+from orishell.workshop.palettes import Circle, Layer, Line, Text, load_palette
 from orishell.workshop.placing import Content
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import Tiling, tile_sheet
@@ -35,6 +35,7 @@ class PaperModel:
     # the sheet's drawing, from its lower left corner
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
+    circles: tuple[Circle, ...]  # holes
     # corners (L, 2) of the boxes around the lines
     lows: Array
     highs: Array
@@ -95,7 +96,7 @@ def _to_scale(
     content: Content, title: str, unit: str, outlines: tuple[Array, ...], workshop: Workshop
 ) -> PaperModel:
     """What is drawn within outlines, on pages."""
-    lines, _, texts = content
+    lines, circles, texts = content
     low = np.concatenate(outlines).min(axis=0)
     true = conversion(unit, "mm")
     rims = tuple((outline - low) * true for outline in outlines)
@@ -112,6 +113,10 @@ def _to_scale(
         title=title.encode("cp1252", "replace").decode("cp1252"),
         lines=drawn,
         texts=placed,
+        circles=tuple(
+            replace(c, x=(c.x - x) * scale, y=(c.y - y) * scale, radius=c.radius * scale)
+            for c in circles
+        ),
         lows=np.array([line.points.min(axis=0) for line in drawn]),
         highs=np.array([line.points.max(axis=0) for line in drawn]),
         colours={layer: pen.colour for layer, pen in pens.items()},

@@ -142,6 +142,9 @@ def _draw_sheet(
 ) -> None:
     """The lines near a box of the model (mm), enlarged by ``size`` about the box's corner."""
     near = _near(model.lows, model.highs, shown)
+    middles = np.array([(each.x, each.y) for each in model.circles]).reshape(-1, 2)
+    reach = np.array([each.radius for each in model.circles])[:, None]
+    holes = np.flatnonzero(_near(middles - reach, middles + reach, shown))
     for layer, (width, dashes) in STYLES.items():
         _pen(canvas, model.colours[layer], width, dashes if size == 1 else ())
         path = canvas.beginPath()
@@ -150,6 +153,9 @@ def _draw_sheet(
             if line.layer == layer:
                 add_line(path, (line.points * size + origin) * MM, closed=line.closed)
         canvas.drawPath(path)
+        for k in holes:
+            if model.circles[k].layer == layer:
+                canvas.circle(*((middles[k] * size + origin) * MM), reach[k, 0] * size * MM)
     if size == 1 and model.texts:
         canvas.setFillColor(model.colours["ENGRAVE"])
         # No letter is wider than it is high, or its descender deeper.

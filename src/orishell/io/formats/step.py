@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
@@ -26,8 +27,9 @@ def write_step(path: Path, document: Document, settings: Settings) -> None:
 
     Beside ``shell-target.step`` are ``shell-flat.step`` and, where there is a pack,
     ``shell-pack.step``; beside any other ``NAME.step`` they are ``NAME-flat.step`` and so on.
-    Boards are called by panel and side, as in "3,12 top". At the target those that are clipped on
-    come last; in the flat state, the flat sheet with z up, they lie beside the sheet.
+    Boards are called by panel and side, as in "3,12 top", and have the holes of their bolts. At the
+    target those that are clipped on come last; in the flat state, the flat sheet with z up, they
+    lie beside the sheet.
 
     Lengths are in millimetres, as the file says. Coordinates are about the document's origin or,
     far from it, about a point beside the shell, which the file's name for all boards says.
@@ -54,15 +56,19 @@ def _write(
 
     scale = conversion(document.require_unit(), "mm")
     title = f"{' '.join(document.title.split())}{about}".encode("ascii", "replace").decode()
-    made = [
-        _solid(corners.reshape(-1, 3), _polygons(places, len(corners)), name)
-        for each in solids
-        for name, corners, places in zip(
-            each.names, scale * (each.corners + moved), each.boards.places(), strict=True
-        )
-    ]
+    made = [board for each in solids for board in _boards(each, scale, moved)]
     export_step(Compound(label=title, children=made), file, write_pcurves=False, timestamp=TIME)
     _renumber(file)
+
+
+def _boards(solids: Solids, scale: float, moved: Array) -> Iterator[Any]:
+    """Boards with their holes, moved (3,), then enlarged."""
+    corners, axes = scale * (solids.corners + moved), scale * (solids.axes + moved)
+    each = zip(solids.names, corners, solids.boards.places(), strict=True)
+    for number, (name, outlines, places) in enumerate(each):
+        board = _solid(outlines.reshape(-1, 3), _polygons(places, len(outlines)), name)
+        mine = solids.drilled == number
+        yield _drilled(board, axes[mine], 0.5 * scale * solids.diameters[mine])
 
 
 def _renumber(file: Path) -> None:
@@ -94,6 +100,23 @@ def _solid(points: Array, polygons: list[list[int]], name: str) -> Any:
     place = [tuple(point) for point in points.tolist()]
     faces = [Face(Wire.make_polygon([place[corner] for corner in face])) for face in polygons]
     return Solid(Shell(faces), label=name)
+
+
+def _drilled(board: Any, axes: Array, radii: Array) -> Any:
+    """A board with holes (N,) through it, whose axes (N, 2, 3) end on its faces."""
+    from build123d import Plane, Solid
+
+    if not len(radii):
+        return board
+    drills = []
+    for (start, end), radius in zip(axes, radii.tolist(), strict=True):
+        # From as far before the board to as far behind it as it is thick.
+        way = end - start
+        plane = Plane(tuple((start - way).tolist()), z_dir=tuple(way.tolist()))
+        drills.append(Solid.make_cylinder(radius, 3 * float(np.linalg.norm(way)), plane))
+    (found,) = board.cut(*drills).solids()
+    found.label = board.label
+    return found
 
 
 FORMAT = Format(
