@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_content import FoldFrame
+from orishell.io.fold_frames import NON_MANIFOLD
+from orishell.io.fold_girders import HungSheet, hung_sheet
 from orishell.io.fold_reader import FoldFile
 from orishell.io.format import DEFAULT_SETTINGS, Settings
 from orishell.io.output import OutputDirectory
@@ -82,6 +85,8 @@ def write_fold(
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
     same numbers to the last bit. States are taken one by one, so that only one need be in memory.
     Parts that are there in all frames are panels as well, which do not hang together with it.
+    Box girders are in further frames, which call themselves "nonManifold": more than two panels
+    meet at edges there. They are passed over when the file is read.
     Without a flat sheet the first state is the key frame.
 
     Parameters
@@ -108,7 +113,8 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
     def dump(value: Any) -> bytes:
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
-    # All frames have the panels of the first: what is not there in all of them is left out.
+    # Frames have the panels of the first, what is not there in all of them left out; more follow.
+    hung = hung_sheet(document)
     parts = [part for part in document.moving[1:] if not part.joined_from_deg]
     document = document.with_moving(parts)
     names = {number: name for name, number in document.named.items()}
@@ -124,6 +130,8 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
                 frame["frame_title"] = titles[number]
             file.write(separator + dump(frame))
             separator = b",\n"
+        for frame in () if hung is None else _frames_of(hung):
+            file.write(separator + dump(frame))
         file.write(b"}\n" if separator.startswith(b',\n"') else b"\n]}\n")
 
 
@@ -156,6 +164,24 @@ def _state(document: Document, state: DocumentState) -> dict[str, Any]:
         **_angles(state.fold_angles_deg),
         **({"orishell:drive_deg": drive} if drive is not None else {}),
     }
+
+
+def _frames_of(hung: HungSheet) -> Iterator[dict[str, Any]]:
+    """Frames of the sheet with what hangs on it, for every state in which that is there."""
+    states = hung.document.states
+    there = [number for number in range(len(states)) if hung.is_there(number)]
+    names = {number: name for name, number in hung.document.named.items()}
+    for number in there:
+        same = {"frame_parent": len(states) + 1, "frame_inherit": True}
+        drive = states[number].drive_deg
+        yield {
+            "frame_classes": ["foldedForm"],
+            "frame_attributes": ["3D", NON_MANIFOLD],
+            **({"frame_title": f"{names[number]}, with girders"} if number in names else {}),
+            **(hung.mesh() if number == there[0] else same),
+            **hung.state(number),
+            **({"orishell:drive_deg": drive} if drive is not None else {}),
+        }
 
 
 def _angles(degrees: Array | None) -> dict[str, Any]:

@@ -15,6 +15,10 @@ INHERITED = ("vertices_coords", "faces_vertices")
 are those of one state, and what a frame is (``frame_classes``) is said of that frame alone: a
 folded state that inherits the mesh of a crease pattern is not a crease pattern."""
 
+NON_MANIFOLD = "nonManifold"
+"""What frames call themselves in FOLD where more than two panels meet at an edge. They are passed
+over, but the key frame: sheets have no such edges."""
+
 MAX_BYTES = 5_000_000_000
 
 
@@ -50,7 +54,28 @@ def read_frames(path: Path) -> Frames:
         raise misfit(frames, "file_frames", "a list of frames")
     raw = (content, *frames)
     parents = [None, *(_parent(frame, number, len(raw)) for number, frame in enumerate(frames, 1))]
-    return Frames(raw, _sources(raw, parents))
+    return _sheets(Frames(raw, _sources(raw, parents)))
+
+
+def _sheets(frames: Frames) -> Frames:
+    """The frames without those that call themselves non-manifold, and those with their mesh."""
+    passed = {
+        number
+        for number, frame in enumerate(frames.raw)
+        if number and NON_MANIFOLD in _attributes(frame)
+    }
+    passed |= {
+        number for number, source in enumerate(frames.sources) if passed & {*source.values()}
+    }
+    return Frames(
+        tuple({} if number in passed else frame for number, frame in enumerate(frames.raw)),
+        tuple({} if number in passed else source for number, source in enumerate(frames.sources)),
+    )
+
+
+def _attributes(frame: dict[str, Any]) -> list[Any]:
+    found = frame.get("frame_attributes", [])
+    return found if isinstance(found, list) else []
 
 
 def _parent(frame: dict[str, Any], number: int, count: int) -> int | None:

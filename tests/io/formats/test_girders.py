@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,7 @@ import pytest
 
 from command_line import orishell
 from kits import BOXED, shell_of
+from orishell.conventions.errors import InputError
 from orishell.document import FLAT, SHELL
 from orishell.io import read_fold, write_fold
 from orishell.io.format import Settings
@@ -32,7 +35,7 @@ def test_girders_are_there_from_where_they_are_joined() -> None:
 
 
 def test_fold_is_the_sheet_which_passes_the_check(tmp_path: Path) -> None:
-    """Girders are not in the flat frame, whose panels all others have."""
+    """Girders are not in the flat frame, whose panels all frames of the sheet have."""
     document = shell_of(BOXED).document
     write_fold(tmp_path / "shell.fold", document)
     assert len(read_fold(tmp_path / "shell.fold").mesh.faces) == len(document.mesh.faces)
@@ -79,3 +82,71 @@ def test_the_view_says_from_which_drive_on() -> None:
         moves = part.kind == "girder"
         assert own.get("joined_from_deg") == (part.joined_from_deg if moves else None)
         assert len(own["drives_deg"]) == (len(header["drives_deg"]) if moves else 1)
+
+
+def test_further_frames_have_girders_hung_on_the_sheet(tmp_path: Path) -> None:
+    """Three panels meet at every line, all rigid from frame to frame, and where parts are."""
+    document = shell_of(BOXED).document
+    write_fold(tmp_path / "shell.fold", document)
+    content = json.loads((tmp_path / "shell.fold").read_text())
+    frames = content["file_frames"]
+    girders = [frame for frame in frames if "nonManifold" in frame["frame_attributes"]]
+    parts = [part for part in document.attached if part.kind == "girder"]
+    there = [
+        k for k, state in enumerate(document.states) if all(p.is_joined_in(state) for p in parts)
+    ]
+    assert len(there) == len(girders) == len(frames) - len(document.states)
+    first = girders[0]
+    assert [frame.get("frame_parent") for frame in girders[1:]] == [frames.index(first) + 1] * (
+        len(girders) - 1
+    )
+    faces, edges = first["faces_vertices"], [tuple(each) for each in first["edges_vertices"]]
+    sides = Counter((min(pair), max(pair)) for face in faces for pair in pairwise([*face, face[0]]))
+    assert sorted(edges) == sorted(sides)
+    letters = dict(zip(edges, first["edges_assignment"], strict=True))
+    lines = sum(len(part.hung) for part in parts if part.hung is not None)
+    assert sum(times == 3 for times in sides.values()) == lines
+    assert {letters[each] for each, times in sides.items() if times == 3} == {"J"}
+    assert all(letters[each] == "B" for each, times in sides.items() if times == 1)
+    lengths = []
+    for number, frame in zip(there, girders, strict=True):
+        points = np.array(frame["vertices_coords"])
+        assert frame["orishell:drive_deg"] == document.states[number].drive_deg
+        own = [document.in_world(part.states[number].positions[part.mesh.faces]) for part in parts]
+        strips = points[np.array(faces[-sum(map(len, own)) :])]
+        np.testing.assert_allclose(strips, np.concatenate(own), rtol=0, atol=1e-12)
+        for face in faces:
+            corners = points[face] - points[face[0]]
+            assert np.linalg.svd(corners, compute_uv=False)[2] < 1e-9
+        apart = [np.linalg.norm(points[f] - points[f[0]], axis=1) for f in faces]
+        lengths.append(np.concatenate(apart))
+        angles = frame["edges_foldAngle"]
+        for (one, other), angle in zip(edges, angles, strict=True):
+            if sides[one, other] == 3:
+                assert angle is None
+            elif letters[one, other] in "MV":
+                assert np.sign(angle) == {"M": -1, "V": 1}[letters[one, other]]
+    np.testing.assert_allclose(lengths[0], lengths[-1], rtol=0, atol=1e-12)
+
+
+def test_frames_that_are_no_sheets_are_passed_over(tmp_path: Path) -> None:
+    """And those that have their mesh from them; the key frame is not."""
+    document = shell_of(BOXED).document
+    write_fold(tmp_path / "shell.fold", document)
+    content = json.loads((tmp_path / "shell.fold").read_text())
+    assert len(read_fold(tmp_path / "shell.fold").frames) == 1 + len(document.states)
+    child = {**content["file_frames"][-1], "frame_attributes": ["3D"]}
+    content["file_frames"].append(child)
+    (tmp_path / "child.fold").write_text(json.dumps(content))
+    assert len(read_fold(tmp_path / "child.fold").frames) == 1 + len(document.states)
+    (girders, *_) = (f for f in content["file_frames"] if "nonManifold" in f["frame_attributes"])
+    (tmp_path / "key.fold").write_text(json.dumps(girders))
+    with pytest.raises(InputError, match="panel"):
+        read_fold(tmp_path / "key.fold")
+
+
+def test_a_sheet_without_girders_has_no_further_frames(tmp_path: Path) -> None:
+    document = shell_of(BOXED).document.sheet
+    write_fold(tmp_path / "sheet.fold", document)
+    content = json.loads((tmp_path / "sheet.fold").read_text())
+    assert len(content["file_frames"]) == len(document.states)

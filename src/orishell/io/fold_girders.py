@@ -1,0 +1,185 @@
+"""The sheet with what hangs on it as it moves, in FOLD: edges at which more than two panels meet.
+
+Strips of box girders hang on lines across panels. There a panel is two in FOLD, joined to one
+(assignment J), and the panel of the strip is the third at that edge. Ends of these lines are
+vertices on the sides of all panels there. Where lines of two girders cross on a panel, it is parted
+along the first alone.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.document import Document, Part
+from orishell.numerics.arrays import Array, Integers
+
+TOGETHER = 1e-9
+"""Ends of lines that are nearer to each other than this share of an edge are one."""
+NOWHERE = -1
+Side = tuple[int, int]
+"""Two vertices, the lower number first."""
+Lines = Sequence[tuple[int, Side]]
+"""Lines across panels: the panel of each, and its ends."""
+
+
+@record
+class HungSheet:
+    """A sheet and the parts that hang on it, as one mesh."""
+
+    document: Document
+    parts: tuple[Part, ...]  # those that hang on it
+    kept: Integers  # which of all vertices (N,), the sheet's and then every part's, are its own
+    faces: tuple[list[int], ...]  # vertices around its panels, those of the sheet first
+    # letter of every edge, and the number of its fold angle among those of sheet and parts
+    edges: Mapping[Side, tuple[str, int]]
+
+    def mesh(self) -> dict[str, Any]:
+        """Keys of a frame that are the same in all of them."""
+        return {
+            "edges_vertices": list(self.edges),
+            "edges_assignment": [letter for letter, _ in self.edges.values()],
+            "faces_vertices": self.faces,
+        }
+
+    def state(self, number: int) -> dict[str, Any]:
+        """Keys of a frame that are those of a state of the sheet."""
+        states = [each.states[number] for each in (self.document, *self.parts)]
+        points = np.concatenate([each.positions for each in states])[self.kept]
+        found: dict[str, Any] = {"vertices_coords": self.document.in_world(points)}
+        angles = [each.fold_angles_deg for each in states if each.fold_angles_deg is not None]
+        if len(angles) < len(states):
+            return found
+        every = np.append(np.concatenate(angles), np.nan)
+        return {**found, "edges_foldAngle": every[[place for _, place in self.edges.values()]]}
+
+    def is_there(self, number: int) -> bool:
+        """Whether all parts hang on the sheet in a state."""
+        state = self.document.states[number]
+        return all(part.is_joined_in(state) for part in self.parts)
+
+
+def hung_sheet(document: Document) -> HungSheet | None:
+    """The sheet of a document with what hangs on it as it moves; None if nothing does."""
+    parts = tuple(part for part in document.moving[1:] if part.hung is not None)
+    if not parts:
+        return None
+    every: tuple[Part, ...] = (document.sheet, *parts)
+    firsts = np.cumsum([0, *(each.mesh.vertex_count for each in every)]).tolist()
+    flat = np.concatenate([each.require_flat() for each in every])
+    lines = [
+        line for each, first in zip(parts, firsts[1:], strict=False) for line in _lines(each, first)
+    ]
+    number, points = _ends_on_edges(document, lines, flat)
+    cuts: dict[int, list[Side]] = defaultdict(list)
+    for panel, ends in lines:
+        one, other = number[list(ends)].tolist()
+        cuts[panel].append(_side(one, other))
+    faces = [
+        piece
+        for panel, loop in enumerate(document.mesh.around())
+        for piece in _parted(_with_points([*map(int, loop)], points), cuts[panel])
+    ]
+    times = Counter(side for piece in faces for side in _sides(piece))
+    joined = {each for mine in cuts.values() for each in mine if times[each] > 1}
+    edges: dict[Side, tuple[str, int]] = dict.fromkeys(sorted(joined), ("J", NOWHERE))
+    before = 0
+    for each, first in zip(every, firsts, strict=False):
+        for k, (one, other) in enumerate(number[each.mesh.edges + first].tolist()):
+            for side in pairwise([one, *_between(one, other, points), other]):
+                edges.setdefault(_side(*side), (each.assignment[k], before + k))
+        before += len(each.mesh.edges)
+        if first:
+            faces += [number[np.add(loop, first)].tolist() for loop in each.mesh.around()]
+    kept, places = np.unique(np.concatenate([*map(np.array, faces)]), return_inverse=True)
+    new = dict(zip(np.concatenate(faces).tolist(), places.tolist(), strict=True))
+    return HungSheet(
+        document,
+        parts,
+        kept,
+        tuple([new[vertex] for vertex in face] for face in faces),
+        {(new[one], new[other]): told for (one, other), told in edges.items()},
+    )
+
+
+def _lines(part: Part, first: int) -> Iterator[tuple[int, Side]]:
+    """The panel of the sheet that each panel of a part hangs on, and the vertices of that line.
+
+    first: The number of the part's first vertex.
+    """
+    assert part.hung is not None
+    flat = part.require_flat()
+    each = zip(part.hung.panels.tolist(), part.hung.ends, part.mesh.faces, strict=True)
+    for panel, ends, corners in each:
+        away = np.linalg.norm(flat[corners][:, None] - ends, axis=-1)
+        one, other = corners[away.argmin(axis=0)].tolist()
+        yield panel, (first + one, first + other)
+
+
+def _ends_on_edges(
+    document: Document, lines: Lines, flat: Array
+) -> tuple[Integers, dict[Side, list[int]]]:
+    """Numbers (N,) of vertices, those of ends at one place alike, and those on edges of the sheet.
+
+    On an edge they are in their order, from the vertex of the lower number on.
+    flat: All vertices (N, 2).
+    """
+    found: dict[Side, dict[int, float]] = defaultdict(dict)
+    for panel, ends in lines:
+        sides = [_side(*each) for each in _sides(document.mesh.faces[panel].tolist())]
+        begin, run = flat[[low for low, _ in sides]], flat[[high for _, high in sides]]
+        run = run - begin
+        for vertex in ends:
+            share = ((flat[vertex] - begin) * run).sum(axis=1) / (run**2).sum(axis=1)
+            away = np.linalg.norm(begin + share[:, None] * run - flat[vertex], axis=1)
+            nearest = int(np.where((share > 0) & (share < 1), away, np.inf).argmin())
+            found[sides[nearest]][vertex] = float(share[nearest])
+    number, points = np.arange(len(flat)), {}
+    for side, shares in found.items():
+        order = sorted(shares, key=lambda vertex: (shares[vertex], vertex))
+        for one, other in pairwise(order):
+            if shares[other] - shares[one] < TOGETHER:
+                number[other] = number[one]
+        points[side] = list(dict.fromkeys(number[order].tolist()))
+    return number, points
+
+
+def _between(one: int, other: int, points: Mapping[Side, list[int]]) -> list[int]:
+    """The vertices on an edge from a vertex to another."""
+    found = points.get(_side(one, other), [])
+    return found if one < other else found[::-1]
+
+
+def _with_points(loop: list[int], points: Mapping[Side, list[int]]) -> list[int]:
+    """The vertices around a panel, those on its sides too."""
+    return [
+        vertex
+        for one, other in pairwise([*loop, loop[0]])
+        for vertex in (one, *_between(one, other, points))
+    ]
+
+
+def _parted(loop: list[int], cuts: Sequence[Side]) -> list[list[int]]:
+    """The parts of a panel between lines across it; a line that crosses another parts nothing."""
+    pieces = [loop]
+    for one, other in cuts:
+        mine = next((each for each in pieces if one in each and other in each), None)
+        if mine is not None and _side(one, other) not in _sides(mine):
+            begin, end = sorted((mine.index(one), mine.index(other)))
+            parts = mine[begin : end + 1], mine[end:] + mine[: begin + 1]
+            at = pieces.index(mine)
+            pieces[at : at + 1] = parts
+    return pieces
+
+
+def _sides(loop: list[int]) -> list[Side]:
+    return [_side(*each) for each in pairwise([*loop, loop[0]])]
+
+
+def _side(one: int, other: int) -> Side:
+    return (one, other) if one < other else (other, one)
