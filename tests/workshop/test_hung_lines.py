@@ -119,3 +119,14 @@ def test_a_card_model_has_lines_to_its_scale() -> None:
     (front,) = draw_sheets(model.document, model.workshop)
     named = {f"{name} T" for name in hung.names}
     assert sum(text.words in named for text in front.texts) == len(hung)
+
+
+@pytest.mark.parametrize("name", [BOXED, BOXED_ON_MEMBRANE])
+def test_the_verdict_counts_boards_of_girders(name: str) -> None:
+    """As many as sheet, flaps and girders have in the document."""
+    shell = shell_of(name)
+    parts = [part for part in shell.document.parts if part.kind in {"sheet", "flap", "girder"}]
+    wanted = sum(len(part.boards) for part in parts if part.boards is not None)
+    (row,) = (each for each in shell.report.verdict if each.subject == "boards")
+    assert row.finding.startswith(f"{wanted}, of panels")
+    assert sum(part.kind == "girder" for part in parts) == 3

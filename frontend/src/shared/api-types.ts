@@ -1394,7 +1394,7 @@ export interface PanelReport {
   least_share: number;
   /** How far a chamfer of solid panels leans from a square cut at most; None if there is none. */
   steepest_chamfer_deg: number | null;
-  /** Their number, those of clipped flaps included. */
+  /** Their number, those of clipped flaps and of strips of box girders included. */
   boards: number;
   /** Number of vertices at which corners of boards are cut off, and how far at most. */
   corners_cut: number;

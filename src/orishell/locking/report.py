@@ -99,7 +99,7 @@ class PanelReport:
     least_share: float
     # how far a chamfer of solid panels leans from a square cut at most; None if there is none
     steepest_chamfer: Angle | None
-    boards: int  # their number, those of clipped flaps included
+    boards: int  # their number, those of clipped flaps and of strips of box girders included
     # number of vertices at which corners of boards are cut off, and how far at most
     corners_cut: int
     largest_cut: float
@@ -132,7 +132,9 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         least_share=least_share(design.mechanism, built.boards),
         steepest_chamfer=steepest_chamfer(built),
         boards=sum(
-            int((~each.arms).sum()) for each in (built.boards, built.flaps) if each is not None
+            int((~each.arms).sum())
+            for each in (built.boards, built.flaps, *(box.boards for box in design.boxes))
+            if each is not None
         ),
         corners_cut=int((built.reliefs > 0).sum()),
         largest_cut=float(built.reliefs.max()),
