@@ -138,4 +138,4 @@ def _stresses(model: Model, found: Equilibrium | None) -> Array:
         count = len(model.mesh.places) + sum(len(each.own.places) for each in model.plates)
         return np.zeros(count)
     on_parts = [each.von_mises() for each in found.in_plates]
-    return np.concatenate([found.stresses, *on_parts]).max(axis=1)
+    return np.asarray(np.concatenate([found.stresses, *on_parts]).max(axis=1))

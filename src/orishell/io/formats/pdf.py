@@ -155,7 +155,8 @@ def _draw_sheet(
         canvas.drawPath(path)
         for k in holes:
             if model.circles[k].layer == layer:
-                canvas.circle(*((middles[k] * size + origin) * MM), reach[k, 0] * size * MM)
+                x, y = ((middles[k] * size + origin) * MM).tolist()
+                canvas.circle(x, y, float(reach[k, 0]) * size * MM)
     if size == 1 and model.texts:
         canvas.setFillColor(model.colours["ENGRAVE"])
         # No letter is wider than it is high, or its descender deeper.
