@@ -6,6 +6,7 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path
 
 import ezdxf
@@ -80,7 +81,12 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 
 def read_sound(file: Path) -> Drawing:
-    """A drawing in which ezdxf's audit finds nothing."""
+    """A drawing in which ezdxf's audit finds nothing; read once as long as it is not rewritten."""
+    return _read_sound(file, file.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=64)
+def _read_sound(file: Path, _: int) -> Drawing:
     drawing = ezdxf.readfile(file)
     auditor = drawing.audit()
     assert not auditor.errors

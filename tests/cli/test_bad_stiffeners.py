@@ -34,6 +34,7 @@ NOT_READ = {
     'kind = "gusset"': "expected 'gussets'",
     "kind = 1": "expected 'gussets'",
     'kind = ["gussets"]': "expected 'gussets'",
+    'kind = ["gussets", "boxes"]': "expected 'gussets' or 'boxes'",
     'rows = "valley"': "got 'valley'",
     "rows = 1": "a list, in brackets",
     "rows = true": "a list, in brackets",
@@ -83,15 +84,21 @@ BOXES = {
     "rows = [9]": "numbers from 1 to 3",
     "rows = []": "no row is named",
     'rows = "both"': "got 'both'",
+    "rows = 2": "a list, in brackets",
+    'rows = ["1"]': "a whole number",
     "columns = [9]": "numbers from 0 to 2",
     "columns = []": "no column is named",
     "columns = 0": "at least 1",
     'columns = "ends"': "got 'ends'",
+    "columns = [1.5]": "a whole number",
     "share = 0": "greater than 0",
     "share = 1": "less than 1",
     "share = 1.5": "less than 1",
     "share = -0.5": "greater than 0",
     'share = "most"': "expected a number",
+    'share = "0.5"': "write 0.5 without quotes",
+    "share = [0.5, 0.6]": "expected a number",
+    "joined_from = 0.5": "unknown key",
     "plates = 4": "unknown key",
     "thickness = 0.004": "boxes are made as panels are",
     'material = "steel"': "boxes are made as panels are",
@@ -103,8 +110,14 @@ BOXES = {
 def refusal(path: Path, line: str, more: str = "", flap: str = "0") -> tuple[int | str, str]:
     """How the program ends, and what it says in its one line; nothing is written."""
     kind = "" if not line or line.startswith("kind") else 'kind = "gussets"\n'
+    text = SHELL.format(flap=flap, more=more) + f"[stiffeners]\n{kind}{line}\n"
+    return refused(path, text)
+
+
+def refused(path: Path, text: str) -> tuple[int | str, str]:
+    """Likewise of a design file."""
     file = path / "shell.toml"
-    file.write_text(SHELL.format(flap=flap, more=more) + f"[stiffeners]\n{kind}{line}\n")
+    file.write_text(text)
     done = orishell("design", file, "--out", path / "out")
     assert not (path / "out").exists()
     assert done.stdout == ""
@@ -149,6 +162,15 @@ NOT_MADE = {
         *('[panel]\nthickness = 0.01\nconstruction = "hinged"', "0", 2, "beside"),
     ),
     "boxes between flaps": ('kind = "boxes"', "", "0.1", 2, "take the place of box girders"),
+    "boxes between flaps that are clipped on": (
+        'kind = "boxes"',
+        *('[deployment]\nfrom = "pack"\nflap_attachment = "clipped"', "0.1", 2),
+        "take the place of box girders",
+    ),
+    "as large as there is room for, and there is none": (
+        'kind = "boxes"\nshare = "auto"',
+        *(f"[panel]\n{BEVEL.replace('0.02', '0.2')}", "0", 1, "too little is left"),
+    ),
     "boxes of thick boards": (
         'kind = "boxes"',
         *(
@@ -174,3 +196,35 @@ def test_what_cannot_be_made_is_said_in_one_line(tmp_path: Path, case: str) -> N
     ended, said = refusal(tmp_path, line or 'kind = "gussets"', more, flap)
     assert ended == status
     assert words in said
+
+
+SLIT = """[shell]
+family = "flat-foldable"
+unit = "m"
+[pattern]
+sheet = "lists"
+rows = 3
+columns = 3
+row_folds_deg = [80, -95, 85]
+column_folds_deg = [60, -70, 65]
+flap = 0.1
+[stiffeners]
+kind = "boxes"
+"""
+"""Borders that are not straight."""
+
+
+def test_flaps_that_are_slit_have_no_box_girders(tmp_path: Path) -> None:
+    status, said = refused(tmp_path, SLIT)
+    assert status == 2
+    assert "without flaps that are slit" in said
+    assert 'flap_attachment = "clipped"' in said
+
+
+def test_there_is_one_table_of_stiffeners(tmp_path: Path) -> None:
+    """Gussets in some rows and box girders over others are not one design."""
+    both = '[[stiffeners]]\nkind = "gussets"\n[[stiffeners]]\nkind = "boxes"\n'
+    status, said = refused(tmp_path, SHELL.format(flap="0", more=both))
+    assert status == 2
+    assert "[stiffeners]" in said
+    assert "expected a table" in said

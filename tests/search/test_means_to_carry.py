@@ -12,6 +12,7 @@ from orishell.search.evaluate import evaluate, job_of
 from orishell.search.problem import parse_problem
 from orishell.shell import make_shell
 from orishell.shell.steps import MEASURES
+from samples import thorough
 from search.problems import PATH
 from small_arch import SMALL_ARCH
 
@@ -52,10 +53,23 @@ subject_to = { utilisation = { most = 1e4 } }
 )
 
 
-@pytest.mark.slow
-def test_stiffeners_material_and_ties_are_variables() -> None:
+PANELS = """[panel]
+thickness = 0.006
+construction = "bevel"
+gap = 0.002
+"""
+QUICK = ARCH.replace(PANELS, "").replace(
+    "cells = 4\n", "cells = 3\nthickness = 0.006\nnonlinear = false\n"
+)
+"""Of panels without boards, and displacements by linear theory."""
+
+
+@pytest.mark.parametrize(
+    "text", [QUICK, pytest.param(ARCH, marks=thorough)], ids=["quick", "whole"]
+)
+def test_stiffeners_material_and_ties_are_variables(text: str) -> None:
     """Figures are those of the whole designs; what holds more moves less, what is denser weighs."""
-    raw = parse_toml(ARCH)
+    raw = parse_toml(text)
     raw["search"]["variables"] = VARIABLES
     problem = parse_problem(raw, PATH)
     first = {key: values[0] for key, values in VARIABLES.items()}
@@ -63,7 +77,8 @@ def test_stiffeners_material_and_ties_are_variables() -> None:
     found = evaluate(job_of(problem), [first, *others])
     assert all(each.figures for each in found), [each.reason for each in found]
     few, girders, every_column, metal, tied = (each.figures for each in found)
-    assert girders["deflection"] < few["deflection"]
+    if text == ARCH:  # by linear theory panels between gussets do not buckle
+        assert girders["deflection"] < few["deflection"]
     assert girders["mass"] > 1.3 * few["mass"]
     assert every_column["deflection"] < few["deflection"]
     assert every_column["mass"] > few["mass"]

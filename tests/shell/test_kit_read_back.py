@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -37,17 +39,30 @@ KIT = pytest.mark.parametrize(
         *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE),
         *(pytest.param(name, marks=thorough) for name in KITS),
     ],
+    scope="module",  # tests of one kit come one after the other
 )
 SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
 """What the booklet calls boards, and the tables their side."""
 SHEETS = ("Sheet with creases", "Parts of the sheet", "Membrane", "Parts of the membrane")
 
 
+@pytest.fixture(scope="module")
+def kit_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """The kit of a shell by its name, written once."""
+
+    @cache
+    def kit(name: str) -> Path:
+        place = tmp_path_factory.mktemp(name) / "kit"
+        write_kit(shell_of(name), place)
+        return place
+
+    return kit
+
+
 @KIT
-def test_every_part_is_counted_once_in_all_files(name: str, tmp_path: Path) -> None:
+def test_every_part_is_counted_once_in_all_files(name: str, kit_of: Callable[[str], Path]) -> None:
     # Counted anew in each: names in drawings, rows of tables, words of the booklet.
-    kit = tmp_path / "kit"
-    write_kit(shell_of(name), kit)
+    kit = kit_of(name)
     counts = booklet_counts(kit / "booklet/booklet.pdf")
     assert counts
     _require_boards(kit, counts)
@@ -150,14 +165,12 @@ def _require_lines(kit: Path, counts: dict[str, int]) -> None:
 
 
 @KIT
-def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
-    shell = shell_of(name)
-    write_kit(shell, tmp_path)
-    found = shell.report.quantities
+def test_masses_are_those_of_the_bill(name: str, kit_of: Callable[[str], Path]) -> None:
+    kit, found = kit_of(name), shell_of(name).report.quantities
     whole = found.mass_kg if found.built is None else found.built.mass_kg.total
-    rows = [row for row in rows_of(tmp_path / "order.csv") if row["item"] != "ties"]
-    text = PdfReader(tmp_path / "booklet/booklet.pdf").pages[0].extract_text()
-    readme = (tmp_path / "README.md").read_text()
+    rows = [row for row in rows_of(kit / "order.csv") if row["item"] != "ties"]
+    text = PdfReader(kit / "booklet/booklet.pdf").pages[0].extract_text()
+    readme = (kit / "README.md").read_text()
     if whole is None:
         assert not all(row["mass_kg"] for row in rows)
         assert "Mass" not in text + readme
@@ -169,34 +182,34 @@ def test_masses_are_those_of_the_bill(name: str, tmp_path: Path) -> None:
     assert f"- Mass: {plain(whole, 3)} kg" in readme
     ordered = {row["item"]: float(row["mass_kg"]) for row in known}
     for item, table in (("boards", "cut/boards.csv"), ("hinges", "hinges/hinges.csv")):
-        weighed = [float(row["mass_kg"]) for row in rows_of(tmp_path / table)]
+        weighed = [float(row["mass_kg"]) for row in rows_of(kit / table)]
         of_item = sum(mass for key, mass in ordered.items() if key.endswith(item))
         assert sum(weighed) == pytest.approx(of_item, rel=1e-9)
     of_arms = sum(
-        int(row["count"]) * float(row["mass_kg"]) for row in rows_of(tmp_path / "cut/arms.csv")
+        int(row["count"]) * float(row["mass_kg"]) for row in rows_of(kit / "cut/arms.csv")
     )
     assert of_arms == pytest.approx(ordered.get("arms", 0.0), rel=1e-9)
 
 
-def test_gussets_of_steel_are_cut_and_weighed_apart(tmp_path: Path) -> None:
+def test_gussets_of_steel_are_cut_and_weighed_apart(kit_of: Callable[[str], Path]) -> None:
     """4 mm of 7850 kg/m3 (EN 1991-1-1, table A.4: 77 to 78.5 kN/m3), of the area in boards.csv."""
-    write_kit(shell_of(OF_STEEL), tmp_path)
-    boards = rows_of(tmp_path / "cut/boards.csv")
+    kit = kit_of(OF_STEEL)
+    boards = rows_of(kit / "cut/boards.csv")
     own = [row for row in boards if row["panel"].startswith("gusset ")]
-    assert {row["sheet"] for row in own} == _sheets_of_gussets(tmp_path)
-    assert not {row["sheet"] for row in boards if row not in own} & _sheets_of_gussets(tmp_path)
-    assert booklet_counts(tmp_path / "booklet/booklet.pdf")["Brackets"] > 2 * len(own)
-    cut = names_in((tmp_path / "cut").glob("pattern-gussets-*.dxf"))
+    assert {row["sheet"] for row in own} == _sheets_of_gussets(kit)
+    assert not {row["sheet"] for row in boards if row not in own} & _sheets_of_gussets(kit)
+    assert booklet_counts(kit / "booklet/booklet.pdf")["Brackets"] > 2 * len(own)
+    cut = names_in((kit / "cut").glob("pattern-gussets-*.dxf"))
     assert cut == Counter(row["part"] for row in own)
     covered = sum(float(row["area_m2"]) for row in own)
-    order = {row["item"]: row for row in rows_of(tmp_path / "order.csv")}
+    order = {row["item"]: row for row in rows_of(kit / "order.csv")}
     ordered = order["gusset boards"]
     assert float(ordered["used"]) == pytest.approx(covered, rel=1e-9)
     assert float(ordered["mass_kg"]) == pytest.approx(7850 * 0.004 * covered, rel=1e-9)
     assert "4 mm thick of steel" in ordered["what"]
     membrane = sum(part.areas().sum() for part in shell_of(OF_STEEL).document.parts[:1])
     assert float(order["membrane"]["mass_kg"]) == pytest.approx(900 * 0.001 * membrane, rel=1e-9)
-    text = " ".join(PdfReader(tmp_path / "booklet/booklet.pdf").pages[1].extract_text().split())
+    text = " ".join(PdfReader(kit / "booklet/booklet.pdf").pages[1].extract_text().split())
     assert "4 mm thick, of steel" in text
 
 
@@ -208,17 +221,19 @@ def test_gussets_of_steel_are_cut_and_weighed_apart(tmp_path: Path) -> None:
         *("shelter_boards", "shelter_hinged", "dome"),
     ],
 )
-def test_the_solids_of_step_are_the_parts_of_the_tables(name: str, tmp_path: Path) -> None:
+def test_the_solids_of_step_are_the_parts_of_the_tables(
+    name: str, tmp_path: Path, kit_of: Callable[[str], Path]
+) -> None:
     require_build123d()
-    write_kit(shell_of(name), tmp_path / "kit")
+    kit = kit_of(name)
     (step,) = find_formats(["step"])
     write_format(shell_of(name), step, tmp_path, Settings())
     text = (tmp_path / step.file).read_text()
     _, *solids = re.findall(r"PRODUCT\('([^']*)'", text)  # the first is all of them
     assert text.count("MANIFOLD_SOLID_BREP(") == len(solids) == len({*solids})
     arms = [solid for solid in solids if " arm" in solid]
-    assert len(arms) == sum(int(row["count"]) for row in rows_of(tmp_path / "kit/cut/arms.csv"))
-    boards = rows_of(tmp_path / "kit/cut/boards.csv")
+    assert len(arms) == sum(int(row["count"]) for row in rows_of(kit / "cut/arms.csv"))
+    boards = rows_of(kit / "cut/boards.csv")
     names = {f"{row['panel']} {row['side']}".removesuffix(" panel") for row in boards}
     assert {*solids} - {*arms} == names
     assert len(names) == len(boards)

@@ -43,6 +43,7 @@ def _arch(asked: str) -> Shell:
             "supports": [{"at": "feet", "kind": "pinned"}],
             "crease_stiffness": "free",
             "cells": 3,
+            "nonlinear": False,
             **(structure or {"modulus": 8e9, "strength": 20e6}),
         },
     }
