@@ -96,6 +96,7 @@ class Tent(Model):
     rails: Any = ()
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
+    positions: Any = exposure.mesh.points[:6].reshape(3, 2, 3)
 
 
 def analysed(structure: Structure = STRUCTURE) -> Analysis:
@@ -146,6 +147,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             tie_forces=np.array([1000.0, 4000.0, 0.0]),
             flap_forces=np.array([0.0, 30.0]),
             edges=edges,
+            held_plates=(),
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),

@@ -15,7 +15,7 @@ import numpy as np
 
 from hinged_decks import Deck, Found
 from orishell.numerics.arrays import Array
-from orishell.structure.crease_forces import panel_loads
+from orishell.structure.held_panels import panel_loads
 from orishell.structure.mesh.edge_forces import EdgeForces, find_edge_forces
 from orishell.structure.mesh.hinges import beside_creases
 from orishell.structure.mesh.sheet import SheetMesh

@@ -63,7 +63,7 @@ def sinks(
     corners = facets.points[facets.triangles]
     sides = corners[:, 1:, :2] - corners[:, :1, :2]
     plan = 0.5 * np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
-    beyond = corners[..., 1].mean(axis=1) > np.median(model.bare.facets.points[:, 1])
+    beyond = corners[..., 1].mean(axis=1) > np.median(model.stiffened.sheet.facets.points[:, 1])
     found = []
     for loaded in (plan, plan * beyond):
         forces: Array = np.zeros_like(facets.points)

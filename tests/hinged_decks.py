@@ -131,7 +131,7 @@ class Deck:
     def sections(self) -> tuple[Array, Array]:
         """Thickness (C,) of cells, and Young's modulus: as stiff in its plane and in bending."""
         section = self.model.section
-        every = [section, *(self.model.plate_sections if len(self.parts) > 1 else ())]
+        every = [section, *(self.model.stiffened.sections if len(self.parts) > 1 else ())]
         both = []
         for nodes, own in zip(self.parts, every, strict=True):
             count = 2 * nodes[:, 1:, 1:].size

@@ -25,8 +25,8 @@ print(f"{len(shell.design.plates)} gussets; at its target: {shell.report.deploye
 show_loaded(shell)
 
 # %%
-# This is what ``orishell structure`` prints. Forces along crease lines govern. Its mesh is coarse:
-# it says by how much figures still change.
+# This is what ``orishell structure`` prints. Forces along edges of gussets govern, by what the file
+# says that these are held by. Its mesh is coarse: it says by how much figures still change.
 
 report = shell.report.structure
 assert report is not None

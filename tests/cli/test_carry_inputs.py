@@ -71,7 +71,11 @@ BAD: list[tuple[str, str, str]] = [
     ("[structure]", '[stiffeners]\nkind = "ribs"\n[structure]', "kind"),
     ("[structure]", '[stiffeners]\nkind = "gussets"\nshare = 1.5\n[structure]', "share"),
     ("[structure]", '[stiffeners]\nkind = "gussets"\nrows = "hills"\n[structure]', "rows"),
-    ("[structure]", '[stiffeners]\nkind = "gussets"\nrows = [99]\n[structure]', "row"),
+    (
+        "[structure]",
+        '[stiffeners]\nkind = "gussets"\nrows = [99]\n[structure]\nedge_strength = 1e5',
+        "row",
+    ),
     ("[structure]", '[stiffeners]\nkind = "gussets"\ncolumns = 0\n[structure]', "columns"),
 ]
 

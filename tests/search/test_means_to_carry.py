@@ -39,6 +39,7 @@ crease_stiffness = "free"
 tie_stiffness = 1e6
 tie_strength = 20e3
 line_strength = 150e3
+edge_strength = 150e3
 cells = 4
 supports = [{ at = "feet", kind = "pinned" }]
 [[load_case]]

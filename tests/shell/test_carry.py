@@ -23,6 +23,7 @@ from orishell.shell import (
     carry_boards,
     carry_change,
     carry_feet,
+    carry_state,
     carry_steps,
     carry_strengths,
     make_shell,
@@ -52,6 +53,7 @@ crease_stiffness = "free"
 tie_stiffness = 1e6
 tie_strength = {tie_strength}
 line_strength = {lines}
+edge_strength = 150e3
 cells = 2
 supports = [{{ at = "feet", kind = "pinned" }}]
 [[load_case]]
@@ -314,7 +316,7 @@ def test_changes_that_are_no_longer_needed_are_taken_back(
     monkeypatch.setattr(carry, "BUILDER", (railed, carry_feet.anchored))
     monkeypatch.setattr(carry, "DESIGNER", ())
     monkeypatch.setattr(carry, "LIGHTER", ())
-    monkeypatch.setattr(carry._State, "is_nearer", lambda *_: True)
+    monkeypatch.setattr(carry_state.State, "is_nearer", lambda *_: True)
     search = find_carrying(file)
     assert any(" - a rail: carries: " in each for each in search.tried)
     for each in search.found:
@@ -569,6 +571,40 @@ def test_box_girders_take_the_place_of_gussets(weak: tuple[DesignFile, Analysis]
     assert places == [("valleys", 4), ("valleys", 2), ("valleys", 1), ("all", "all")]
     assert said[0] == "box girders over the valleys, plates at every 4th column"
     assert not list(carry_steps.box_girders(held, begun))
+
+
+def test_gussets_are_not_tried_where_nobody_knows_what_holds_them(
+    weak: tuple[DesignFile, Analysis], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """That is said, with the key to give; known in one direction is not known."""
+    file, begun = weak
+    for given in (None, {"pull": 150e3, "along": 150e3}):
+        unfixed = file.tried({"structure.edge_strength": given})
+        assert not list(carry_steps.gussets(unfixed, begun))
+        assert not list(carry_steps.box_girders(unfixed, begun))
+        ((words, why),) = carry_strengths.untried(unfixed)
+        assert words == "gussets and box girders"
+        assert "edge_strength" in why
+    assert not list(carry_strengths.untried(file))
+    for order in ("BUILDER", "DESIGNER"):
+        monkeypatch.setattr(carry, order, ())
+    tried = find_carrying(unfixed).tried
+    assert f"{words}: {why}" in tried
+
+
+def test_a_shell_with_gussets_is_asked_what_holds_them(
+    weak: tuple[DesignFile, Analysis],
+) -> None:
+    """No change makes that known, so nothing is tried before it is given."""
+    file, _ = weak
+    stiffened = file.tried({"stiffeners.kind": "gussets", "structure.edge_strength": None})
+    assert carry_strengths.not_given(stiffened) == ["plate_edges"]
+    with pytest.raises(DesignError) as refused:
+        find_carrying(stiffened)
+    assert refused.value.keys == ("structure.edge_strength",)
+    kinds = {"stiffeners.kind": "boxes", "stiffeners.columns": "none"}
+    assert not carry_strengths.not_given(stiffened.tried(kinds))
+    assert carry_strengths.not_given(stiffened.tried({"stiffeners.kind": "boxes"}))
 
 
 @pytest.mark.parametrize("step", [carry_steps.gussets, carry_steps.box_girders])

@@ -75,7 +75,7 @@ def test_they_are_solid_plates_of_their_thickness(panel: Tables) -> None:
         ({"thickness": 0.004, "material": "steel"}, 210e9, 0.004),
         ({"material": "steel"}, 210e9, 0.01),
     ):
-        section = balanced(arch(panel, **keys)).model.plate_sections[0]
+        section = balanced(arch(panel, **keys)).model.stiffened.sections[0]
         plane = modulus / (1 - 0.3**2)
         assert section.membrane == pytest.approx(plane * thickness, rel=1e-12)
         assert section.bending == pytest.approx(plane * thickness**3 / 12, rel=1e-12)

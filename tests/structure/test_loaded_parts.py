@@ -61,7 +61,7 @@ def expected(shell: Shell) -> tuple[list[str], list[Array], list[Array], list[Ar
     moved = found.moved(respond(found, loads).displacements)
     names = [name for part in shell.document.attached if part.kind != "flap" for name in part.names]
     corners, displaced, stressed = [], [], []
-    for plates, section in zip(model.plates, model.plate_sections, strict=True):
+    for plates, section in zip(model.plates, model.stiffened.sections, strict=True):
         own, count = plates.own, len(plates.own.nodes)
         straight = moved[plates.dofs[: 3 * own.node_count]].reshape(-1, 3)
         borne = facet_stresses(own.facets, section, plates.corners_moved(moved))

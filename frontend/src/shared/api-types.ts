@@ -116,6 +116,16 @@ export interface AtCrease {
   panels: [[number, number], [number, number]];
 }
 
+/** Something that is largest along an edge of what stiffens a sheet. */
+export interface AtEdge {
+  /** How large it is. */
+  size: number;
+  /** A panel of a strip, "box 4 upper 3", or a plate: "gusset 5,3", "plate 4,3". */
+  part: string;
+  /** What is on the other side of the edge, "panel 3,3" or "the edge from 5,3 to 4,3". */
+  beside: string;
+}
+
 /** Where the stress of a base rail is largest. */
 export interface AtRail {
   /** How large it is. */
@@ -621,11 +631,15 @@ export interface Equilibrium {
   gussets: PlateStress | null;
   /** The largest stress of box girders; None if there are none. */
   boxes: BoxStress | null;
+  /** Forces along hinges of box girders; None without any. */
+  box_lines: JudgedEdges | null;
+  /** Forces along edges of gussets, and of plates across box girders; None without any. */
+  plate_edges: JudgedEdges | null;
   /** The largest stress of base rails; None without them. */
   rail: AtRail | null;
   /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
   panel_residual: number;
-  /** Of panels, membrane, creases and ties. */
+  /** Of all that bears something. */
   utilisation: Utilisation;
   /** The lowest buckling factor; None if it does not buckle. */
   buckling: number | null;
@@ -879,7 +893,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "ties" | "rail" | "buckling";
+  part: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "box_lines" | "plate_edges" | "ties" | "rail" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -1021,6 +1035,16 @@ export interface JointReport {
   open_max: number;
   /** How far boards are apart there, on the faces on which they close. */
   open_rms: number;
+}
+
+/** Forces per length along edges that bear alike, each the largest and where it is. */
+export interface JudgedEdges {
+  /** In any direction. */
+  largest: AtEdge;
+  /** The share of what is borne; None if nothing is known of that. */
+  used: AtEdge | null;
+  /** In directions in which no strength is known. */
+  unknown: AtEdge;
 }
 
 /** A key of the design file in words. */
@@ -1199,6 +1223,8 @@ export interface Model {
   tie_strength: number | null;
   /** What creases bear as crease lines, by direction; None if that is not known (force per length). */
   line_strength: LineStrength | null;
+  /** What holds edges of gussets, and of plates across box girders, bears, by direction; None if that is not known (force per length). */
+  edge_strength: LineStrength | null;
   /** Lever arm of what locks creases: as asked, or the most that there is room for. */
   lever: number;
   /** Stress that the membrane between boards bears; None if that is not known (force per area). */
@@ -1958,6 +1984,10 @@ export interface Utilisation {
   gussets: number | null;
   /** Likewise. */
   boxes: number | null;
+  /** Of the forces that their hinges bear as crease lines. */
+  box_lines: number | null;
+  /** Of what edges of gussets and plates are held by. */
+  plate_edges: number | null;
   /**  */
   ties: number | null;
   /** None, too, without base rails. */
@@ -1965,7 +1995,7 @@ export interface Utilisation {
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "ties" | "rail" | "buckling" | null;
+  governs: "panels" | "panel_shear" | "rolling_shear" | "core_shear" | "wrinkling" | "membrane" | "creases" | "lines" | "arms" | "gussets" | "boxes" | "box_lines" | "plate_edges" | "ties" | "rail" | "buckling" | null;
 }
 
 /** A key of the design file that has a slider. */

@@ -13,18 +13,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import chain, repeat
 
-import numpy as np
-
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress, rising, stretch
-from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.shell.analyse import require_structure
 from orishell.shell.carry_boards import as_sold, offer, thickness_key
 from orishell.shell.carry_change import Change, Step, together
 from orishell.shell.carry_found import Carrying, CarrySearch, ended, parts_on_site
+from orishell.shell.carry_state import State
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
-from orishell.shell.carry_strengths import MAKES_KNOWN, in_words, not_given, refuse, require_known
+from orishell.shell.carry_strengths import (
+    MAKES_KNOWN,
+    in_words,
+    not_given,
+    refuse,
+    require_known,
+    untried,
+)
 from orishell.shell.facts import Facts
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.load_trials import LOADED, LoadTrials, Refused
@@ -32,8 +37,6 @@ from orishell.structure.results import Analysis
 
 ROUNDS = 3
 """So many times all steps of an order are taken, as one may help after another."""
-GAIN = 0.95
-"""A change stays that brings a shell to this share of what it uses, or nearer."""
 WORK = 60.0
 """Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
 LEFT = 8.0
@@ -44,57 +47,6 @@ OFFERED, CONFIRMED = 3, 6
 """So many designs are offered at most, and so many tried as the file asks in search of them."""
 Tell = Callable[[tuple[str, ...]], None]
 PACKED = tuple(each for each in LOADED if each != "pack")
-
-
-@record
-class _State:
-    """A shell with some changes, as analysed with few cells."""
-
-    name: str  # the number of its trial
-    changes: tuple[Change, ...]  # one after the other
-    file: DesignFile
-    facts: Facts
-    analysis: Analysis
-
-    @property
-    def change(self) -> Change:
-        """All that is changed."""
-        return together(self.changes)
-
-    @property
-    def carries(self) -> bool:
-        return self.analysis.carries is True
-
-    @property
-    def lacks(self) -> tuple[int, bool, float]:
-        """How far it is from carrying, what counts most first.
-
-        The cases under which it moves; whether something is not known; what its worst case uses.
-        """
-        used = [case.used for case in self.analysis.cases]
-        known = [each for each in used if np.isfinite(each)]
-        doubts = any(
-            each.kind == "unknown" and each.excess is None
-            for case in self.analysis.cases
-            for each in case.findings
-        )
-        return len(used) - len(known), doubts, max(known, default=0.0)
-
-    def is_nearer(self, other: _State) -> bool:
-        """Whether it is nearer to carrying than another one, by more than is worth a change."""
-        *worse, used = self.lacks
-        *before, most = other.lacks
-        return worse < before or (worse == before and used <= GAIN * most)
-
-    @property
-    def weight(self) -> tuple[float, int]:
-        """By which designs that carry are ranked: mass, then parts on the site."""
-        return round(self.analysis.model.mass or 0.0, 3), parts_on_site(self.facts)
-
-    @property
-    def rank(self) -> tuple[bool, tuple[float, ...], tuple[float, int]]:
-        """By which those that one step proposes are ranked: what carries by its weight."""
-        return not self.carries, () if self.carries else self.lacks, self.weight
 
 
 def _ignored(_: tuple[str, ...]) -> None:
@@ -124,10 +76,10 @@ class _Search:
     def __init__(self, file: DesignFile, begun: Analysis, progress: Progress, tell: Tell) -> None:
         self.file, self.begun, self.progress, self.tell = file, begun, progress, tell
         self.trials = LoadTrials(file, begun, self._tell)
-        self.known: dict[str, _State | Refused] = {}
+        self.known: dict[str, State | Refused] = {}
         self.tried: list[str] = []
-        self.carrying: list[_State] = []
-        self.nearest: _State | None = None
+        self.carrying: list[State] = []
+        self.nearest: State | None = None
         self.panels, self.until, self.ended = 0.0, WORK, False
 
     @property
@@ -145,8 +97,10 @@ class _Search:
 
     def run(self) -> CarrySearch:
         first = self._trial((), "the file")
-        if isinstance(first, _State):
+        if isinstance(first, State):
             first = self._made_known(first)
+            for words, why in untried(first.file):
+                self._note(words, why)
             for order, share in ((BUILDER, 0.5), (DESIGNER, 1.0)):
                 self.until = share * WORK
                 self._walk(first, order)
@@ -155,7 +109,7 @@ class _Search:
         near = None if best is None else (best.change, best.analysis)
         return CarrySearch(self.begun, found, tuple(self.tried), near, self.ended)
 
-    def _made_known(self, at: _State) -> _State:
+    def _made_known(self, at: State) -> State:
         """The shell without that of which nobody knows what it bears; else DesignError."""
         missing, why = not_given(at.file), ""
         if missing:
@@ -172,11 +126,11 @@ class _Search:
         self.nearest = at if missing else self.nearest
         return at
 
-    def _walk(self, at: _State, order: Sequence[Step]) -> None:
+    def _walk(self, at: State, order: Sequence[Step]) -> None:
         """Take every step that brings the shell nearer to carrying, until it does."""
         begun = len(at.changes)
         for step in chain.from_iterable(repeat(order, ROUNDS)):
-            at = self._best(at, step, _State.is_nearer) or at
+            at = self._best(at, step, State.is_nearer) or at
             if at.carries or self.work > self.until:
                 self.ended = self.ended or not at.carries
                 break
@@ -191,7 +145,7 @@ class _Search:
                 at = lighter
                 self.carrying.append(at)
 
-    def _without_useless(self, at: _State, begun: int) -> _State:
+    def _without_useless(self, at: State, begun: int) -> State:
         """A shell that carries without the changes that it carries without, at no more weight.
 
         begun: So many changes are not taken back; the last of the others is first.
@@ -203,14 +157,12 @@ class _Search:
                 continue
             rest = tuple(each for each in at.changes if each != change)
             made = self._trial(rest, f"{at.name} - {change.words}")
-            if isinstance(made, _State) and made.carries and made.weight <= at.weight:
+            if isinstance(made, State) and made.carries and made.weight <= at.weight:
                 at = made
                 self.carrying.append(at)
         return at
 
-    def _best(
-        self, at: _State, step: Step, better: Callable[[_State, _State], bool]
-    ) -> _State | None:
+    def _best(self, at: State, step: Step, better: Callable[[State, State], bool]) -> State | None:
         """The best of what a step proposes; None if nothing is better than what there is."""
         found = []
         for change in step(at.file, at.analysis):
@@ -222,7 +174,7 @@ class _Search:
                 found.append(state)
         return min(found, key=lambda each: each.rank, default=None)
 
-    def _changed(self, at: _State, change: Change) -> _State | None:
+    def _changed(self, at: State, change: Change) -> State | None:
         """A shell with one more change, or with what its refusal offers in its place."""
         made = self._trial((*at.changes, change), f"{at.name} + {change.words}")
         if isinstance(made, Refused):
@@ -231,7 +183,7 @@ class _Search:
                 made = self._trial((*at.changes, other), f"{at.name} + {other.words}")
         return None if isinstance(made, Refused) else made
 
-    def _trial(self, changes: tuple[Change, ...], words: str) -> _State | Refused:
+    def _trial(self, changes: tuple[Change, ...], words: str) -> State | Refused:
         """A changed shell with few cells, or why it is none. No change is tried twice.
 
         words: What is changed of which trial.
@@ -253,7 +205,7 @@ class _Search:
             self._note(said, f"cannot be made, as {made.why}")
             return made
         assert made.analysis is not None
-        state = _State(name, changes, self.file.tried(whole.values), made, made.analysis)
+        state = State(name, changes, self.file.tried(whole.values), made, made.analysis)
         self.known[key] = state
         self._note(said, ended(state.analysis))
         if self.nearest is None or state.lacks < self.nearest.lacks:

@@ -46,7 +46,7 @@ def named_lines(file: DesignFile, _: Analysis) -> Iterator[Change]:
     kind = None if asked is None else asked.kind
     named = None if kind is None or given != {"kind": kind} else hinge_lines()[kind]
     lines, of = file.structure.filled(file.unit).line_strength, attrgetter(*DIRECTIONS)
-    lacks = lines is None or None in of(lines)
+    lacks = lines is None or not lines.is_known
     for name, made in hinge_lines().items():
         bears = of(made)
         if None in bears:
@@ -100,9 +100,13 @@ def box_girders(file: DesignFile, _: Analysis) -> Iterator[Change]:
 
 
 def _stiffened(file: DesignFile, kind: str, words: str) -> Iterator[Change]:
-    """Stiffeners of a kind where there are none of it, or more of them."""
+    """Stiffeners of a kind where there are none of it, or more of them.
+
+    If it is known what holds the edges of gussets and plates.
+    """
     assert file.structure is not None
-    if file.panel is not None and file.panel.construction == "hinged":
+    hinged = file.panel is not None and file.panel.construction == "hinged"
+    if hinged or not holds_plates(file):
         return
     finer = {} if file.structure.cells >= STANDING_CELLS else {"structure.cells": STANDING_CELLS}
     there = file.stiffeners
@@ -121,6 +125,13 @@ def _stiffened(file: DesignFile, kind: str, words: str) -> Iterator[Change]:
         which = PLACES[rows] if isinstance(rows, str) else f"rows {', '.join(map(str, rows))}"
         often = COLUMNS.get(columns, f"every {columns}th column")
         yield Change({**begun, **placed, **finer}, {"stiffeners": words.format(which, often)})
+
+
+def holds_plates(file: DesignFile) -> bool:
+    """Whether a file says what edges of gussets, and of plates across girders, are held by."""
+    assert file.structure is not None
+    strength = file.structure.filled(file.unit).edge_strength
+    return strength is not None and strength.is_known
 
 
 def _more_places(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:

@@ -14,8 +14,7 @@ from orishell.conventions.quantities import conversion
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.shell.carry_change import Change, Step
-from orishell.shell.carry_steps import named_lines
-from orishell.structure.hinge_lines import DIRECTIONS
+from orishell.shell.carry_steps import holds_plates, named_lines
 from orishell.structure.results import Analysis
 from orishell.structure.utilisation import Limiting
 
@@ -26,6 +25,7 @@ GIVE: Mapping[Limiting, tuple[str, str]] = {
     "creases": ("creases that do not turn freely", "crease_strength"),
     "lines": ("crease lines in every direction", "line_strength"),
     "arms": ("arms of hinges", "arm_strength"),
+    "plate_edges": ("edges of gussets and plates in every direction", "edge_strength"),
     "ties": ("ties", "tie_strength"),
 }
 """What bears, and the keys of [structure] that say how much."""
@@ -35,18 +35,34 @@ def not_given(file: DesignFile) -> list[Limiting]:
     """What of a file's shell is loaded, and what it bears is not given."""
     assert file.structure is not None
     asked, panel = file.structure.filled(file.unit), file.panel
-    lines, made = asked.line_strength, asked.sandwich
+    made, stiffened = asked.sandwich, file.stiffeners
     hinged = panel is not None and panel.construction == "hinged"
     missing: dict[Limiting, bool] = {
         "panels": asked.strength is None and asked.material is None,
         "core_shear": made is not None and made.core_shear_strength is None,
         "membrane": panel is not None and not panel.is_solid and asked.membrane_strength is None,
-        "lines": lines is None or None in [getattr(lines, each) for each in DIRECTIONS],
+        "lines": asked.line_strength is None or not asked.line_strength.is_known,
         "creases": asked.crease_stiffness[1] > 0 and asked.crease_strength is None,
         "arms": hinged and asked.arm_strength is None,
+        "plate_edges": (
+            stiffened is not None
+            and not (stiffened.kind == "boxes" and stiffened.columns == "none")
+            and (asked.edge_strength is None or not asked.edge_strength.is_known)
+        ),
         "ties": file.deployment.ties != "none" and asked.tie_strength is None,
     }
     return [part for part, open_ in missing.items() if open_]
+
+
+def untried(file: DesignFile) -> Iterator[tuple[str, str]]:
+    """What is not tried though it may help, and why: a file does not say what it bears."""
+    hinged = file.panel is not None and file.panel.construction == "hinged"
+    if not (hinged or holds_plates(file)):
+        words, key = GIVE["plate_edges"]
+        yield (
+            "gussets and box girders",
+            f"not tried, as the strength of {words} is not given ({key})",
+        )
 
 
 def free_hinges(file: DesignFile, _: Analysis) -> Iterator[Change]:

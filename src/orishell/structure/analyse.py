@@ -3,7 +3,8 @@
 Limit: the analysis of a structure is for early design and does not replace an engineer's check. It
 begins with the shell as designed, without imperfections, and is linear, but where a case buckles
 below three times its loads, or ``nonlinear`` asks for large displacements. Stresses at the corners
-of panels grow with finer cells.
+of panels grow with finer cells. What single screws, bolts and clips do to boards is not
+judged, but the forces per length that they hold.
 """
 
 from __future__ import annotations
@@ -24,11 +25,12 @@ from orishell.structure.buckling import share_at_points, turned_by_load
 from orishell.structure.case import CaseResult
 from orishell.structure.changes import Figures
 from orishell.structure.combinations import STRENGTH, Combination, LimitState
-from orishell.structure.crease_forces import PanelLoads, hold_panels, moments
+from orishell.structure.crease_forces import moments
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import find_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
+from orishell.structure.held_panels import PanelLoads, hold_panels
 from orishell.structure.kept_modes import KeptModes
 from orishell.structure.loads import CaseLoads, Load, vector
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
@@ -198,7 +200,7 @@ def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool)
     stresses = panel_stresses(mesh, model.section, borne)
     on_plates = plate_forces(model, [each.corners_moved(moved) for each in model.plates])
     total = float(np.linalg.norm(solved.forces, axis=1).sum())
-    edges, panel_residual = hold_panels(model, moved, solved.on_panels, solved.stiffness, total)
+    held = hold_panels(model, moved, solved.on_panels, solved.stiffness, total)
     factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
     frequencies, swinging = factors, shapes
     if solved.limit_state in STRENGTH:
@@ -218,12 +220,13 @@ def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool)
         support_forces=support_forces,
         reaction=vector(reaction),
         residual=residual,
-        panel_residual=panel_residual,
+        panel_residual=held.residual,
         feet=find_feet(structure, response, tuple(model.grounded)),
         tie_forces=borne_by(response.forces[:ties], total),
         flap_forces=borne_by(response.forces[ties:straight], total),
-        edges=edges,
-        crease_moments=moments(model, edges),
+        edges=held.edges,
+        held_plates=held.plates,
+        crease_moments=moments(model, held.edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
         in_patches=stresses,

@@ -112,17 +112,13 @@ def _of_strip(boards: Boards, first: int, count: int) -> Boards:
 
 
 def strip_masses(
-    boxes: tuple[Box, ...],
-    plates: tuple[Plates, ...],
-    build: PanelSpec | None,
-    site: Site,
-    count: int,
-) -> Array:
-    """Mass (N,) of strips at nodes, of so many in all (kg); plates are borne at vertices.
+    boxes: tuple[Box, ...], plates: tuple[Plates, ...], build: PanelSpec | None, site: Site
+) -> tuple[Array, ...]:
+    """Mass of each strip by nodes of its panels' own (places,) (kg).
 
-    Of their boards if their density is known, or by that of their area.
+    Of its boards if their density is known, or by that of its area.
     """
-    found = np.zeros(count)
+    found = []
     for number, strip in enumerate(plates[: 2 * len(boxes)]):
         boards, panels = boxes[number // 2].boards, strip.own.panels
         areas = strip.own.facets.areas()
@@ -134,5 +130,6 @@ def strip_masses(
             volume = np.bincount(own.panels, own.volumes(), len(whole))
             mass = build.density * site.metres**3 * volume
         third = (mass / whole)[panels] * areas / 3
-        np.add.at(found, strip.triangles, third[:, None])
-    return found
+        found.append(np.zeros(strip.own.nodes.size))
+        np.add.at(found[-1], strip.own.places, third[:, None])
+    return tuple(found)

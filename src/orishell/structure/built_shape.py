@@ -67,5 +67,5 @@ def built_off(linear: Equilibrium, most: float) -> Model:
         replace(each, own=replace(each.own, facets=replace(each.own.facets, points=own)))
         for each, own in ((each, points[each.nodes]) for each in model.plates)
     )
-    vars(built).update({"mesh": mesh, "_joined": (mesh, plates)})
+    vars(built).update({"mesh": mesh, "plates": plates})
     return built

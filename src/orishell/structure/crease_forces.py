@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import SOLVED, first_largest, largest_along_first
-from orishell.structure.loads import CaseLoads
 from orishell.structure.mesh.arms import arm_stress
 from orishell.structure.mesh.edge_forces import (
     EdgeForces,
     crease_sides,
-    find_edge_forces,
     on_creases,
+    spread_over,
 )
-from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.strips import (
     board_stress,
     chamfered,
@@ -29,17 +25,13 @@ from orishell.structure.mesh.strips import (
     one_board,
     solid_stress,
 )
-from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
 from orishell.structure.negligible import NEGLIGIBLE_FORCE
-from orishell.structure.settings import LoadCase
 
 CreaseKind = Literal["row", "column"]
 """Row creases run from left to right in the flat sheet, column creases downwards."""
 FORCES = ("pull", "push", "shear in the plane", "shear across")
 """Forces per length along a crease, as ``largest_forces`` has them."""
-UNBALANCED = 1e-6
-"""Panels that miss more than this share of the loads for their balance mean a fault."""
 
 
 @record
@@ -60,85 +52,6 @@ class CreaseForces:
     in_plane: AtCrease  # shear along the crease
     across: AtCrease  # shear square to the plane of a panel
     moment: AtCrease  # moment about the crease
-
-
-class PanelLoads:
-    """Loads of cases on panels by nodes of their own, those at vertices left out."""
-
-    def __init__(self, model: Model, cases: Sequence[LoadCase]) -> None:
-        """Loads of ``cases``, all that may be combined."""
-        mesh, exposure = model.mesh, model.exposure
-        # Beside all nodes, so that loads at vertices stay there.
-        points = mesh.facets.points
-        apart = replace(
-            exposure,
-            mesh=Facets(
-                np.concatenate([points, points[mesh.seats.ravel()]]), len(points) + mesh.places
-            ),
-            hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
-        )
-        self._loads, self._first = CaseLoads(apart, cases), len(points)
-
-    def of(self, case: LoadCase) -> Array:
-        """Loads (F (cells+1)^2, 3) of a case (N)."""
-        return self._loads.forces(case)[self._first :]
-
-
-def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
-    """Loads (F (cells+1)^2, 3) on panels, as :class:`PanelLoads` has them (N).
-
-    cases: All cases, which this one may combine.
-    """
-    return PanelLoads(model, cases).of(case)
-
-
-def hold_panels(
-    model: Model, moved: Array, loads: Array, stiffness: float, scale: float
-) -> tuple[EdgeForces, float]:
-    """What holds panels at their edges, and the share of the loads that their balance misses.
-
-    moved: Displacements and rotations (D,).
-    loads: On panels, as :func:`panel_loads` has them (N).
-    stiffness: Of creases (force per radian).
-    scale: Sum of the sizes of all loads (N).
-    Raises VerificationError: If a panel is not in balance: a fault of the program.
-    """
-    mesh, grid = model.mesh, model.grid
-    springs = min(stiffness, rigid_stiffness(mesh, model.section))
-    turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
-    forces = model.elements.forces(moved)
-    found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_restrained(model))
-    return _balanced(found, scale)
-
-
-def hold_moved_panels(
-    model: Model, borne: tuple[Array, Array | None, Array], loads: Array, scale: float
-) -> tuple[EdgeForces, float]:
-    """What holds panels where large displacements are followed, and the share of loads missed.
-
-    borne: Forces (T, 18) of triangles, moments (m, 6) of springs, and where nodes (N, 3) are.
-    """
-    forces, turning, places = borne
-    mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
-    found = find_edge_forces(mesh, model.grid, forces, turning, loads, supported=_restrained(model))
-    return _balanced(found, scale)
-
-
-def _restrained(model: Model) -> Integers:
-    """Nodes that supports, base rails and what stiffens panels hold, the ground included."""
-    rails = (rail.nodes for rail in model.rails)
-    plates = (each.nodes for each in model.plates)
-    return np.concatenate([model.supports.restrained[:, 0], model.supports.ground, *rails, *plates])
-
-
-def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:
-    residual = found.missing / scale if scale else 0.0
-    if residual > UNBALANCED:
-        raise VerificationError(
-            f"a panel is not in balance, {residual:.2g} of the loads are missing: "
-            "this is a fault of the program"
-        )
-    return found, residual
 
 
 def largest_forces(model: Model, found: EdgeForces) -> Array:
@@ -244,14 +157,7 @@ def spread_forces(model: Model, found: EdgeForces) -> Array:
     edges, _ = crease_sides(model.grid)
     ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
     stretch = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / values.shape[2]
-    count = np.clip(np.ceil(model.thickness / stretch), 1, values.shape[2])
-    spread = values.copy()
-    for many in range(2, values.shape[2] + 1):
-        windows = np.lib.stride_tricks.sliding_window_view(values, many, axis=2).mean(axis=-1)
-        more = np.pad(windows, ((0, 0), (0, 0), (0, many - 1), (0, 0)))
-        spread = np.where((count == many)[:, None, None, None], more, spread)
-    share = np.minimum(1.0, count * stretch / model.thickness)
-    return np.asarray(share[:, None, None, None] * spread)
+    return spread_over(values, stretch[:, None], model.thickness)
 
 
 def arms(model: Model, found: EdgeForces) -> AtCrease | None:

@@ -9,7 +9,6 @@ from functools import cached_property
 
 import numpy as np
 
-from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, first_largest, largest_of
@@ -30,19 +29,21 @@ from orishell.structure.load_path import LoadPath, Unfollowed
 from orishell.structure.loads import Vector, vector
 from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
+from orishell.structure.mesh.plate_edges import PlateEdges
 from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
+from orishell.structure.plate_edges import JudgedEdges, judged_edges
 from orishell.structure.plates import (
     BoxStress,
     PlateStress,
     most_stressed,
     most_stressed_box,
-    used_of_plates,
 )
-from orishell.structure.rail import AtRail, used_rail, worst_rail
+from orishell.structure.rail import AtRail, worst_rail
 from orishell.structure.sandwich_shares import InSandwich, in_sandwich
-from orishell.structure.utilisation import LEAST_LINE, Limiting, Utilisation, share_of
+from orishell.structure.used_shares import loaded_unknown, utilisation_of
+from orishell.structure.utilisation import Limiting, Utilisation
 
 COLLAPSED = 0.25
 """A shell displaced by this share of its height is no longer the shell that was analysed."""
@@ -55,8 +56,9 @@ class Equilibrium:
     REPORTED = (
         "reaction", "residual", "displacement", "crept", "reactions", "friction", "feet", "ties",
         "flaps", "crease", "creases", "lines", "used_line", "stress", "beside", "lone_board",
-        "membrane", "arms", "gussets", "boxes", "rail", "panel_residual", "utilisation",
-        "buckling", "buckling_factors", "frequencies", "path", "unfollowed", "duration", "strength",
+        "membrane", "arms", "gussets", "boxes", "box_lines", "plate_edges", "rail",
+        "panel_residual", "utilisation", "buckling", "buckling_factors", "frequencies", "path",
+        "unfollowed", "duration", "strength",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -76,6 +78,8 @@ class Equilibrium:
     # order of ``Model.flaps``; 0 where they part (N)
     flap_forces: Array
     edges: EdgeForces  # what holds every panel at its edges
+    # what holds what stiffens the sheet at its edges, as ``Model.plates`` has it
+    held_plates: tuple[PlateEdges, ...]
     crease_moments: Array  # largest moment per length (E,) about every edge, 0 at the border (N)
     # von Mises' stress (T, 2) at the lower and the upper face, for every triangle that of the patch
     # over which it is averaged (force per area)
@@ -110,7 +114,8 @@ class Equilibrium:
     def plate_strength(self) -> float | None:
         """The same of what stiffens the sheet; None if that is not known, or nothing does."""
         model = self.model
-        return model.of_plates.bears(self.duration, model.site.unit) if model.plates else None
+        of = model.stiffened.of_plates
+        return of.bears(self.duration, model.site.unit) if model.plates else None
 
     @property
     def buckling(self) -> float | None:
@@ -139,7 +144,9 @@ class Equilibrium:
         size = self.displacement.size
         if self.duration != "permanent":
             return size
-        made = [each for each in (self.model.structure, self.model.of_plates) if each.material]
+        made = [
+            each for each in (self.model.structure, self.model.stiffened.of_plates) if each.material
+        ]
         factors = [materials()[each.material or ""].creeps(each.service_class) for each in made]
         return size * (1 + max(factors, default=0.0))
 
@@ -204,6 +211,16 @@ class Equilibrium:
     def boxes(self) -> BoxStress | None:
         """The largest stress of box girders; None if there are none."""
         return most_stressed_box(self.model, self.in_plates)
+
+    @cached_property
+    def box_lines(self) -> JudgedEdges | None:
+        """Forces along hinges of box girders; None without any."""
+        return judged_edges(self.model, self.held_plates, hinged=True)
+
+    @cached_property
+    def plate_edges(self) -> JudgedEdges | None:
+        """Forces along edges of gussets, and of plates across box girders; None without any."""
+        return judged_edges(self.model, self.held_plates, hinged=False)
 
     @cached_property
     def rail(self) -> AtRail | None:
@@ -272,52 +289,13 @@ class Equilibrium:
 
     @cached_property
     def utilisation(self) -> Utilisation:
-        """Of panels, membrane, creases and ties."""
-        asked, film, line = self.model.structure, self.membrane, self.used_line
-        grain, inside = self.by_grain, self.sandwich
-        core = None if asked.sandwich is None else asked.sandwich.core_shear_strength
-        creases = 0.0 if self.crease is None else self.crease.moment
-        stiffeners = used_of_plates(
-            self.model.of_plates, self.in_plates, self.duration, self.model.site.unit
-        )
-        return Utilisation(
-            panels=share_of(self.in_panels[0], self.strength) if grain is None else grain.panels,
-            panel_shear=None if grain is None else grain.panel_shear,
-            rolling_shear=None if grain is None else grain.rolling_shear,
-            core_shear=None if inside is None else share_of(inside.core_shear, core),
-            wrinkling=None if inside is None else inside.pressure / inside.wrinkling,
-            membrane=None if film is None else share_of(film.size, asked.membrane_strength),
-            creases=share_of(creases, asked.crease_strength),
-            lines=None if line is None else line.size,
-            arms=None if self.arms is None else share_of(self.arms.size, asked.arm_strength),
-            gussets=None if self.gussets is None else stiffeners,
-            boxes=None if self.boxes is None else stiffeners,
-            ties=share_of(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
-            rail=used_rail(self.rail, asked, self.duration, self.model.site.unit),
-            buckling=None if self.buckling is None else 1 / self.buckling,
-        )
+        """Of all that bears something."""
+        return utilisation_of(self)
 
     @property
     def unknown(self) -> tuple[Limiting, ...]:
         """Loaded parts without a given strength."""
-        least = LEAST_LINE * conversion(self.model.site.unit, "m")
-        bears: dict[Limiting, bool] = {
-            "panels": True,
-            "core_shear": self.sandwich is not None,
-            "membrane": self.membrane is not None and self.membrane.size > 0,
-            "creases": self.crease is not None,
-            "lines": self.unknown_line.size > least,
-            "arms": self.arms is not None and self.arms.size > 0,
-            "gussets": self.gussets is not None and self.gussets.size > 0,
-            "boxes": self.boxes is not None and self.boxes.size > 0,
-            "ties": bool(self.tie_forces.any()),
-        }
-        shares = self.utilisation.shares
-        return tuple(
-            part
-            for part, any_ in bears.items()
-            if any_ and (shares[part] is None or part == "lines")
-        )
+        return loaded_unknown(self)
 
     @property
     def used(self) -> float:

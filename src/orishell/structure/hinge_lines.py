@@ -96,6 +96,11 @@ class LineStrength(Table):
             }
         )
 
+    @property
+    def is_known(self) -> bool:
+        """Whether it is known in every direction."""
+        return None not in [getattr(self, name) for name in DIRECTIONS]
+
     def used(self, forces: Array) -> Array:
         """The share (...) of what lines bear, as far as known, by forces (..., 4) by direction."""
         strengths = np.array([getattr(self, name) or np.inf for name in DIRECTIONS])

@@ -62,7 +62,7 @@ def _gussets(model: Model) -> LoadedGussets | None:
     parts, site = model.design.plates, model.site
     if not parts:
         return None
-    (plates,), (section,) = model.plates, model.plate_sections
+    (plates,), (section,) = model.plates, model.stiffened.sections
     own = plates.own
     areas = own.facets.areas().reshape(len(parts), -1).sum(axis=1)
     masses = np.array([part.mass(site.areal_mass, site.metres) for part in parts])

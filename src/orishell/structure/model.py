@@ -15,16 +15,8 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
-from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
-from orishell.structure.boxes import (
-    parts_of,
-    plates_across,
-    sleeves_between_flaps,
-    strip_masses,
-    strip_sections,
-)
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.exposed import expose
 from orishell.structure.flaps import between_flaps, kept_apart
@@ -35,20 +27,18 @@ from orishell.structure.mesh.arms import joint_elements
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.frames import Frame
-from orishell.structure.mesh.girders import stops_of_sleeves
 from orishell.structure.mesh.hinges import rigid_stiffness
-from orishell.structure.mesh.parts import MeshedPart, Plates, join_parts
+from orishell.structure.mesh.parts import Plates
 from orishell.structure.mesh.plane import strains_along
-from orishell.structure.mesh.plates import LEAST_STANDING, mesh_plates
-from orishell.structure.mesh.sections import Section, panel_sections, whole_section
-from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
-from orishell.structure.mesh.stops import Stops, plate_line
+from orishell.structure.mesh.sections import Section, panel_sections
+from orishell.structure.mesh.sheet import SheetMesh, centres
 from orishell.structure.mesh.stresses import turns_in_panels
 from orishell.structure.rail import lay_rails, rail_masses
 from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.factorised import Factorised
+from orishell.structure.stiffened import Stiffened
 from orishell.structure.stiffness import Stiffness, stiffness_in_words
 from orishell.structure.supports import Supports, find_supports
 from orishell.structure.whole_boards import corners_at_vertices, plates_of
@@ -65,8 +55,9 @@ class Model:
         "structure.poisson", "structure.membrane_modulus", "membrane_stiffness",
         "bending_stiffness", "shear_stiffness", "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
-        "structure.line_strength", "lever", "structure.membrane_strength", "structure.arm_modulus",
-        "structure.arm_strength", "displacement_limit", "structure.imperfection",
+        "structure.line_strength", "structure.edge_strength", "lever",
+        "structure.membrane_strength", "structure.arm_modulus", "structure.arm_strength",
+        "displacement_limit", "structure.imperfection",
         "structure.supports", "structure.rail",
     )  # fmt: skip
 
@@ -88,8 +79,7 @@ class Model:
     @property
     def least_cells(self) -> int:
         """How many cells there are at least along a side of a panel."""
-        standing = LEAST_STANDING if self.design.plates or self.design.boxes else 1
-        return LEAST_CELLS if self.design.has_whole_boards else standing
+        return LEAST_CELLS if self.design.has_whole_boards else self.stiffened.least_cells
 
     @property
     def nodes(self) -> int:
@@ -209,74 +199,28 @@ class Model:
         """The meshed sheet, or its whole boards."""
         if self.design.has_whole_boards:
             return mesh_boards(self._plates(self.sheet.target_drive), self.grid, self.cells)
-        return self._joined[0]
+        return self.stiffened.joined[0]
 
-    @property
+    @cached_property
+    def stiffened(self) -> Stiffened:
+        """The sheet with what stiffens it, as it is meshed."""
+        sheet = self.grid, self.before, self.positions, self.cells
+        return Stiffened(self.design, self.structure, self.site, *sheet)
+
+    @cached_property
     def plates(self) -> tuple[Plates, ...]:
         """What stiffens the sheet: all gussets, or strips of box girders and plates across."""
-        return self._joined[1] if self.design.plates or self.design.boxes else ()
-
-    @cached_property
-    def bare(self) -> SheetMesh:
-        """The meshed sheet, with lines of nodes where what stiffens it ends, or hangs."""
-        return mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
-
-    @cached_property
-    def girders(self) -> tuple[MeshedPart, ...]:
-        """Its box girders: the upper and the lower strip of each, then plates across them."""
-        at, _ = plates_across(self.design, self.before)
-        return parts_of(self.bare, self.grid, self.sleeves, self.positions, at)
-
-    @cached_property
-    def _joined(self) -> tuple[SheetMesh, tuple[Plates, ...]]:
-        """The meshed sheet with what stiffens it, and this."""
-        if self.sleeves:
-            return join_parts(self.bare, self.girders)
-        corners = [part.plate.corner for part in self.design.attached if part.plate is not None]
-        if not corners:
-            return self.bare, ()
-        at = np.array(corners) - [0, self.before]
-        share = self.design.plates[0].plate
-        assert share is not None
-        line = plate_line(share.share, self.cells)
-        return join_parts(self.bare, (mesh_plates(self.bare, self.grid, at, line),))
+        return () if self.stiffened.is_bare else self.stiffened.joined[1]
 
     @property
-    def sleeves(self) -> tuple[Sleeve, ...]:
-        """The sleeves of its box girders, over the sheet without its flaps."""
-        return sleeves_between_flaps(self.design.boxes, self.before)
-
-    @property
-    def stops(self) -> Stops | None:
-        """Where plates that stiffen the sheet end, or strips hang on it; None without any."""
-        if self.design.boxes:
-            return stops_of_sleeves(self.grid, self.sleeves)
-        plates = [part.plate for part in self.design.attached if part.plate is not None]
-        if not plates:
-            return None
-        assert len({each.share for each in plates}) == 1, "plates go along edges by one share"
-        rows = [each.corner[0] for each in plates]
-        return Stops.of_plates(self.grid, rows, plates[0].share)
-
-    @cached_property
-    def of_plates(self) -> Structure:
-        """What is asked of plates that stiffen the sheet: the same, of their own material."""
-        own = {part.material for part in self.design.plates if part.material}
-        return self.structure.made_of(own.pop(), self.site.unit) if own else self.structure
-
-    @cached_property
-    def plate_sections(self) -> tuple[Section, ...]:
-        """Sections of what stiffens the sheet, as ``plates`` has it."""
-        if self.design.boxes:
-            return strip_sections(
-                self.structure, self.design.panel, self.design.boxes, self.girders
-            )
-        return tuple(whole_section(self.of_plates, each.panel) for each in self.design.plates[:1])
+    def plate_masses(self) -> tuple[Array, ...]:
+        """Mass of what stiffens the sheet, as ``plates`` has it, by nodes of panels' own (kg)."""
+        return () if self.stiffened.is_bare else self.stiffened.masses
 
     @cached_property
     def plate_elements(self) -> tuple[Elements, ...]:
         """The triangles of what stiffens the sheet, as elements."""
-        both = zip(self.plates, self.plate_sections, strict=True)
+        both = zip(self.plates, self.stiffened.sections, strict=True)
         return tuple(each.elements(section, self.mesh.count) for each, section in both)
 
     def vertices(self, drive: float) -> Array:
@@ -294,7 +238,7 @@ class Model:
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
-        middles = centres(self.positions, self.cells, self.stops)
+        middles = centres(self.positions, self.cells, self.stiffened.stops)
         asked = self.structure
         found = panel_sections(asked, self.design.panel, self.boards, self.flat, middles)
         if asked.grain_moduli is None:
@@ -334,8 +278,7 @@ class Model:
         asked, count = self.structure.rail, len(self.mesh.facets.points)
         hung = rail_masses(asked, self.rails, count, self.site.unit)
         if self.design.boxes:
-            made = self.design.boxes, self.plates, self.design.panel
-            hung += strip_masses(*made, self.site, count)
+            hung += self.stiffened.hung(count)
         return expose(self.design, self.site, self.mesh, (self.sheet, self.before), hung)
 
     @cached_property

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.numerics.arrays import Array
-from orishell.structure.crease_forces import hold_moved_panels, moments
+from orishell.structure.crease_forces import moments
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import Foot, moved_feet
 from orishell.structure.footings import to_nearest
+from orishell.structure.held_panels import hold_moved_panels
 from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational, Moved
@@ -55,11 +56,13 @@ def deformed(
     at_nodes, reaction, residual = _reactions(model, point, on_nodes, places)
     total = point.factor * float(np.linalg.norm(on_nodes, axis=1).sum())
     turning = next((each.forces(moved) for each in others if isinstance(each, Folds)), None)
-    edges, panel_residual = hold_moved_panels(
-        model, (panels.forces(moved), turning, places), point.factor * on_panels, total
-    )
-    in_plates = [_in_place(each, moved) for each in others if isinstance(each, Corotational)]
-    on_plates = plate_forces(model, in_plates)
+    plates = [each for each in others if isinstance(each, Corotational)]
+    forces = [each.forces(moved) for each in (panels, *plates)]
+    moved_plates = [each.places(moved.displacements) for each in model.plates]
+    borne_by_all = forces, turning, places, moved_plates
+    rounded = moving.noise(moved)
+    held = hold_moved_panels(model, borne_by_all, point.factor * on_panels, total, rounded)
+    on_plates = plate_forces(model, [_in_place(each, moved) for each in plates])
     borne = np.zeros(len(model.site.ties) + len(model.flaps))
     feet: tuple[Foot, ...] = ()
     for part in others:
@@ -77,9 +80,10 @@ def deformed(
         feet=feet,
         tie_forces=borne_by(borne[:ties], total),
         flap_forces=borne_by(borne[ties:], total),
-        edges=replace(edges, factor=point.factor),
-        panel_residual=panel_residual,
-        crease_moments=moments(model, edges),
+        edges=replace(held.edges, factor=point.factor),
+        held_plates=held.plates,
+        panel_residual=held.residual,
+        crease_moments=moments(model, held.edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
         in_patches=stresses,

@@ -63,7 +63,9 @@ def plate_forces(model: Model, corners: Sequence[Array]) -> tuple[FacetForces, .
     """
     return tuple(
         facet_stresses(each.own.facets, section, moved)
-        for each, section, moved in zip(model.plates, model.plate_sections, corners, strict=True)
+        for each, section, moved in zip(
+            model.plates, model.stiffened.sections, corners, strict=True
+        )
     )
 
 
@@ -71,7 +73,7 @@ def stresses_in_plates(model: Model, borne: Sequence[FacetForces]) -> tuple[Pane
     """Stresses of plates by patches."""
     return tuple(
         panel_stresses(each.own, section, found)
-        for each, section, found in zip(model.plates, model.plate_sections, borne, strict=True)
+        for each, section, found in zip(model.plates, model.stiffened.sections, borne, strict=True)
     )
 
 
@@ -167,5 +169,5 @@ def movable_plates(model: Model) -> list[Corotational]:
             each.dofs[each.own.dofs()],
             panels + each.first + each.own.places,
         )
-        for each, section in zip(model.plates, model.plate_sections, strict=True)
+        for each, section in zip(model.plates, model.stiffened.sections, strict=True)
     ]

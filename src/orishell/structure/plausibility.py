@@ -11,7 +11,7 @@ import numpy as np
 from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.design import PanelSpec
 from orishell.numerics.arrays import Array
-from orishell.structure.hinge_lines import DIRECTIONS
+from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
 from orishell.structure.load_settings import LOADS
 from orishell.structure.loads import DOUBTS, Scale
 from orishell.structure.settings import Structure
@@ -152,22 +152,29 @@ def _materials(
             yield f"{key} = {density:g} in [panel] is in kilograms per cubic metre: water has 1000"
 
 
+def _lines(key: str, bears: LineStrength | None, unit: str) -> Iterator[str]:
+    """Of what lines bear."""
+    metres = conversion(unit, "m")
+    for name in DIRECTIONS if bears is not None and bears.kind is None else ():
+        line = getattr(bears, name)
+        if line is None or LINES[0] <= line / metres <= LINES[1]:
+            continue
+        yield (
+            f"{key} = {line:g} is {plain(line / metres)} N/m: forces per length are in "
+            f"newtons per {unit}; 1 kN/m is {plain(1e3 * metres)} here"
+        )
+        break
+
+
 def _parts(structure: Structure, unit: str, panel: PanelSpec | None) -> Iterator[str]:
     """Of creases, ties, and the thickness."""
     metres = conversion(unit, "m")
     thickness = structure.thickness if panel is None else panel.thickness
     if thickness and thickness * metres < THIN:
         yield f"panels are {plain(1e3 * thickness * metres)} mm thick: thickness is in {unit}"
-    crease, lines = structure.crease_strength, structure.line_strength
-    for name in DIRECTIONS if lines is not None and lines.kind is None else ():
-        line = getattr(lines, name)
-        if line is None or LINES[0] <= line / metres <= LINES[1]:
-            continue
-        yield (
-            f"line_strength = {line:g} is {plain(line / metres)} N/m: forces per length are in "
-            f"newtons per {unit}; 1 kN/m is {plain(1e3 * metres)} here"
-        )
-        break
+    crease = structure.crease_strength
+    for key in ("line_strength", "edge_strength"):
+        yield from _lines(key, getattr(structure, key), unit)
     if crease and thickness and structure.strength:
         bears = structure.strength * thickness**2 / 4
         if crease > BENT * bears:

@@ -81,14 +81,14 @@ ECCENTRIC = (
     "about their own middle everywhere, the least that they do"
 )
 CLIPPED_IN = (
-    "what holds gussets in their folds, what that does to edges of panels, and how far off the "
-    "creases gussets stand: they are hinged in these; where they have a core, its shear and "
-    "wrinkling of faces"
+    "what single clips or bolts along edges of gussets do to boards, moments that they hold, and "
+    "how far off the creases gussets stand: they are hinged in these; where they have a core, its "
+    "shear and wrinkling of faces"
 )
 HUNG_ON = (
-    "wind and snow on box girders: only their weight counts; what joins their hinges to panels, "
-    "and how far off these their boards stand; springs in their hinges, which turn freely, "
-    "whatever the creases of the sheet do"
+    "wind and snow on box girders: only their weight counts; what single screws of their hinges, "
+    "or clips of plates across them, do to boards, and how far off panels their boards stand; "
+    "springs in their hinges, which turn freely, whatever the creases of the sheet do"
 )
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (

@@ -98,6 +98,9 @@ class StructureTable(Table):
     crease_lever: Positive | None = None
     # what creases bear as crease lines, by direction; None if that is not known (force per length)
     line_strength: LineStrengths | None = None
+    # what holds edges of gussets, and of plates across box girders, bears, by direction; None if
+    # that is not known (force per length)
+    edge_strength: LineStrengths | None = None
     # Young's modulus of the arms that hinges of whole boards stand on; None for rigid ones (force
     # per area)
     arm_modulus: Positive | None = None
@@ -186,10 +189,12 @@ class StructureTable(Table):
 
     def filled(self, unit: str) -> Self:
         """With the values of its material and its crease lines where they are not given."""
-        if self.line_strength is not None and self.line_strength.kind is not None:
-            lines = self.line_strength.filled(unit)
-            return self.replace_unchecked(line_strength=lines)._of_material(unit)
-        return self._of_material(unit)
+        named = {
+            key: lines.filled(unit)
+            for key in ("line_strength", "edge_strength")
+            if (lines := getattr(self, key)) is not None and lines.kind is not None
+        }
+        return (self.replace_unchecked(**named) if named else self)._of_material(unit)
 
     def bears(self, duration: Duration, unit: str) -> float | None:
         """What panels bear under loads of a duration, per square of a unit; None if not known."""

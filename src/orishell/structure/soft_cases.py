@@ -15,8 +15,8 @@ from orishell.conventions.record import record
 from orishell.numerics.equals import SOLVED, ascending
 from orishell.structure.built_shape import usual_imperfection
 from orishell.structure.case import CaseResult
-from orishell.structure.crease_forces import panel_loads
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.held_panels import panel_loads
 from orishell.structure.load_path import Unfollowed
 from orishell.structure.model import Model
 from orishell.structure.nonlinear import follow

@@ -19,6 +19,8 @@ Limiting = Literal[
     "arms",
     "gussets",
     "boxes",
+    "box_lines",
+    "plate_edges",
     "ties",
     "rail",
     "buckling",
@@ -36,6 +38,8 @@ GOVERNING: Mapping[Limiting, str] = {
     "arms": "the stress in the arms of hinges",
     "gussets": "the stress in gussets",
     "boxes": "the stress in box girders",
+    "box_lines": "the force along a hinge of a box girder",
+    "plate_edges": "the force along an edge of a gusset or plate",
     "ties": "the force in a tie",
     "rail": "the stress in the base rail",
     "buckling": "buckling",
@@ -44,6 +48,8 @@ GOVERNING: Mapping[Limiting, str] = {
 NAMED: Mapping[Limiting, str] = {
     "lines": "crease lines",
     "boxes": "box girders",
+    "box_lines": "hinges of box girders",
+    "plate_edges": "edges of gussets and plates",
     "rail": "base rail",
     "panel_shear": "panels against shear in their plane",
     "rolling_shear": "panels against rolling shear",
@@ -55,6 +61,8 @@ NOT_EVERYWHERE: frozenset[Limiting] = frozenset(
     {"panel_shear", "rolling_shear", "core_shear", "wrinkling", "rail", "buckling"}
 )
 """What is not known only where there is nothing of the kind."""
+BY_DIRECTION: frozenset[Limiting] = frozenset({"lines", "box_lines", "plate_edges"})
+"""What bears one direction otherwise than another: one may be known where another is not."""
 LEAST_LINE = 100.0
 """Less is taken as borne by any crease line (N/m): a masking tape of coated paper is peeled off
 steel by 330 and torn by 4370 (3M 226, product data sheet of March 1996, by ASTM D-3330 and
@@ -81,6 +89,8 @@ class Utilisation:
     arms: float | None  # None, too, where hinges have none
     gussets: float | None  # None, too, where there are none
     boxes: float | None  # likewise
+    box_lines: float | None  # of the forces that their hinges bear as crease lines
+    plate_edges: float | None  # of what edges of gussets and plates are held by
     ties: float | None
     rail: float | None  # None, too, without base rails
     buckling: float | None  # of the load at which the shell buckles; None if it does not

@@ -20,7 +20,8 @@ from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.load_path import UNFOLLOWED
-from orishell.structure.utilisation import NAMED
+from orishell.structure.plate_edges import JudgedEdges
+from orishell.structure.utilisation import NAMED, Limiting
 
 Kind = Literal[
     "moves",
@@ -118,6 +119,9 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
             of = f"strength of its {NAMED.get(name, name)}"
             place = {"lines": found.used_line, "panels": found.worst_crease}.get(name)
             at = "" if place is None else f" at the crease between {_beside(place)}"
+            edges = _edges(found).get(name)
+            if edges is not None and edges.used is not None:
+                at = f", {edges.used.in_words()}"
             if name == "boxes" and found.boxes is not None:
                 at = f" in {found.boxes.part}"
             text = f"uses {plain(100 * part, 3)} % of the {of}{at}"
@@ -142,9 +146,15 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
     if unknown:
         names = [NAMED.get(part, part) for part in unknown]
         text = f"is loaded in {' and '.join(names)}, whose strength is not given"
+        places = [
+            f"{said.per_length(each.unknown.size)} {each.unknown.in_words()}"
+            for name, each in _edges(found).items()
+            if name in unknown and each is not None
+        ]
         if "lines" in unknown:
             line = found.unknown_line
-            text += f" ({said.per_length(line.size)} between {_beside(line)})"
+            places.insert(0, f"{said.per_length(line.size)} between {_beside(line)}")
+        text += f" ({'; '.join(places)})" if places else ""
         yield Finding("warns", "unknown", text, None)
     beside, strength = found.beside, found.strength
     if model.bevelled and beside is not None and strength and beside.size > strength:
@@ -155,6 +165,11 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
             f"{said.stress(found.stress.size)} at most"
         )
         yield Finding("warns", "unknown", text, beside.size / strength)
+
+
+def _edges(found: Equilibrium) -> dict[Limiting, JudgedEdges | None]:
+    """Forces along edges of what stiffens the sheet, by what bears them."""
+    return {"box_lines": found.box_lines, "plate_edges": found.plate_edges}
 
 
 def _beside(found: AtCrease) -> str:

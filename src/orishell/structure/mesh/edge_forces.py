@@ -105,8 +105,8 @@ def find_edge_forces(
     own = mesh.facets.points[mesh.seats]
     hinged = None if mesh.offsets is None else _at_hinges(mesh.offsets, grid, held, own)
     spread, points = (_sides(each.reshape(*mesh.nodes.shape, -1)) for each in (held, own))
-    along = points[:, :, -1] - points[:, :, 0]
-    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    axes = edge_axes(points[:, :, 0])
+    along = axes[:, :, 1]
     about = np.zeros(spread.shape[:3])
     if hinged is not None:
         about = _hinged(grid, -hinged[:, 0, :, 3:], along)
@@ -122,12 +122,9 @@ def find_edge_forces(
     middle = 0.5 * (points[:, :, :1] + points[:, :, -1:])
     resultants = _about(spread, points - middle)
 
-    normal = np.cross(along, np.roll(along, -1, axis=1)).sum(axis=1, keepdims=True)
-    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    axes = np.stack([np.cross(along, normal), along, normal + 0 * along], axis=2)
     force = np.einsum("fsnx,fsax->fsna", spread[..., :3], axes)
     parts = np.concatenate([force, about[..., None]], axis=-1)
-    per_length = _by_stretch(np.linalg.norm(np.diff(points, axis=2), axis=-1)) @ parts
+    per_length = by_stretch(np.linalg.norm(np.diff(points, axis=2), axis=-1)) @ parts
 
     on_panels = _on_panels(mesh, held, panel_loads, own, supported)
     origin = on_panels.middles[:, None]
@@ -224,9 +221,21 @@ def _at_vertices(grid: Grid, forces: Array) -> tuple[Array, Array]:
     return np.asarray(begin, np.float64), np.asarray(end, np.float64)
 
 
-def _by_stretch(steps: Array) -> Array:
-    """What stretches have of nodes, per length (F, 4, S, n+1), by steps (F, 4, n) between these."""
-    place = np.cumsum(np.pad(steps, ((0, 0), (0, 0), (1, 0))), axis=-1)
+def edge_axes(corners: Array) -> Array:
+    """Axes (F, 4, 3, 3) m, t and n of the edges of panels, each of which begins at a corner.
+
+    corners: Of panels (F, 4, 3), counter-clockwise.
+    """
+    along = np.roll(corners, -1, axis=1) - corners
+    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    normal = np.cross(along, np.roll(along, -1, axis=1)).sum(axis=1, keepdims=True)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    return np.stack([np.cross(along, normal), along, normal + 0 * along], axis=2)
+
+
+def by_stretch(steps: Array) -> Array:
+    """What stretches have of nodes, per length (..., S, n+1), by steps (..., n) between these."""
+    place = np.cumsum(np.concatenate([0 * steps[..., :1], steps], axis=-1), axis=-1)
     length = place[..., -1:]
     between = 0.5 * (place[..., 1:] + place[..., :-1])
     bounds = np.concatenate([0 * length, between, length], axis=-1)[..., None, :]
@@ -234,6 +243,25 @@ def _by_stretch(steps: Array) -> Array:
     stretch = length[..., None] / STRETCHES
     inside = np.minimum(bounds[..., 1:], start + stretch) - np.maximum(bounds[..., :-1], start)
     return np.asarray(np.maximum(inside, 0.0) / np.diff(bounds) / stretch)
+
+
+def spread_over(values: Array, stretch: Array, thickness: float) -> Array:
+    """Values (..., S, k) on stretches of edges, spread over a thickness at least.
+
+    What acts on a shorter piece of an edge spreads over about as much of its panel.
+
+    stretch: How long a stretch of every edge is (...) (length).
+    """
+    most = values.shape[-2]
+    count = np.clip(np.ceil(thickness / stretch), 1, most)
+    spread = values.copy()
+    for many in range(2, most + 1):
+        windows = np.lib.stride_tricks.sliding_window_view(values, many, axis=-2).mean(axis=-1)
+        unmoved = [(0, 0)] * (values.ndim - 2)
+        more = np.pad(windows, (*unmoved, (0, many - 1), (0, 0)))
+        spread = np.where((count == many)[..., None, None], more, spread)
+    share = np.minimum(1.0, count * stretch / thickness)
+    return np.asarray(share[..., None, None] * spread)
 
 
 def _about(forces: Array, arms: Array) -> Array:

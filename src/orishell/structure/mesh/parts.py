@@ -63,6 +63,11 @@ class Plates:
         found = self.own.elements(section)
         return replace(found, dofs=self.dofs[found.dofs], count=count, beside=self.beside)
 
+    def places(self, moved: Array) -> Array:
+        """Where nodes of its own mesh (M', 3) are, by displacements of all dofs (D,)."""
+        straight = self.dofs[: 3 * self.own.node_count].reshape(-1, 3)
+        return np.asarray(self.own.facets.points + moved[straight])
+
     def corners_moved(self, moved: Array) -> Array:
         """Displacements and rotations (T', 18) of triangles' corners, by those of all dofs (D,)."""
         return self.own.corners_moved(moved[self.dofs])

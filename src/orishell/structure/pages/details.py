@@ -113,6 +113,18 @@ def _stiffeners(found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str
     if found.boxes is not None:
         where = f"by von Mises, in {found.boxes.part}, averaged over part of it"
         yield "Largest stress of a box girder", f"{said.stress(found.boxes.size)} {where}"
+    if found.box_lines is not None:
+        most = found.box_lines.largest
+        yield (
+            "Largest force along a hinge of a box girder",
+            f"{said.per_length(most.size)} in any direction, {most.in_words()}",
+        )
+    if found.plate_edges is not None:
+        most = found.plate_edges.largest
+        yield (
+            "Largest force along an edge of a gusset or plate",
+            f"{said.per_length(most.size)} in any direction, {most.in_words()}",
+        )
 
 
 def _shares(found: Equilibrium) -> str:
@@ -122,6 +134,8 @@ def _shares(found: Equilibrium) -> str:
         "arms": found.arms,
         "gussets": found.gussets,
         "boxes": found.boxes,
+        "box_lines": found.box_lines,
+        "plate_edges": found.plate_edges,
         **dict.fromkeys(NOT_EVERYWHERE),
     }
     words, unknown = [], []

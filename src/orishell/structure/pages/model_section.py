@@ -71,6 +71,8 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Creases", stiffness
     yield "Strength of creases", _known(asked.crease_strength, said.moment)
     yield "Strength of crease lines", _lines(asked.line_strength, said)
+    if model.stiffened.has_plates:
+        yield "Strength of edges of gussets and plates", _lines(asked.edge_strength, said)
     if high:
         yield "Lever arm of what locks creases", said.displacement(model.lever)
     if model.design.panel is not None and model.design.panel.construction == "hinged":
@@ -121,7 +123,7 @@ def _boxes_in_words(model: Model) -> str:
 
 def _plates_in_words(model: Model, said: Quantities) -> str:
     """How many plates stiffen it, and what they are made of."""
-    plates, own = model.design.plates, model.of_plates
+    plates, own = model.design.plates, model.stiffened.of_plates
     first = plates[0]
     if first.panel == model.design.panel and not first.material:
         return f"{len(plates)}, made as panels are"

@@ -114,8 +114,9 @@ def _results(report: Analysis, said: Quantities, paths: bytes | None) -> Iterato
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield Table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8, lists=True)
     yield Paragraph(
-        "Used is the largest share of what panels, membrane, creases, crease lines and ties can "
-        "bear, as far as their strength is given, and of the load at which the shell buckles.",
+        "Used is the largest share of what panels, membrane, creases, crease lines, ties, what "
+        "stiffens the sheet and its edges can bear, as far as their strength is given, and of the "
+        "load at which the shell buckles.",
         "soft",
     )
     if paths is not None:
