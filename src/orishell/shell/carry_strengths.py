@@ -59,10 +59,8 @@ def untried(file: DesignFile) -> Iterator[tuple[str, str]]:
     hinged = file.panel is not None and file.panel.construction == "hinged"
     if not (hinged or holds_plates(file)):
         words, key = GIVE["plate_edges"]
-        yield (
-            "gussets and box girders",
-            f"not tried, as the strength of {words} is not given ({key})",
-        )
+        why = f"not tried, as the strength of {words} is not given ({key})"
+        yield "gussets and box girders", why
 
 
 def free_hinges(file: DesignFile, _: Analysis) -> Iterator[Change]:
