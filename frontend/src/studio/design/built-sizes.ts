@@ -1,7 +1,7 @@
 // Sizes that the built shell is to have: the table [target.fit] of the design file. Each is optional, and beside
 // it is what the shell measures.
 
-import { type Segmented, numberBox, segmented, setNumber } from "../parts/controls.ts";
+import { type Segmented, numberBox, numberIn, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { Note } from "../parts/note.ts";
 import { pretty, short } from "../parts/numbers.ts";
@@ -69,7 +69,9 @@ export class BuiltSizes {
     const id = `fit-${key}`;
     // Read when it is left or Enter is pressed: every size is a search.
     const box = numberBox({ min: 0, step: "any", id, "data-testid": id }, () => undefined);
-    box.addEventListener("change", () => this.set(key, box.value ? box.valueAsNumber : undefined));
+    box.addEventListener("change", () => {
+      if (!box.value || Number.isFinite(numberIn(box))) this.set(key, box.value ? numberIn(box) : undefined);
+    });
     const measured = h("span", { class: "measured", "data-testid": `${id}-measured` });
     const unit = h("span", { class: "unit" });
     const element = h("div", { class: "parameter-head", title: help }, h("label", { for: id }, label), measured, box, unit);

@@ -1,7 +1,7 @@
 // One parameter: its name, number box, slider, "auto", and in words which values work.
 
 import { sentence } from "../../shared/words.ts";
-import { numberBox, setNumber } from "../parts/controls.ts";
+import { numberBox, numberIn, setNumber } from "../parts/controls.ts";
 import { h, uniqueId } from "../parts/dom.ts";
 import { icon } from "../parts/icons.ts";
 import { clamp, pretty, short } from "../parts/numbers.ts";
@@ -175,7 +175,7 @@ export class ParameterRow {
       numberBox(
         { id: i ? null : id, step: "any", "aria-label": `${label} ${name}`, "data-testid": `param-${key}-${i}` },
         () => {
-          const values = boxes.map((box) => box.valueAsNumber);
+          const values = boxes.map(numberIn);
           if (values.every(Number.isFinite)) this.events.changed(values, `type-${key}-${i}`);
         },
       ),

@@ -1,6 +1,6 @@
 // The table [workshop] of the design file as controls; what says nothing new is left out of it.
 
-import { numberBox, setNumber } from "../parts/controls.ts";
+import { numberBox, numberIn, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import { tableOf } from "../state/changed.ts";
@@ -86,15 +86,14 @@ export class WorkshopSettings {
 
   private number({ key, auto }: Parameter, id: string): Control {
     const box = this.box({ id, "data-testid": id, placeholder: auto ? "auto" : null }, () => {
-      if (box.value) this.set(key, box.valueAsNumber);
-      else this.set(key, undefined);
+      if (!box.value || Number.isFinite(numberIn(box))) this.set(key, box.value ? numberIn(box) : undefined);
     });
     return { element: box, show: (value) => setNumber(box, typeof value === "number" ? short(value, 8) : "") };
   }
 
   private size({ key, label }: Parameter, id: string): Control {
     const set = (): void => {
-      const sides = boxes.map((box) => box.valueAsNumber);
+      const sides = boxes.map(numberIn);
       if (sides.every(Number.isFinite)) this.set(key, sides);
       else if (boxes.every((box) => !box.value)) this.set(key, undefined);
     };

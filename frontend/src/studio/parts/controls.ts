@@ -2,6 +2,8 @@
 
 import { h, uniqueId } from "./dom.ts";
 import { type IconName, icon } from "./icons.ts";
+import { short } from "./numbers.ts";
+import { isUnit, typedNumber } from "./amounts.ts";
 
 export interface ButtonOptions {
   label: string;
@@ -60,25 +62,76 @@ export function segmented<T extends string>(
   return { element, set: (value) => inputs.forEach((input, each) => (input.checked = each === value)) };
 }
 
-/** A box for a number; calls back when what is typed is one. */
+/** Boxes for numbers, and what is typed into each. */
+const NUMBERS = new WeakMap<HTMLInputElement, number>();
+
+/**
+ * A box for a number, as people type them, in any unit of what the one beside it measures; calls back when what
+ * is typed is one. Until it is left what that means is said below it.
+ *
+ * `min` and `max` end the steps of the arrow keys.
+ */
 export function numberBox(
-  attributes: Record<string, string | number | null>,
+  { step, min, max, ...attributes }: Record<string, string | number | null>,
   changed: (value: number) => void,
 ): HTMLInputElement {
-  const input = h("input", { type: "number", class: "number", autocomplete: "off", ...attributes });
+  const input = h("input", { type: "text", inputmode: "decimal", class: "number", autocomplete: "off", spellcheck: "false", ...attributes });
+  const echo = h("output", { class: "echo", "aria-live": "polite" });
   input.addEventListener("input", () => {
-    const value = input.valueAsNumber;
+    const unit = unitBeside(input);
+    const value = typedNumber(input.value, unit);
     const wrong = !Number.isFinite(value);
+    NUMBERS.set(input, value);
     makeRoom(input);
     input.classList.toggle("unfinished", wrong);
+    const { left, bottom } = input.getBoundingClientRect();
+    Object.assign(echo.style, { left: `${left}px`, top: `${bottom}px` });
+    echo.textContent = wrong || Number(input.value) === value ? "" : `= ${short(value, 8)} ${isUnit(unit) ? unit : ""}`;
+    if (echo.textContent && !echo.isConnected) input.after(echo);
     if (!wrong) changed(value);
+  });
+  input.addEventListener("blur", () => {
+    const value = numberIn(input);
+    if (echo.textContent && Number.isFinite(value)) input.value = short(value, 10);
+    makeRoom(input);
+    echo.remove();
+  });
+  input.addEventListener("keydown", (event) => {
+    const way = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
+    const value = numberIn(input);
+    if (!way || !Number.isFinite(value)) return;
+    event.preventDefault();
+    const least = typeof step === "number" ? step : 10 ** Math.floor(Math.log10(Math.abs(value) || 10) - 1);
+    const to = value + way * least * (event.shiftKey ? 10 : 1);
+    input.value = short(Math.min(Number(max ?? Infinity), Math.max(Number(min ?? -Infinity), to)), 10);
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+    input.dispatchEvent(new Event("change", { bubbles: true }));
   });
   return input;
 }
 
-/** Show a value unless the user is just typing the same one in other digits. */
+/** The unit that stands beside a box. */
+function unitBeside(input: HTMLInputElement): string {
+  for (let at: Element | null = input; at && !at.matches("fieldset, section, form"); at = at.parentElement) {
+    for (let next = at.nextElementSibling; next; next = next.nextElementSibling) {
+      if (next.matches(".unit")) return next.textContent;
+      if (next.matches("input")) break;
+    }
+  }
+  return "";
+}
+
+/** The number that is in a box; NaN if there is none. */
+export function numberIn(input: HTMLInputElement): number {
+  return NUMBERS.get(input) ?? NaN;
+}
+
+/** Show a value unless the user is just typing the same one in other digits, or another unit. */
 export function setNumber(input: HTMLInputElement, text: string): void {
-  if (document.activeElement === input && input.valueAsNumber === Number(text)) return;
+  const value = text === "" ? NaN : Number(text);
+  const typed = numberIn(input);
+  if (document.activeElement === input && Math.abs(typed - value) <= 1e-9 * Math.abs(value)) return;
+  NUMBERS.set(input, value);
   if (input.value !== text) input.value = text;
   makeRoom(input);
   input.classList.remove("unfinished");
