@@ -96,7 +96,7 @@ def test_a_shell_with_gussets_is_solved_as_its_matrix_is() -> None:
     With small loads large displacements, followed step by step, are those of linear theory.
     """
     file = read_design_file(EXAMPLES / "figure2.toml")
-    pattern = file.pattern.model_copy(update={"rows": 5, "columns": 5, "flap": 0.0})
+    pattern = file.pattern.model_copy(update={"rows": 5, "columns": 4, "flap": 0.0})
     design = pattern.design(file.f, file.g)
     asked = Stiffeners(kind="gussets", share=0.7)
     design = with_gussets(design, lock_without_clash(design), asked, 1e-9)
@@ -106,11 +106,11 @@ def test_a_shell_with_gussets_is_solved_as_its_matrix_is() -> None:
         supports=(Support(at="feet", kind="pinned"),),
         cases=(LoadCase(name="dead", self_weight=True),),
         crease_stiffness=(0.0, 0.0),
-        cells=4,
+        cells=3,
         nonlinear=True,
     )
     site = Site("m", find_feet(design), (), 0.01)
-    model = Model(design, structure, site, 4)
+    model = Model(design, structure, site, 3)
     found = model.factorised(0.0)
     loads = found.free_loads(sum_forces(model.exposure, _dead(model)))
     response = respond(found, loads)
