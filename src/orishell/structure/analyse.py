@@ -200,7 +200,8 @@ def _equilibrium(model: Model, solved: _Solved, kept: KeptModes, *, modes: bool)
     stresses = panel_stresses(mesh, model.section, borne)
     on_plates = plate_forces(model, [each.corners_moved(moved) for each in model.plates])
     total = float(np.linalg.norm(solved.forces, axis=1).sum())
-    held = hold_panels(model, moved, solved.on_panels, solved.stiffness, total)
+    steps = [structure.moved(each) for each in response.steps]
+    held = hold_panels(model, steps, solved.on_panels, solved.stiffness, total)
     factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
     frequencies, swinging = factors, shapes
     if solved.limit_state in STRENGTH:

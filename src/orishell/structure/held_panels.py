@@ -12,6 +12,7 @@ from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.loads import CaseLoads
 from orishell.structure.mesh.edge_forces import EdgeForces, find_edge_forces
+from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.plate_edges import PlateEdges, find_plate_edges
 from orishell.structure.mesh.sheet import SheetMesh
@@ -71,10 +72,13 @@ class Held:
     residual: float  # what is missing for the balance of a panel, relative to all loads
 
 
-def hold_panels(model: Model, moved: Array, loads: Array, stiffness: float, scale: float) -> Held:
+def hold_panels(
+    model: Model, steps: Sequence[Array], loads: Array, stiffness: float, scale: float
+) -> Held:
     """What holds panels at their edges.
 
-    moved: Displacements and rotations (D,).
+    steps: Displacements and rotations (D,), as they were found one after the other: forces of each
+    are added, as those of all together are rounded.
     loads: On panels, as :func:`panel_loads` has them (N).
     stiffness: Of creases (force per radian).
     scale: Sum of the sizes of all loads (N).
@@ -82,10 +86,16 @@ def hold_panels(model: Model, moved: Array, loads: Array, stiffness: float, scal
     """
     mesh, grid = model.mesh, model.grid
     springs = min(stiffness, rigid_stiffness(mesh, model.section))
-    turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
-    forces = [each.forces(moved) for each in (model.elements, *model.plate_elements)]
+    hinges = hinge_elements(mesh, grid, springs) if stiffness else None
+    turning = None if hinges is None else _summed(hinges, steps)
+    forces = [_summed(each, steps) for each in (model.elements, *model.plate_elements)]
     places = [each.own.facets.points for each in model.plates]
     return _held(model, mesh, (forces, turning, places), loads, (scale, 0.0))
+
+
+def _summed(elements: Elements, steps: Sequence[Array]) -> Array:
+    """Forces (T, k) of elements, step by step."""
+    return np.asarray(np.sum([elements.forces(each) for each in steps], axis=0))
 
 
 def hold_moved_panels(

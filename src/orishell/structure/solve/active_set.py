@@ -46,6 +46,9 @@ class Response:
     parted: Array
     taken: Array  # what panels and hinges take (D,) of all dofs; not numbers where it moves
     motions: Array  # what nothing resists, and the loads do not drive (n, k)
+    # the displacements (s, n) as they were found: each step of the loads that those before left.
+    # What elements bear is the sum of what these make them bear; of their sum it is rounded
+    steps: Array
     # whether forces could bear the loads, and no state of sticking and slipping feet was found;
     # then it is said to move, as it would if nothing slipped or parted
     unknown: bool = False
@@ -81,7 +84,17 @@ def _moving(structure: Factorised, moves: Array, *, slides: bool = False) -> Res
     count, dofs = structure.every_row.shape
     still, nothing, taken = (np.full(each, np.nan) for each in (len(moves), count, dofs))
     none = np.zeros(count, dtype=bool)
-    return Response(moves, slides, still, none, nothing, nothing, taken, moves[:, None])
+    return Response(
+        moves,
+        slides,
+        still,
+        none,
+        nothing,
+        nothing,
+        taken,
+        moves[:, None],
+        np.zeros((0, len(moves))),
+    )
 
 
 def _settled(structure: Factorised, loads: Array, direct: Array, found: Found) -> Response:
@@ -95,14 +108,15 @@ def _settled(structure: Factorised, loads: Array, direct: Array, found: Found) -
     law = np.linalg.pinv(point.slope, rcond=SINGULAR)
     p = root * (point.parted - point.forces)
     by_p = root[:, None] * (point.by_parted - point.by_force) @ law
-    moved, taken, rest = np.zeros(len(loads)), np.zeros(structure.every_row.shape[1]), loads
+    taken, rest, steps = np.zeros(structure.every_row.shape[1]), loads, []
     for number in range(STEPS):
         if number:  # rests are small, so few digits of what they do are enough
             direct = structure.quick_solve(rest)
             opened = root * (structure.rows @ direct)
             p, y = by_p @ opened, y + law @ opened
         step = direct + structure.spread @ p
-        moved, taken = moved + step, taken + structure.resisting(step)
+        steps.append(step)
+        taken = taken + structure.resisting(step)
         point = contact.at(y, 1.0)
         forces = root * point.forces
         rest = loads - (taken + structure.pulls(forces))[structure.free]
@@ -117,13 +131,14 @@ def _settled(structure: Factorised, loads: Array, direct: Array, found: Found) -
     parted[contact.rubs[inside]] = 0.0
     acts[contact.rubs] = (acts[rough] & inside)[:, None]
     still = structure.motions(pressing)
+    moved = np.sum(steps, axis=0)
     settled = moved - still @ (still.T @ moved)
     gaps = structure.rows @ settled
     open_ = NEGLIGIBLE * float(np.abs(gaps).max())
     if not (~acts[:count] & (gaps[:count] > open_)).any():
         moved = settled
     motions = still if (acts == pressing).all() else structure.motions(acts)
-    return Response(None, False, moved, acts, forces, parted, taken, motions)
+    return Response(None, False, moved, acts, forces, parted, taken, motions, np.array(steps))
 
 
 def stands(structure: Factorised, response: Response, size: float) -> bool:
