@@ -50,6 +50,7 @@ from orishell.families.parallel_repeating import (
 from orishell.motion import Mechanism, find_assignment
 from orishell.motion.complex import Complex
 from orishell.motion.grid import Grid
+from orishell.motion.skins import Skin
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from strategies import Request, graph, orthodiagonal_requests, requests
 from toy_family import Miura
@@ -250,6 +251,13 @@ def sleeves_of(whole: Complex) -> list[Sleeve]:
     return [each for each in whole.strips if isinstance(each, Sleeve)]
 
 
+def skin_of(sheet: Mechanism) -> Complex:
+    """A sheet on a lattice, its flaps left out, with a second skin and all its walls."""
+    sheet = sheet.without_flaps()
+    skin = Skin.under(sheet, slice(0, sheet.grid.columns), None)
+    return Complex(sheet, skin.carried(skin.walls()))
+
+
 @dataclass(frozen=True)
 class Sample:
     """A sheet that keeps the contract, by the same curves or sectors at any scale."""
@@ -319,12 +327,15 @@ SAMPLES: dict[str, Sample] = {
     "sleeve, flat-foldable": Sample(
         lambda: sleeve_over(flat_foldable(random_net(6, 5, 2)), 3), rounding=(1e-14, 1e-15)
     ),
+    "skin, parallel": Sample(lambda: skin_of(parallel()).strips[0]),
+    "wall, parallel": Sample(lambda: skin_of(parallel()).strips[2]),
 }
-"""Of every family the kinds of sheets that its closed form tells apart; sleeves over their rows."""
+"""Of every family the kinds of sheets that its closed form tells apart; what they carry."""
 COMPLEXES = {
     "sheet with sleeves": Sample(
         lambda: complex_of(flat_foldable(random_net(6, 5, 2))), rounding=(1e-14, 1e-15)
     ),
+    "sheet with a second skin": Sample(lambda: skin_of(parallel())),
 }
 """More than two panels meet at a line: what folds as a sheet, and is none."""
 

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
-import { AS_PANELS, bolted, BOXES, EMPTY, NONE, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, GAP, NONE, SKIN, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
 
 test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
   expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
@@ -31,6 +31,10 @@ test("a table of stiffeners says what is not usual, and is gone without a kind",
   expect(held).toEqual({ kind: "boxes", share: "auto", columns: "none" });
   expect(stiffened(held, "kind", "gussets")).toEqual({ kind: "gussets" });
   expect(stiffened(held, "columns", 4)).toEqual({ kind: "boxes", share: "auto", columns: 4 });
+  const skin = stiffened(stiffened(stiffened(held, "kind", SKIN), "gap", 0.1), "walls", 2);
+  expect(skin).toEqual({ kind: "skin", gap: 0.1, walls: 2 });
+  expect(stiffened(stiffened(skin, "gap", GAP), "walls", 1)).toEqual({ kind: "skin" });
+  expect(stiffened(skin, "kind", BOXES)).toEqual({ kind: "boxes" });
   expect([undefined, "none", "all", 3, [0, 2]].map(stepOf)).toEqual([1, null, 1, 3, null]);
 });
 

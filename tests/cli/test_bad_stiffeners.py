@@ -34,7 +34,7 @@ NOT_READ = {
     'kind = "gusset"': "expected 'gussets'",
     "kind = 1": "expected 'gussets'",
     'kind = ["gussets"]': "expected 'gussets'",
-    'kind = ["gussets", "boxes"]': "expected 'gussets' or 'boxes'",
+    'kind = ["gussets", "boxes"]': "expected 'gussets', 'boxes' or 'skin'",
     'rows = "valley"': "got 'valley'",
     "rows = 1": "a list, in brackets",
     "rows = true": "a list, in brackets",
@@ -100,11 +100,30 @@ BOXES = {
     "share = [0.5, 0.6]": "expected a number",
     "joined_from = 0.5": "unknown key",
     "plates = 4": "unknown key",
-    "thickness = 0.004": "boxes are made as panels are",
-    'material = "steel"': "boxes are made as panels are",
-    "bolts = { hole = 0.006, spacing = 0.1 }": "boxes are made as panels are",
+    "thickness = 0.004": "it is of",
+    'material = "steel"': "it is of",
+    "bolts = { hole = 0.006, spacing = 0.1 }": "it is of",
 }
 """Lines beside kind = "boxes", and what is said of them."""
+
+
+SKIN = {
+    "": "needs a sheet whose columns are staircases",
+    "gap = 0": "greater than 0",
+    "gap = -1": "at least 0",
+    'gap = "wide"': "expected a number",
+    "gap = true": "expected a number",
+    "walls = 0": "at least 1",
+    "walls = [1.5]": "a whole number",
+    'walls = "none"': "got 'none'",
+    "walls = true": "a list, in brackets",
+    "share = 0.5": 'of "gussets" or "boxes"',
+    'rows = "all"': 'of "gussets" or "boxes"',
+    'columns = "none"': 'of "gussets" or "boxes"',
+    "thickness = 0.004": 'of "gussets"',
+    "plates = 4": "unknown key",
+}
+"""Lines beside kind = "skin", and what is said of them; that of no line is of the family."""
 
 
 def refusal(path: Path, line: str, more: str = "", flap: str = "0") -> tuple[int | str, str]:
@@ -139,6 +158,21 @@ def test_what_boxes_cannot_be_is_said_in_one_line(tmp_path: Path, line: str) -> 
     assert status == 2
     assert "[stiffeners]" in said
     assert BOXES[line] in said
+
+
+@pytest.mark.parametrize("line", SKIN)
+def test_what_a_second_skin_cannot_be_is_said_in_one_line(tmp_path: Path, line: str) -> None:
+    status, said = refusal(tmp_path, f'kind = "skin"\n{line}')
+    assert status == 2
+    assert "[stiffeners]" in said
+    assert SKIN[line] in said
+
+
+@pytest.mark.parametrize("kind", ["gussets", "boxes"])
+def test_a_gap_is_of_a_second_skin(tmp_path: Path, kind: str) -> None:
+    status, said = refusal(tmp_path, f'kind = "{kind}"\ngap = 0.1')
+    assert status == 2
+    assert 'it is of "skin"' in said
 
 
 BEVEL = 'thickness = 0.02\ngap = 0.004\nconstruction = "bevel"'
@@ -217,7 +251,7 @@ kind = "boxes"
 def test_flaps_that_are_slit_have_no_box_girders(tmp_path: Path) -> None:
     status, said = refused(tmp_path, SLIT)
     assert status == 2
-    assert "without flaps that are slit" in said
+    assert "slit from each other leave no room for box girders" in said
     assert 'flap_attachment = "clipped"' in said
 
 

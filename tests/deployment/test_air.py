@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mechanisms import complex_of, flat_foldable, parallel, random_net
-from orishell.deployment.air import FAN, Air, cell_volumes
+from orishell.deployment.air import FAN, Air
 from orishell.deployment.weight import Body
 from orishell.design_file import check_design
 from orishell.motion import Mechanism
@@ -29,7 +29,7 @@ def test_volumes_are_those_of_solids(sheet: Mechanism) -> None:
     whole = complex_of(sheet)
     points = sheet.positions(0.6 * sheet.target_drive)
     for sleeve in whole.strips[::2]:
-        found = cell_volumes(sleeve.cells[0], points)
+        found = sleeve.cells[0].volumes(points)
         assert isinstance(sleeve, Sleeve)
         lines, x = sleeve.carried(points), points[sleeve.row, sleeve.columns]
         ring = np.stack([x, lines[Q], lines[W], lines[R]])
@@ -74,8 +74,8 @@ def test_pressure_balances_own_weight(shell: Shell) -> None:
         grown = np.diff(
             [
                 sum(
-                    cell_volumes(s.cells[0], whole.sheet.positions(each)).sum()
-                    for s in whole.strips
+                    strips.cells[0].volumes(whole.sheet.positions(each)).sum()
+                    for strips in whole.strips
                 )
                 for each in ends
             ]

@@ -25,7 +25,7 @@ from orishell.motion.layout import has_flaps, points_of
 from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.shell.make import Shell
-from orishell.solids.sleeves import moving_boards
+from orishell.solids.carried import moving_boards
 from overlaps import NOTHING, solids
 from rigid_rank import freedoms_of_complex
 from samples import THOROUGH

@@ -8,14 +8,14 @@ export interface Advance {
   what: string;
 }
 
-/** Air in box girders, on the way between where they are joined and the pack. */
+/** Air in what the sheet carries, on the way between where that is joined and the pack. */
 export interface Air {
   drives_deg: number[];
-  /** What boxes hold there (cubic metres). */
+  /** What it holds there (cubic metres). */
   volumes: number[];
   /** The pressure that balances own weight there (Pa), negative where the shell goes on by itself; None where volume does not change, or the mass is not known. */
   pressures: (number | null)[];
-  /** What they hold at the target (cubic metres). */
+  /** What it holds at the target (cubic metres). */
   at_target: number;
   /** Where they hold most, and air comes to rest. */
   rest_deg: number;
@@ -457,7 +457,7 @@ export interface DeploymentReport {
   ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
   weight: OwnWeight | null;
-  /** Air in its box girders; None if there are none, or that was not asked for. */
+  /** Air in its box girders, or cells of its second skin; None if there are none, or that was not asked for. */
   air: Air | null;
   /** Its feet in plan, and the ground that it needs on its way; None likewise. */
   ground: GroundPlan | null;

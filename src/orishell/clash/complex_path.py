@@ -1,7 +1,7 @@
 """First contact of boards of a sheet with those of its sleeves, proved that there is none before.
 
 Boards of a strip are clear of those of the panel that they hang on by how far they stand off it
-(:mod:`~orishell.solids.sleeves`), and boards of a sheet, or of a sleeve, of each other by proofs of
+(:mod:`~orishell.solids.carried`), and boards of a sheet, or of a sleeve, of each other by proofs of
 their own. All others are looked at.
 """
 

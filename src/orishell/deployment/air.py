@@ -1,4 +1,4 @@
-"""Air in box girders: what they hold on the way, and what pressure lifts the shell.
+"""Air in box girders, or in cells between two skins: how much on the way, and what it lifts.
 
 A sleeve encloses a volume V(t), a sum of prismatoids with plane sides. Air of a pressure p does the
 work p dV as the drive changes, and balances the shell's own weight, of the potential energy U,
@@ -7,7 +7,7 @@ where
     p dV/dt = dU/dt.
 
 So it lifts the shell where V grows with U, and comes to rest where V is largest: there it has no
-more lever. Ends of boxes are open, and have to be closed, as by cloth, for all that.
+more lever. Ends are open, and have to be closed, as by cloth, for all that.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.conventions.record import Angle, record
-from orishell.motion.carried import Lines
 from orishell.motion.complex import Complex
 from orishell.numerics.arrays import Array
 
@@ -27,34 +26,18 @@ FAN = 500.0
 
 @record
 class Air:
-    """Air in box girders, on the way between where they are joined and the pack."""
+    """Air in what the sheet carries, on the way between where that is joined and the pack."""
 
     drives: tuple[Angle, ...]
-    volumes: tuple[float, ...]  # what boxes hold there (cubic metres)
+    volumes: tuple[float, ...]  # what it holds there (cubic metres)
     # the pressure that balances own weight there (Pa), negative where the shell goes on by itself;
     # None where volume does not change, or the mass is not known
     pressures: tuple[float | None, ...]
-    at_target: float  # what they hold at the target (cubic metres)
+    at_target: float  # what it holds at the target (cubic metres)
     rest: Angle  # where they hold most, and air comes to rest
     # as far as a fan lifts the shell from its pack, towards where air comes to rest; None if that
     # is not known, or the shell is folded up from flat
     fan_to: Angle | None
-
-
-def cell_volumes(cell: Lines, points: Array) -> Array:
-    """Volumes (..., n-1) of a cavity between its columns, of vertices (..., rows, columns, 3).
-
-    Its sides are plane, and so are its sections along columns.
-    """
-    ring = cell.carried(points)
-    near, far = ring[..., :-1, :], ring[..., 1:, :]
-    near, far = near - ring[..., :1, :-1, :], far - ring[..., :1, :-1, :]
-    after, beyond = (np.roll(each, -1, axis=-3) for each in (near, far))
-    # Two triangles of each side, and those of the farther end from its first corner; the nearer end
-    # is in one plane with the origin.
-    triangles = (near, after, beyond), (near, beyond, far), (far[..., :1, :, :], far, beyond)
-    total = sum((one * np.cross(two, three)).sum(axis=(-3, -1)) for one, two, three in triangles)
-    return np.asarray(np.abs(total) / 6)
 
 
 def find_air(
@@ -67,7 +50,7 @@ def find_air(
     weighed: bool,
     from_pack: bool,
 ) -> Air:
-    """Air in box girders on the way.
+    """Air in cavities of what a sheet carries, one at least, on the way.
 
     Parameters
     ----------
@@ -76,7 +59,7 @@ def find_air(
     energy
         Potential energy at them (D,) (N times length).
     between
-        Drives between which sleeves are on the sheet (radians).
+        Drives between which strips are on the sheet (radians).
     metres
         The unit of length (m).
     weighed
@@ -89,7 +72,7 @@ def find_air(
     at, lift = every[there], energy[there] * metres
     points = whole.sheet.positions(at)
     cells = [cell for each in whole.strips for cell in each.cells]
-    volume = sum(cell_volumes(each, points).sum(axis=-1) for each in cells) * metres**3
+    volume = sum(each.volumes(points).sum(axis=-1) for each in cells) * metres**3
     volume = np.asarray(volume)
     target = int(np.argmin(np.abs(at - whole.target_drive)))
     most = int(np.argmax(volume))

@@ -16,7 +16,7 @@ from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.motion.boards import Boards
 from orishell.motion.complex import Complex
 from orishell.numerics.arrays import Array
-from orishell.solids.sleeves import moving_boards
+from orishell.solids.carried import moving_boards
 
 
 def plan_ground(
@@ -39,7 +39,7 @@ def plan_ground(
     standing = Standing.of(mechanism, feet.rows, feet.columns(mechanism), hinges)
     whole = design.moving
     if boards is not None and isinstance(whole, Complex):
-        boards = moving_boards(boards, whole, design.boxes)
+        boards = moving_boards(boards, whole, design.carried)
     occupied, beside = Occupied.by(whole, boards), _beside(document)
     sweep = None
     if not design.in_pieces:

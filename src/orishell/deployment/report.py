@@ -59,7 +59,9 @@ class DeploymentReport:
     ties: tuple[Tie, ...]  # its ties
     # what its own weight does; None if it does not stand, or that was not asked for
     weight: OwnWeight | None
-    air: Air | None  # air in its box girders; None if there are none, or that was not asked for
+    # air in its box girders, or cells of its second skin; None if there are none, or that was not
+    # asked for
+    air: Air | None
     # its feet in plan, and the ground that it needs on its way; None likewise
     ground: GroundPlan | None
     # what it takes to raise it by hand; None likewise, or where it is opened in pieces
@@ -175,15 +177,17 @@ def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
 
 
 def _air(design: Design, lock: Lock, site: Site, weight: OwnWeight, start: Start) -> Air | None:
-    """Air in box girders, between where they are joined and the pack; None if there are none."""
+    """Air in what the sheet carries, from where that is joined to the pack; None if in nothing."""
     whole = design.moving
-    if lock.boxes is None or not isinstance(whole, Complex):
+    if lock.carried is None or not isinstance(whole, Complex):
+        return None
+    if not any(each.cells for each in whole.strips):
         return None
     return find_air(
         whole,
         weight.drives,
         weight.energy,
-        (lock.boxes.joined_from, lock.closes_to),
+        (lock.carried.joined_from, lock.closes_to),
         metres=site.metres,
         weighed=weight.force_unit == "N",
         from_pack=start == "pack",

@@ -29,7 +29,7 @@ def weight_rows(deployment: DeploymentReport) -> Iterator[Row]:
 
 
 def air_rows(deployment: DeploymentReport) -> Iterator[Row]:
-    """What box girders hold, where air in them comes to rest, and what a fan lifts."""
+    """What box girders or cells of a second skin hold, where air rests, and what a fan lifts."""
     air = deployment.air
     if air is None:
         return
@@ -39,7 +39,7 @@ def air_rows(deployment: DeploymentReport) -> Iterator[Row]:
     if air.fan_to is not None and air.fan_to < air.drives[-1]:
         lifts = f"; a fan of {plain(FAN)} Pa lifts it from the pack to "
         lifts += f"{np.rad2deg(air.fan_to):.4g} degrees"
-    yield Row("says", "air", f"{most} {rest}, where air rests if ends of boxes are closed{lifts}")
+    yield Row("says", "air", f"{most} {rest}, where air rests if ends are closed{lifts}")
 
 
 def ground_rows(deployment: DeploymentReport, people: int | None, unit: str) -> Iterator[Row]:

@@ -14,6 +14,7 @@ from orishell.conventions.record import record
 from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface
 from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.design.panel import PanelSpec
 from orishell.design.part import Part
 from orishell.motion import Mechanism
@@ -73,8 +74,8 @@ class Design:
     # whether plates among them keep the whole sheet still at its target: any one of them alone, or
     # all together; None if it is not known that they do
     fixed_by: Fixing | None = None
-    # sleeves that close rows of the sheet to box girders, and move with it
-    boxes: tuple[Box, ...] = ()
+    # what moves with the sheet: sleeves that close rows of it to box girders, or a second skin
+    carried: tuple[CarriedPart, ...] = ()
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
@@ -188,10 +189,15 @@ class Design:
 
     @property
     def moving(self) -> Mechanism:
-        """All that folds: the sheet, and sleeves over its rows."""
-        if not self.boxes:
+        """All that folds: the sheet, and strips that it carries."""
+        if not self.carried:
             return self.mechanism
-        return Complex(self.mechanism, tuple(each.sleeve for each in self.boxes))
+        return Complex(self.mechanism, tuple(each.strips for each in self.carried))
+
+    @property
+    def boxes(self) -> tuple[Box, ...]:
+        """Box girders among what it carries."""
+        return tuple(each for each in self.carried if isinstance(each, Box))
 
     @property
     def plates(self) -> tuple[Part, ...]:

@@ -1,4 +1,4 @@
-"""Where a part hangs on the sheet: lines across panels, each with the face that it is on."""
+"""Where parts hang on others: lines across panels, each with the face that it is on."""
 
 from __future__ import annotations
 
@@ -15,16 +15,39 @@ from orishell.numerics.arrays import Array, Integers
 
 @record
 class HungLines:
-    """Lines (L,) across panels of the sheet, from one edge of its columns to the next."""
+    """Lines (L,) across panels of a part, from one edge of its columns to the next."""
 
     names: tuple[str, ...]  # what hangs on each
-    panels: Integers  # the panel (L,) of the sheet that each is on
+    panels: Integers  # the panel (L,) of the part that each is on
     sides: Integers  # its face (L,): 1 top, -1 bottom
     ends: Array  # (L, 2, 2), in the flat sheet
     away: Array  # of both ends, along edges of columns, from the crease beside (L, 2)
 
     def __len__(self) -> int:
         return len(self.panels)
+
+    @classmethod
+    def between(
+        cls, names: tuple[str, ...], panels: Integers, side: int, points: Array, away: Array
+    ) -> Self:
+        """Lines of one face between points (K, n, 2) on columns, row by row.
+
+        Parameters
+        ----------
+        away
+            How far points are along edges of columns from the crease beside (K, n).
+        """
+        return cls(
+            names=names,
+            panels=panels,
+            sides=np.full(len(panels), side),
+            ends=np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 2),
+            away=np.stack([away[:, :-1], away[:, 1:]], axis=2).reshape(-1, 2),
+        )
+
+    def moved(self, first: int, move: Array) -> Self:
+        """The same where the part is moved, and its first panel has another number."""
+        return replace(self, panels=self.panels + first, ends=self.ends + move)
 
     def scaled(self, factor: float) -> Self:
         """The same on a sheet that is so many times as large."""

@@ -96,6 +96,8 @@ class Part:
     holes: Holes | None = field(default=None, repr=False)
     # where it hangs on the sheet as that moves; None if it does not
     hung: HungLines | None = field(default=None, repr=False)
+    # where others hang on its own panels as the sheet moves; None if none do
+    bears: HungLines | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"
     kind: str = field(default="sheet", repr=False)
     # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself

@@ -1,4 +1,4 @@
-"""The table [stiffeners]: plates that are put into the folds of a shell that stands."""
+"""The table [stiffeners]: plates in the folds of a shell, box girders over them, a second skin."""
 
 from __future__ import annotations
 
@@ -19,6 +19,14 @@ Length = Annotated[Size, Field(gt=0)]
 BOLT_EDGE = 4.0
 """How far holes of bolts are from edges, in diameters: what EN 1995-1-1, table 8.4 asks at most of
 bolts beside a loaded edge of wood."""
+
+
+KEYS = {
+    "gussets": ("rows", "columns", "share", "thickness", "material", "bolts"),
+    "boxes": ("rows", "columns", "share"),
+    "skin": ("gap", "walls"),
+}
+"""Keys of every kind."""
 
 
 class Bolts(Table):
@@ -47,7 +55,7 @@ class Bolts(Table):
 
 
 class Stiffeners(Table):
-    """Plates that are put into the folds of a shell that stands.
+    """Plates in the folds of a shell that stands, or strips of panels that move with it.
 
     Gussets are plane triangles. Each is clipped in between the two panels that fold about a crease
     of a row, at one of its vertices: from there it goes along the edges of the column above and
@@ -60,23 +68,31 @@ class Stiffeners(Table):
     panels along lines that cut edges of columns at ``share`` of them at the most, and move with it.
     ``share`` "auto" is as much as leaves the motion free. In ``columns``, which may be "none",
     plates are clipped across the boxes once the shell stands.
+
+    A skin is a second sheet below that of a parallel repeating shell, nowhere nearer to it than a
+    ``gap`` (length) at the target, and joined to it by ``walls``: between all rows of panels that
+    have room for one, every so many of these with the last, or those of a list. It moves with the
+    shell. ``gap`` "auto" moves it by half the shortest edge of its columns.
     """
 
-    kind: Literal["gussets", "boxes"]
+    kind: Literal["gussets", "boxes", "skin"]
     rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"
     columns: Literal["all", "none"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
     share: Annotated[Number, Field(gt=0, lt=1)] | Literal["auto"] = 0.9
     thickness: Length | None = None
     material: str | None = None
     bolts: Bolts | None = None
+    gap: Length | Literal["auto"] = "auto"
+    walls: Literal["all"] | Annotated[int, Field(ge=1)] | Several[Index] = "all"
 
     @model_validator(mode="after")
     def _check_kind(self) -> Self:
-        if self.kind == "boxes":
-            for key in ("thickness", "material", "bolts"):
-                value = getattr(self, key)
-                if value is not None:
-                    raise misfit("gussets: boxes are made as panels are", value, key)
+        for key in sorted(self.model_fields_set - {"kind", *KEYS[self.kind]}):
+            value = getattr(self, key)
+            if value is not None:
+                kinds = [kind for kind, keys in KEYS.items() if key in keys]
+                named = " or ".join(f'"{kind}"' for kind in kinds)
+                raise misfit(f'none beside kind = "{self.kind}": it is of {named}', value, key)
         return self
 
     def made_of(self, panel: PanelSpec, density: float) -> PanelSpec:

@@ -12,7 +12,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
-from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
@@ -40,14 +40,15 @@ def document_of_motion(
     panel: PanelSpec | None = None,
     boards: Boards | None = None,
     flaps: Boards | None = None,
-    boxes: Iterable[Box] = (),
+    carried: Iterable[CarriedPart] = (),
     attached: Iterable[Part] = (),
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
     Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
     with flaps that are clipped on at the target, and ``flaps`` are its boards. They are the first
-    of the parts that go with the sheet, ``boxes`` follow, and then what else is ``attached``.
+    of the parts that go with the sheet, what it has ``carried`` follows, and then what else is
+    ``attached``.
     """
     mechanism = motion.mechanism
     grid, states = mechanism.grid, states_of(motion)
@@ -69,7 +70,7 @@ def document_of_motion(
         names=_names(Layout.of(mechanism)) if beside else (),
         attached=(
             *(() if clipped is None else _clipped(clipped, unit, panel, flaps)),
-            *(_sleeve(each, motion, unit, panel) for each in boxes),
+            *(_carried(each, motion, unit, panel) for each in carried),
             *(replace(part, unit=unit) for part in attached),
         ),
     )
@@ -95,34 +96,33 @@ def document_of_design(
         panel=None if boards is None else design.panel,
         boards=boards,
         flaps=flaps,
-        boxes=design.boxes,
+        carried=design.carried,
         attached=design.attached,
     )
 
 
-def _sleeve(box: Box, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
-    """A sleeve, in all states of the sheet."""
-    sleeve = box.sleeve
-    mesh, grid, states = mesh_of(sleeve), sleeve.grid, states_of(replace(motion, mechanism=sleeve))
-    columns = np.arange(sleeve.columns.start, sleeve.columns.stop)
-    near = np.stack([np.full_like(columns, sleeve.row), columns], axis=-1)
+def _carried(part: CarriedPart, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
+    """Strips that the sheet carries, in all states of it."""
+    strips = part.strips
+    mesh, grid, states = mesh_of(strips), strips.grid, states_of(replace(motion, mechanism=strips))
     return Part(
-        title=f"Box girder of row {sleeve.row}",
+        title=part.title,
         unit=unit,
         mesh=mesh,
-        assignment=tuple(edges_assignment(find_assignment(sleeve))),
-        flat=_clean(points_of(sleeve, 0.0)[:, :2]),
-        fold_angles_deg=_degrees(edge_folds(sleeve, sleeve.target_drive), states.folds),
+        assignment=tuple(edges_assignment(find_assignment(strips))),
+        flat=_clean(points_of(strips, 0.0)[:, :2]),
+        fold_angles_deg=_degrees(edge_folds(strips, strips.target_drive), states.folds),
         states=states,
         grid_shape=(grid.rows, grid.columns),
         named=motion.named,
-        names=box.names,
+        names=part.names,
         panel=panel,
-        boards=box.boards,
-        joined_from_deg=float(np.rad2deg(box.joined_from)),
-        hung=box.hung,
-        kind="girder",
-        borne_at=near,
+        boards=part.boards,
+        joined_from_deg=float(np.rad2deg(part.joined_from)),
+        hung=part.hung,
+        bears=part.bears,
+        kind=part.kind,
+        borne_at=part.borne_at,
     )
 
 

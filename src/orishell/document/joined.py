@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import TypeVar
@@ -69,7 +69,9 @@ def joined(
         names=tuple(p.panel_name(panel) for p in parts for panel in range(len(p.mesh.faces))),
         boards=_all_boards(parts, flats),
         holes=_all_holes(parts, flats),
-        hung=HungLines.joined(part.hung for part in parts),
+        hung=HungLines.joined(
+            chain((part.hung for part in parts), _all_borne(parts, flats)),
+        ),
     )
 
 
@@ -87,6 +89,15 @@ def _all_boards(parts: Sequence[Part], flats: Sequence[Array]) -> Boards | None:
             made.append(moved)
         first += len(part.mesh.faces)
     return join_boards(made) if made else None
+
+
+def _all_borne(parts: Sequence[Part], flats: Sequence[Array]) -> Iterator[HungLines | None]:
+    """Where others hang on panels of all parts, where these lie (V, 2) now."""
+    first = 0
+    for part, flat in zip(parts, flats, strict=True):
+        move = flat[0] - part.require_flat()[0]
+        yield None if part.bears is None else part.bears.moved(first, move)
+        first += len(part.mesh.faces)
 
 
 def _all_holes(parts: Sequence[Part], flats: Sequence[Array]) -> Holes | None:

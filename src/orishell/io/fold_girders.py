@@ -65,9 +65,12 @@ class HungSheet:
 
 
 def hung_sheet(document: Document) -> HungSheet | None:
-    """The sheet of a document with what hangs on it as it moves; None if nothing does."""
+    """The sheet of a document with what hangs on it as it moves; None if nothing does.
+
+    None as well where some hang on others that do not: a second skin is left out with its walls.
+    """
     parts = tuple(part for part in document.moving[1:] if part.hung is not None)
-    if not parts:
+    if not parts or any(part.bears is not None for part in document.moving):
         return None
     every: tuple[Part, ...] = (document.sheet, *parts)
     firsts = np.cumsum([0, *(each.mesh.vertex_count for each in every)]).tolist()

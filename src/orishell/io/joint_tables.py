@@ -104,18 +104,20 @@ def ties_table(document: Document, workshop: Workshop) -> Table:
 
 
 def hung_table(document: Document) -> Table | None:
-    """Lines along which parts hang on the sheet: where they meet its columns; None without any.
+    """Lines along which parts hang on others: where they meet columns; None without any.
 
-    Lengths are along edges of columns, from the row that the part is over.
+    Lengths are along edges of columns: of box girders from the row that they are over, of walls
+    from the first row of the panel.
     """
-    found = laid_flat(document).hung
+    lying = laid_flat(document)
+    found = lying.hung
     if found is None:
         return None
     unit = document.unit
     heads = ["part", "panel", "side", f"at_column_{unit}", f"at_next_column_{unit}"]
     return heads, zip(
         found.names,
-        map(document.panel_name, found.panels.tolist()),
+        map(lying.panel_name, found.panels.tolist()),
         (SIDES[side] for side in found.sides.tolist()),
         *found.away.T.tolist(),
         strict=True,

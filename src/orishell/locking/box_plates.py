@@ -26,7 +26,7 @@ from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest
 from orishell.solids.box_plates import BoxPlates, box_plate_parts
-from orishell.solids.sleeves import moving_boards
+from orishell.solids.carried import moving_boards
 
 
 def with_box_plates(
@@ -85,7 +85,7 @@ def _met(
         return _panels_met(whole, faces, places, names, tolerance)
     flat = points_of(whole, 0.0)
     flat = np.concatenate([flat, np.pad(lying, ((0, 0), (0, 0), (0, 1))).reshape(-1, 3)])
-    boards = [moving_boards(lock.built.boards, whole, design.boxes)]
+    boards = [moving_boards(lock.built.boards, whole, design.carried)]
     behind = count
     for plates in every:
         made = plates.boards(np.zeros((len(plates), 2)), levels)

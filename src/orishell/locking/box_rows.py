@@ -14,23 +14,23 @@ from orishell.motion import find_assignment
 from orishell.motion.layout import SlitFlaps
 
 
-def box_columns(design: Design) -> slice:
-    """The columns of vertices that box girders reach over.
+def box_columns(design: Design, what: str = "box girders") -> slice:
+    """The columns of vertices that box girders, or what else is carried, reach over.
 
     A flap that is shut is in the plane of the two edges of the column beside it, where the end of a
     box would be: beside flaps they end a column before.
 
     Raises InputError if there are none, panels are whole boards, or flaps are slit from each other.
     """
-    require_creases(design, "box girders")
+    require_creases(design, what)
     if isinstance(design.mechanism, SlitFlaps):
         raise InputError(
-            "box girders need a sheet without flaps that are slit from each other",
+            f"flaps that are slit from each other leave no room for {what}",
             keys=("stiffeners", "deployment.flap_attachment"),
             remedy='flap_attachment = "clipped" in [deployment]',
         )
     every = slice(0, design.mechanism.grid.columns)
-    columns = between_flaps(design, every, 2, "box girders")
+    columns = between_flaps(design, every, 2, what)
     return slice(columns.start, columns.stop)
 
 

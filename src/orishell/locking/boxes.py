@@ -9,44 +9,27 @@ proved from half of the target's drive on, where they are joined to the sheet.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
-from orishell.clash import PathContact, PathResult, find_first_contact
-from orishell.clash.bodies import Bodies
-from orishell.clash.complex_path import find_first_contact_of_parts
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import in_degrees, rounded_down
+from orishell.conventions.formatting import rounded_down
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.design.stiffeners import Stiffeners
-from orishell.locking.boards import prove_boards
-from orishell.locking.box_flaps import Called, called, flap_contact
 from orishell.locking.box_rows import box_columns, require_one_side
+from orishell.locking.carried import CarriedPath
 from orishell.locking.fold_rows import fold_rows
-from orishell.locking.result import BoxMotion, Contact, Lock
-from orishell.locking.sheet import SHORT_OF_END
-from orishell.motion import corrugation_depth, diagonal
-from orishell.motion.complex import Complex
+from orishell.locking.result import BoxMotion, Lock
 from orishell.motion.convex import require_convex
-from orishell.motion.layout import points_of
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.numerics.bisection import largest_below
-from orishell.solids import build_panels
-from orishell.solids.sleeves import closes_to, moving_boards, sleeve_design
 
 LARGEST = 0.9
 """"auto" goes so far out along edges of columns at the most."""
 NARROWEST = 0.15
 """No side of a strip is narrower than this share of the crease that it lies beside."""
-JOINED_AT = 0.5
-"""Sleeves are joined to the sheet at this share of the target's drive."""
-LATE, NARROW = 1 - 1e-3, 1e-4
-"""In this last part of the way to shut creases panels are near: as for the sheet, a contact there
-counts with this share of the tolerance only."""
-THINNER = (0.75, 0.5, 0.25)
-"""Panels that are offered are so much thinner."""
 SMALLEST, FINE = 0.1, 0.02
 """The smallest share of the largest that "auto" tries, and to which share it is found."""
 
@@ -92,16 +75,7 @@ def with_boxes(
     boxes, motion = place.moved(share, progress)
     if motion.joined_from >= design.mechanism.target_drive:
         raise place.refused(share, progress)
-    if motion.closing is not None:
-        lock = replace(
-            lock,
-            drive=motion.closing.drive,
-            cause="unproved" if motion.closing.apart is not None else "clash",
-            first_contact=motion.closing,
-        )
-    elif motion.closes_to < lock.closes_to:
-        lock = replace(lock, drive=motion.closes_to, cause="boards", first_contact=None)
-    return replace(design, boxes=boxes), replace(lock, boxes=motion)
+    return replace(design, carried=boxes), replace(place.path.ended(motion), boxes=motion)
 
 
 class BoxPlace:
@@ -116,16 +90,21 @@ class BoxPlace:
         *,
         examined: bool = True,
     ) -> None:
-        self.design, self.lock, self.examined = design, lock, examined
-        self.asked = asked
+        self.design, self.lock, self.asked = design, lock, asked
         mechanism = design.mechanism
         self.columns = box_columns(design)
         require_convex(mechanism, "box girders")
         self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
         require_one_side(design, self.rows, self.columns)
         self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
-        self.tolerance = tolerance * diagonal(mechanism.positions(0.0))
-        self.start = JOINED_AT * mechanism.target_drive
+        self.path = CarriedPath(
+            design,
+            lock,
+            tolerance,
+            examined=examined,
+            what="box girders",
+            key="stiffeners.share",
+        )
 
     def narrowest(self) -> SleeveForms:
         """The sleeve whose strips are wide enough up to the smallest share."""
@@ -159,120 +138,30 @@ class BoxPlace:
                 return rounded_down(found)
         raise self.refused(most, progress)
 
+    def moved(self, share: float, progress: Progress) -> tuple[tuple[CarriedPart, ...], BoxMotion]:
+        """Box girders of a share with their boards, and how far the shell moves with them.
+
+        Raises DesignError if nothing is left of a panel.
+        """
+        sleeves = self.sleeves(share)
+        boxes = [Box.of(each) for each in sleeves]
+        made, found = self.path.moved(boxes, progress)
+        return made, BoxMotion(
+            found.joined_from,
+            found.closes_to,
+            found.opening,
+            found.closing,
+            found.proofs,
+            tuple(self.rows),
+            tuple(each.share for each in sleeves),
+        )
+
     def _tried(self, share: float, progress: Progress) -> BoxMotion | None:
         """How far the shell moves with sleeves of a share; None if nothing is left of a panel."""
         try:
             return self.moved(share, progress)[1]
         except DesignError:
             return None
-
-    def moved(self, share: float, progress: Progress) -> tuple[tuple[Box, ...], BoxMotion]:
-        """Sleeves of a share with their boards, and how far the shell moves with them.
-
-        Raises DesignError if nothing is left of a panel.
-        """
-        sleeves, lock = self.sleeves(share), self.lock
-        target, end = lock.target_drive, lock.closes_to
-        boxes, end, within = self._built(sleeves, end, progress)
-        whole = Complex(self.design.mechanism, tuple(sleeves)).least_turning
-        bodies = self._bodies(whole, boxes)
-
-        def path(stop: float, tolerance: float) -> PathResult:
-            if bodies is None:
-                return find_first_contact(
-                    whole, stop, tolerance, only=whole.part_of > 0, start=target, progress=progress
-                )
-            return find_first_contact_of_parts(whole, (target, stop), tolerance, bodies, progress)
-
-        proofs = []
-        found: list[Contact | None] = []
-        for stop in (self.start, end):
-            if stop == target or not self.examined:
-                found.append(None)
-                continue
-            result = path(stop, self.tolerance)
-            shut = stop >= LATE * whole.end_drive
-            if shut and result.contact is not None and result.contact.drive > LATE * stop:
-                result = path(stop * (1 - SHORT_OF_END), NARROW * self.tolerance)
-            proofs.append(result.proof)
-            met = result.contact
-            found.append(None if met is None else self._contact(met, whole, boxes))
-        opening, closing = found
-        if self.examined and (opening is None or opening.drive < target):
-            opening = self._at_flaps(boxes) or opening
-        joined = self.start if opening is None else opening.clear_until
-        boxes = tuple(replace(box, joined_from=joined) for box in boxes)
-        shares = tuple(each.share for each in sleeves)
-        return boxes, BoxMotion(
-            tuple(self.rows), shares, joined, end, opening, closing or within, tuple(proofs)
-        )
-
-    def _built(
-        self, sleeves: Sequence[Sleeve], end: float, progress: Progress
-    ) -> tuple[tuple[Box, ...], float, Contact | None]:
-        """Sleeves with their boards, and as far as boards of each do not meet each other."""
-        build = self.design.panel
-        if build is None:
-            return tuple(Box(each) for each in sleeves), end, None
-        boxes, first = [], None
-        end = min(closes_to(each, self.start, end, build) for each in sleeves)
-        if end < self.lock.target_drive:
-            thinner = [rounded_down(each * build.thickness, 2) for each in THINNER]
-            raise DesignError(
-                "boards of box girders would stand so far off the panels that they hang on that "
-                "too little is left of them",
-                place="at the target",
-                keys=("stiffeners.share", "panel.thickness"),
-                candidates=[Remedy({"panel.thickness": thickness}) for thickness in thinner],
-            )
-        for sleeve in sleeves:
-            alone = sleeve_design(self.design, sleeve, self.start, end)
-            if not self.examined:
-                boxes.append(Box(sleeve, build_panels(alone, end).boards))
-                continue
-            built, path = prove_boards(alone, end, self.tolerance, progress)
-            box = Box(sleeve, built.boards)
-            boxes.append(box)
-            if path.contact is not None and (first is None or path.contact.drive < first.drive):
-                one, other = (called(box)[panel] for panel in path.contact.panels)
-                first = self._met(path.contact, (one, other))
-        return tuple(boxes), end if first is None else min(end, first.clear_until), first
-
-    def _bodies(self, whole: Complex, boxes: Sequence[Box]) -> Bodies | None:
-        """All boards on the panels of the complex; None if panels have no thickness."""
-        built = self.lock.built
-        if built is None:
-            return None
-        every = moving_boards(built.boards, whole, boxes)
-        return Bodies(every, whole.layout.faces, points_of(whole, 0.0))
-
-    def _at_flaps(self, boxes: Sequence[Box]) -> Contact | None:
-        """What flaps that are clipped on meet at the target; None if nothing."""
-        met = flap_contact(self.design, self.lock.built, boxes, self.tolerance)
-        if met is None:
-            return None
-        target = self.lock.target_drive
-        return self._met(PathContact(target, target, (0, 0)), met)
-
-    def _contact(self, found: PathContact, whole: Complex, boxes: Sequence[Box]) -> Contact:
-        """What meets, of the sheet and its sleeves."""
-        panels = whole.layout.names[: whole.grid.panel_count].tolist()
-        every = [(f"panel {[row, column]}", (row, column)) for row, column in panels]
-        every += [each for box in boxes for each in called(box)]
-        first, second = sorted(found.panels)
-        return self._met(found, (every[first], every[second]))
-
-    def _met(self, found: PathContact, both: tuple[Called, Called]) -> Contact:
-        (name, panel), (other, beside) = both
-        return Contact(
-            found.drive,
-            found.clear_until,
-            (panel, beside),
-            "boards" if self.design.panel is not None else "distant panels",
-            corrugation_depth(self.design.mechanism.positions(found.drive)),
-            apart=found.apart,
-            called=(name, other),
-        )
 
     def _others(self) -> list[Remedy]:
         """What may be free where this is not."""
@@ -287,13 +176,5 @@ class BoxPlace:
             _, motion = self.moved(share, progress)
         except DesignError as error:
             return error
-        met, target = motion.opening or motion.closing, self.lock.target_drive
-        assert met is not None
-        first, second = met.names
-        return DesignError(
-            f"{first} and {second} meet",
-            place=f"at drive {in_degrees(met.drive)} of {in_degrees(target)} degrees",
-            keys=("stiffeners.share", "stiffeners.rows"),
-            candidates=self._others(),
-            excess=1.0,
-        )
+        keys = "stiffeners.share", "stiffeners.rows"
+        return self.path.refusal(motion, keys, self._others())

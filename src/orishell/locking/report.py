@@ -133,7 +133,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         steepest_chamfer=steepest_chamfer(built),
         boards=sum(
             int((~each.arms).sum())
-            for each in (built.boards, built.flaps, *(box.boards for box in design.boxes))
+            for each in (built.boards, built.flaps, *(part.boards for part in design.carried))
             if each is not None
         ),
         corners_cut=int((built.reliefs > 0).sum()),

@@ -72,21 +72,43 @@ def _called(panel: Panel, side: str) -> str:
 
 
 @record
-class BoxMotion:
-    """How far a shell moves with its box girders."""
+class CarriedMotion:
+    """How far a shell moves with strips that its sheet carries."""
 
-    REPORTED = ("rows", "shares", "joined_from", "closes_to", "opening", "closing", "proofs")
-
-    rows: tuple[int, ...]  # of vertices that sleeves are over
-    shares: tuple[float, ...]  # of each row, how far out it hangs on edges of columns at the most
     joined_from: Angle  # nearer to the flat sheet than this drive nothing is proved
-    closes_to: Angle  # as far as boards of the sleeves have room, and are apart in each
+    closes_to: Angle  # as far as their boards have room, and are apart in each
     # what meets there; None if it was not asked further
     opening: Contact | None
     # what meets on the way to the pack; None if the sheet ends it
     closing: Contact | None
     # how contact was looked for, to either side of the target; empty if it was not
     proofs: tuple[ProofRecord, ...]
+
+
+@record
+class BoxMotion(CarriedMotion):
+    """How far a shell moves with its box girders."""
+
+    REPORTED = ("rows", "shares", "joined_from", "closes_to", "opening", "closing", "proofs")
+
+    rows: tuple[int, ...]  # of vertices that sleeves are over
+    shares: tuple[float, ...]  # of each row, how far out it hangs on edges of columns at the most
+
+
+@record
+class SkinMotion(CarriedMotion):
+    """A second skin, its walls, and how far a shell moves with them."""
+
+    REPORTED = (
+        *("gap", "largest_gap", "walls", "cells", "volume"),
+        *("joined_from", "closes_to", "opening", "closing", "proofs"),
+    )
+
+    gap: float  # smallest distance of panels of both skins at the target (length)
+    largest_gap: float  # largest distance of panels that face each other there (length)
+    walls: tuple[int, ...]  # rows of panels of the sheet that walls hang on
+    cells: int  # cavities between two walls, open at both ends
+    volume: float  # what cavities hold at the target (length cubed)
 
 
 @record
@@ -123,12 +145,18 @@ class Lock:
     # what flaps that are clipped on at the target meet there; None if nothing, or if there are none
     clipped_contact: Contact | None = None
     boxes: BoxMotion | None = None  # how far it goes with box girders; None if there are none
+    skin: SkinMotion | None = None  # how far it goes with a second skin; None if there is none
 
     def __repr__(self) -> str:
         target = f"target at {in_degrees(self.target_drive)} degrees"
         end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
         path = "path not examined" if self.path is None else "path examined"
         return f"{type(self).__name__}({end}, {target}, {path})"
+
+    @property
+    def carried(self) -> CarriedMotion | None:
+        """How far it goes with what the sheet carries; None if that is nothing."""
+        return self.boxes or self.skin
 
     @property
     def closes_to(self) -> float:

@@ -41,6 +41,21 @@ class Lines:
             found = found + shares * (over[..., edges + 1, :, :] - over[..., edges, :, :])
         return np.asarray(found)
 
+    def volumes(self, points: Array) -> Array:
+        """Volumes (..., n-1) of a cavity between its columns, if they go around it in order.
+
+        Its sides are plane, and so are its sections along columns.
+        """
+        ring = self.carried(points)
+        near, far = ring[..., :-1, :], ring[..., 1:, :]
+        near, far = near - ring[..., :1, :-1, :], far - ring[..., :1, :-1, :]
+        after, beyond = (np.roll(each, -1, axis=-3) for each in (near, far))
+        # Two triangles of each side, and those of the farther end from its first corner; the nearer
+        # end is in one plane with the origin.
+        sides = (near, after, beyond), (near, beyond, far), (far[..., :1, :, :], far, beyond)
+        total = sum((one * np.cross(two, three)).sum(axis=(-3, -1)) for one, two, three in sides)
+        return np.asarray(np.abs(total) / 6)
+
     @classmethod
     def joined(cls, several: list[Lines]) -> Lines:
         """All of several over the same columns, one after the other."""

@@ -50,6 +50,7 @@ def analyse_structure(
             keys=("structure",),
             remedy="add the table [structure], or pass a Structure",
         )
+    _require_one_skin(shell.file)
     try:
         return analyse(shell.design, structure, shell.site, progress, built=shell.lock.built)
     except InputError as error:
@@ -67,4 +68,21 @@ def require_structure(file: DesignFile) -> None:
             file=file.path,
             keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
+        )
+    _require_one_skin(file)
+
+
+def _require_one_skin(file: DesignFile) -> None:
+    """Refuse a second skin, whose panels have no place in the model of a structure.
+
+    Raises InputError if there is one.
+    """
+    if file.stiffeners is not None and file.stiffeners.kind == "skin":
+        raise InputError(
+            "a shell with a second skin is not analysed under loads",
+            file=file.path,
+            keys=("stiffeners.kind",),
+            got='"skin"',
+            expected='"gussets" or "boxes"',
+            remedy="analyse the shell without the table [stiffeners]",
         )

@@ -16,6 +16,7 @@ from orishell.locking import Lock, end_motion, lock_without_clash, require_pack
 from orishell.locking.box_plates import with_box_plates
 from orishell.locking.boxes import with_boxes
 from orishell.locking.gussets import with_gussets
+from orishell.locking.skins import with_skin
 from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.shell.answers import Answers
@@ -52,14 +53,15 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":
         clock.lap("clash")
-    design, lock = with_boxes(
-        design,
-        lock,
-        file.stiffeners,
-        file.contact_tolerance,
-        examined=work.clash != "unexamined",
-        progress=work.progress,
-    )
+    for carry in (with_boxes, with_skin):
+        design, lock = carry(
+            design,
+            lock,
+            file.stiffeners,
+            file.contact_tolerance,
+            examined=work.clash != "unexamined",
+            progress=work.progress,
+        )
     if file.deployment.start == "pack":
         require_pack(design, lock)
     feet = find_feet(design)

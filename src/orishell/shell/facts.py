@@ -136,7 +136,7 @@ def _drawn(found: Candidate, deployment: DeploymentReport) -> Document:
             curves=design.targets,
             origin=design.origin,
             clipped=design.clipped,
-            boxes=design.boxes,
+            carried=design.carried,
             attached=design.attached,
             panel=design.panel,
             boards=None if built is None else built.boards,

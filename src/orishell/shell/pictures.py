@@ -87,7 +87,7 @@ def draw_pictures(
         motion,
         design.targets,
         title=_title(file),
-        last=_last_state(design, lock) + (", girders drawn" if design.boxes else ""),
+        last=_last_state(design, lock) + _carried(design),
         unit=file.unit,
         contact=_drawn(lock),
         hinge=hinge,
@@ -181,15 +181,21 @@ def _drawn(lock: Lock) -> DrawnContact | None:
 
 
 def _others(design: Design, drive: float) -> list[Array]:
-    """Corners (K, 4, 3) of panels: of girders where they are joined, of plates at the target."""
+    """Corners (K, 4, 3) of panels that are carried, where they are joined; plates at the target."""
     found = [
-        grid_corners(box.sleeve.positions(drive)).reshape(-1, 4, 3)
-        for box in design.boxes
-        if drive >= box.joined_from
+        grid_corners(part.strips.positions(drive)).reshape(-1, 4, 3)
+        for part in design.carried
+        if drive >= part.joined_from
     ]
     if drive == design.mechanism.target_drive:
         found += [part.shell.positions[part.mesh.faces] for part in design.attached]
     return found
+
+
+def _carried(design: Design) -> str:
+    """What the sheet carries, by the first of its parts, as it is drawn."""
+    kinds = [part.kind for part in design.carried]
+    return f", {kinds[0]}{'s' * (kinds.count(kinds[0]) > 1)} drawn" if kinds else ""
 
 
 def _last_state(design: Design, lock: Lock) -> str:

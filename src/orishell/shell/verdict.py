@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from orishell.conventions.errors import Remedy
-from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import box, plain, size
 from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
@@ -17,6 +14,8 @@ from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
 from orishell.locking import Contact
 from orishell.locking.report import HingedReport
+from orishell.shell.carried_rows import carried_rows
+from orishell.shell.drives import degrees_below
 from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
@@ -27,9 +26,6 @@ from orishell.workshop.order import order_in_words
 SAID = {CONTACT, STOCK, STRUCTURE}
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
-BELOW_MEANT = 1e-13
-"""An angle that is below a round number by less than this share is that number: it is not rounded
-down to the digit before."""
 SLIM = 0.03
 """A pack less high than this share of its length is a bundle, whose layers count."""
 CLOSING = {
@@ -63,7 +59,7 @@ def find_verdict(
     rows = [
         *_stands(report, stronger or Remedy({})),
         *folds_rows(report, _way(report), joining),
-        *_girders(report),
+        *carried_rows(report),
         *_locks(report),
         *_packs(report, said=two is not None),
         *_fits(report, stock),
@@ -109,7 +105,10 @@ def _way(report: Report) -> Iterator[Row]:
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and contact.apart is not None:
-        angles = _degrees(contact.clear_until, lock.target_drive), _degrees(lock.target_drive)
+        angles = (
+            degrees_below(contact.clear_until, lock.target_drive),
+            degrees_below(lock.target_drive),
+        )
         said = not_proved(lock, contact, angles, (_panels_of(contact), aim), report.unit)
         yield Row("warns", "folds", f"{said}{proved}{exact}")
         return
@@ -118,38 +117,20 @@ def _way(report: Report) -> Iterator[Row]:
         yield Row("warns", "folds", f"{said}{exact}")
         return
     if contact is not None and lock.cause in ("clash", "boards"):
-        angle = _degrees(contact.drive, lock.target_drive)
+        angle = degrees_below(contact.drive, lock.target_drive)
         meets = f"{_panels_of(contact)} meet at {angle} ({contact.kind})"
         if contact.drive < lock.target_drive:
-            short = f"short of the {aim} at {_degrees(lock.target_drive, contact.drive)}"
+            short = f"short of the {aim} at {degrees_below(lock.target_drive, contact.drive)}"
             yield Row("fails", "folds", f"no: {meets}, {short}{exact}")
         else:
             there = contact.drive <= lock.target_drive * (1 + SAME)
             beyond = "" if there else f", beyond the {aim}"
             yield Row("holds", "folds", f"nothing touches before {meets}{beyond}{proved}{exact}")
     elif lock.path is not None:
-        end = _degrees(report.deployment.end_drive)
+        end = degrees_below(report.deployment.end_drive)
         yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
     else:
         yield Row("holds", "folds", f"no contact to look for{exact}")
-
-
-def _degrees(drive: float, beside: float = np.nan) -> str:
-    """A fold angle to a hundredth of a degree, or more closely to be told from another.
-
-    It is rounded down: what is proved up to it is proved up to what is said.
-    """
-    one, other = tidy_degrees(drive), tidy_degrees(beside)
-    said = [(_rounded_down(one, k), _rounded_down(other, k)) for k in range(2, 9)]
-    clear = (first for first, second in said if first not in {"0", second})
-    return f"{next(clear, said[0][0])} degrees"
-
-
-def _rounded_down(degrees: float, decimals: int) -> str:
-    """An angle with so many decimals at most; one that is not there stays so."""
-    unit = 10.0**decimals
-    down = np.floor(degrees * unit * (1 + BELOW_MEANT)) / unit
-    return f"{down:.{decimals}f}".rstrip("0").rstrip(".")
 
 
 def _panels_of(contact: Contact) -> str:
@@ -163,29 +144,12 @@ def _panels_of(contact: Contact) -> str:
     return f"panels {first} and {second}"
 
 
-def _girders(report: Report) -> Iterator[Row]:
-    """How far the shell moves with its box girders."""
-    girders = report.lock.boxes
-    if girders is None:
-        return
-    rows = ", ".join(map(str, girders.rows))
-    said = f"over row{'s' * (len(girders.rows) > 1)} {rows}, joined at "
-    joined = f"{said}{_degrees(girders.joined_from)}"
-    if not girders.proofs:
-        yield Row("warns", "girders", f"{joined}: nobody looked whether panels meet on the way")
-        return
-    end = _degrees(report.deployment.end_drive)
-    states = sum(each.states for each in girders.proofs)
-    proved = f"nothing touches from there to {end} (proved between {states} states)"
-    yield Row("holds", "girders", f"{joined}, as they have no room when it is flat: {proved}")
-
-
 def _locks(report: Report) -> Iterator[Row]:
     """What keeps the shell at its target."""
     if report.feasible is False:
         return
     held, lock = report.deployment, report.lock
-    where = f"at {_degrees(lock.target_drive)}"
+    where = f"at {degrees_below(lock.target_drive)}"
     if lock.clipped_contact is not None:
         panels = _panels_of(lock.clipped_contact)
         yield Row("fails", "locks", f"no: {panels} meet when flaps are clipped on {where}")
@@ -254,7 +218,7 @@ def _packs(report: Report, *, said: bool) -> Iterator[Row]:
     if report.panel is None:
         deep += ", without their thickness" if flat else ", of panels without a thickness"
     sign: Sign = "says" if said or report.feasible is None else "holds"
-    yield Row(sign, "packs", f"{least} at {_degrees(packed.drive)}{deep}")
+    yield Row(sign, "packs", f"{least} at {degrees_below(packed.drive)}{deep}")
 
 
 def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:

@@ -75,7 +75,7 @@ class Hung:
 
 def said_of_lines(document: Part) -> tuple[str, ...]:
     """What a title block says of them; nothing where there are none."""
-    return () if document.hung is None else ("Lines with a name: box girders are hinged there",)
+    return () if document.hung is None else ("Lines with a name: what it names is hinged there",)
 
 
 def hung_lines(document: Part, panels: Integers, side: int) -> tuple[Line, ...]:

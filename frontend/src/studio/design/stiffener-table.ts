@@ -7,13 +7,18 @@ export const NONE = "";
 export const ROWS = "valleys", SHARE = 0.9;
 /** Boards as those of panels: no thickness, and no material, of their own. */
 export const AS_PANELS = "";
-const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE, thickness: 0, material: AS_PANELS };
+export const GAP = "auto";
+const USUAL: Table = { rows: ROWS, columns: 1, share: SHARE, thickness: 0, material: AS_PANELS, gap: GAP, walls: 1 };
 
 /** What box girders are asked for where a number box is empty, and gussets know nothing of. */
 export const EMPTY: Table = { share: "auto", columns: "none" };
-export const BOXES = "boxes";
-/** Keys of gussets alone. */
-const OWN = ["thickness", "material", "bolts"];
+export const BOXES = "boxes", SKIN = "skin";
+/** Keys that every kind has. */
+export const KEYS: Record<string, string[]> = {
+  gussets: ["rows", "columns", "share", "thickness", "material", "bolts"],
+  [BOXES]: ["rows", "columns", "share"],
+  [SKIN]: ["gap", "walls"],
+};
 
 /** New holes of bolts are so many diameters apart. */
 const APART = 10;
@@ -37,7 +42,8 @@ function apart({ hole }: Table): number {
 export function stiffened(table: Table | undefined, key: string, value: unknown): Table | undefined {
   const { [key]: _, ...others } = table ?? {};
   const kind = key === "kind" ? value : others["kind"];
-  const fit = ([name, each]: [string, unknown]) => (kind === BOXES ? !OWN.includes(name) : each !== EMPTY[name]);
+  const has = KEYS[String(kind)] ?? [];
+  const fit = ([name, each]: [string, unknown]) => name === "kind" || (has.includes(name) && (kind === BOXES || each !== EMPTY[name]));
   const rest = Object.fromEntries(Object.entries(others).filter(fit));
   const made = value === undefined || value === USUAL[key] ? rest : { ...rest, [key]: value };
   return made["kind"] ? made : undefined;

@@ -7,7 +7,7 @@ import { capital } from "../../shared/words.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import { listed } from "./row-list.ts";
-import { AS_PANELS, bolted, BOXES, EMPTY, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, GAP, KEYS, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
 
 const SIZES = ["hole", "spacing", "edge"] as const;
 
@@ -20,18 +20,20 @@ export class StiffenerControls {
   private readonly thickness: HTMLInputElement;
   private readonly material: HTMLSelectElement;
   private readonly bolts: Record<(typeof SIZES)[number], HTMLInputElement>;
-  private readonly units = [...SIZES, "thickness"].map(() => h("span", { class: "unit" }));
+  private readonly units = [...SIZES, "thickness", "gap"].map(() => h("span", { class: "unit" }));
   private readonly note = h("p", { class: "note" });
   private readonly rest: HTMLElement;
-  /** What gussets alone have. */
-  private readonly own: HTMLElement[];
+  private readonly gap: HTMLInputElement;
+  private readonly walls: HTMLInputElement;
+  /** Its rows, by their keys. */
+  private readonly heads: Record<string, HTMLElement[]>;
   /** What only gussets have that are bolted on. */
   private readonly held: HTMLElement[];
   private boxes = false;
 
   constructor(private readonly store: Store) {
     const { label, keys } = store.info.tables["stiffeners"]!;
-    const { kind, rows, columns, share, thickness, material } = keys;
+    const { kind, rows, columns, share, thickness, material, gap, walls } = keys;
     this.kind = this.segments("kind", { ...kind!, choices: { [NONE]: "None", ...kind!.choices } });
     this.rows = this.segments("rows", rows!);
     this.step = this.box("columns", { min: 1, step: 1 });
@@ -39,6 +41,9 @@ export class StiffenerControls {
     this.thickness = this.box("thickness", { min: 0, step: "any", placeholder: "as panels" });
     // Emptied it is as panels again, which no number says.
     this.thickness.addEventListener("change", () => this.thickness.value === "" && this.set("thickness", 0));
+    this.gap = this.box("gap", { min: 0, step: "any", placeholder: GAP });
+    this.gap.addEventListener("change", () => this.gap.value === "" && this.set("gap", GAP));
+    this.walls = this.box("walls", { min: 1, step: 1 });
     for (const [key, box] of [["columns", this.step], ["share", this.share]] as const) {
       box.addEventListener("change", () => box.value === "" && this.boxes && this.set(key, EMPTY[key]));
     }
@@ -48,16 +53,17 @@ export class StiffenerControls {
     const sizes = store.info.tables["stiffeners.bolts"]!.keys;
     const bolts = SIZES.map((key, k) => row(`bolts-${key}`, sizes[key]!, this.bolts[key], this.units[k]!));
     this.held = bolts.slice(1);
-    this.own = [row("thickness", thickness!, this.thickness, this.units[SIZES.length]!), row("material", material!, this.material), ...bolts];
-    this.rest = h(
-      "div",
-      { class: "parameter-list" },
-      named(rows!, this.rows),
-      row("columns", columns!, this.step),
-      row("share", share!, this.share),
-      ...this.own,
-      this.note,
-    );
+    this.heads = {
+      rows: [named(rows!, this.rows)],
+      columns: [row("columns", columns!, this.step)],
+      share: [row("share", share!, this.share)],
+      thickness: [row("thickness", thickness!, this.thickness, this.units[SIZES.length]!)],
+      material: [row("material", material!, this.material)],
+      bolts,
+      gap: [row("gap", gap!, this.gap, this.units[SIZES.length + 1]!)],
+      walls: [row("walls", walls!, this.walls)],
+    };
+    this.rest = h("div", { class: "parameter-list" }, ...Object.values(this.heads).flat(), this.note);
     this.element = h(
       "section",
       { class: "stiffeners", "aria-labelledby": "stiffeners-title" },
@@ -91,12 +97,12 @@ export class StiffenerControls {
   }
 
   private show(table: Record<string, unknown> | undefined, unit: string): void {
-    const { kind = NONE, rows = ROWS, columns, share = SHARE, thickness, material = AS_PANELS, bolts } = table ?? {};
+    const { kind = NONE, rows = ROWS, columns, share = SHARE, thickness, material = AS_PANELS, bolts, gap = GAP, walls } = table ?? {};
     this.rest.hidden = !table;
     this.kind.set(String(kind));
     this.rows.set(String(rows));
     this.boxes = kind === BOXES;
-    for (const each of this.own) each.hidden = this.boxes;
+    for (const [key, heads] of Object.entries(this.heads)) for (const each of heads) each.hidden = !KEYS[String(kind)]?.includes(key);
     const step = stepOf(columns);
     setNumber(this.step, step === null ? "" : short(step));
     this.step.placeholder = Array.isArray(columns) ? "listed" : this.boxes ? "none" : "";
@@ -104,13 +110,17 @@ export class StiffenerControls {
     setNumber(this.share, short(Number(share)));
     setNumber(this.thickness, thickness === undefined ? "" : short(Number(thickness)));
     for (const each of this.units) each.textContent = unit;
-    for (const each of this.held) each.hidden = this.boxes || !bolts;
+    for (const each of this.held) each.hidden ||= !bolts;
     for (const key of SIZES) {
       const size = (bolts as Record<string, unknown> | undefined)?.[key];
       setNumber(this.bolts[key], size === undefined || size === "auto" ? "" : short(Number(size)));
     }
+    setNumber(this.gap, gap === GAP ? "" : short(Number(gap)));
+    const every = stepOf(walls);
+    setNumber(this.walls, every === null ? "" : short(every));
+    this.walls.placeholder = every === null ? "listed" : "";
     this.material.value = String(material);
-    const words = Object.entries({ Rows: rows, Columns: columns }).flatMap(([name, each]) => (Array.isArray(each) ? [`${name} listed in the file: ${listed(each)}.`] : []));
+    const words = Object.entries({ Rows: rows, Columns: columns, Walls: walls }).flatMap(([name, each]) => (Array.isArray(each) ? [`${name} listed in the file: ${listed(each)}.`] : []));
     this.note.textContent = words.join(" ");
     this.note.hidden = !words.length;
   }

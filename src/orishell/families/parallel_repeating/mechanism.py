@@ -51,6 +51,7 @@ from orishell.families.shared.sheets import (
 )
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.grid import CreaseValues
+from orishell.motion.lattice import Lattice
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -95,6 +96,10 @@ class ParallelRepeating(FlapSheet):
     def column_arcs(self) -> Array:
         """Arc length (m+2,) along the first column from its middle vertex."""
         return running_sums(self.lengths, len(self.lengths) // 2)
+
+    def lattice(self) -> Lattice:
+        """Coordinates of its rows along the two directions of every column."""
+        return Lattice.of_staircase(self.lengths, self._rising() > 0)
 
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).

@@ -50,7 +50,7 @@ class BuiltShell:
                 motion,
                 "unit",
                 clipped=design.clipped,
-                boxes=design.boxes,
+                carried=design.carried,
                 attached=design.attached,
                 panel=design.panel,
                 boards=None if built is None else built.boards,

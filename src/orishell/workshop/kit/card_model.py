@@ -91,6 +91,7 @@ def _scaled_part(part: AnyPart, factor: float) -> AnyPart:
         part,
         unit="mm",
         hung=part.hung and part.hung.scaled(factor),
+        bears=part.bears and part.bears.scaled(factor),
         flat=part.require_flat() * factor,
         states=MadeStates(len(part.states), scaled),
     )

@@ -1,4 +1,4 @@
-"""Box girders beside flaps that are clipped on: whether they meet at the target."""
+"""What a sheet carries beside flaps that are clipped on: whether they meet at the target."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from orishell.clash.bodies import Bodies
 from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
 from orishell.design import Design
-from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.grid import Panel
 from orishell.motion.layout import Layout, points_of
@@ -21,13 +21,13 @@ Called = tuple[str, Panel]
 """What a panel is called; and the panel of the sheet that it is, or hangs on."""
 
 
-def called(box: Box) -> list[Called]:
-    """All panels of a box."""
-    return [*zip(box.names, box.hung_on, strict=True)]
+def called(part: CarriedPart) -> list[Called]:
+    """All panels of a part."""
+    return [*zip(part.names, part.hung_on, strict=True)]
 
 
 def flap_contact(
-    design: Design, built: BuiltPanels | None, boxes: Sequence[Box], tolerance: float
+    design: Design, built: BuiltPanels | None, carried: Sequence[CarriedPart], tolerance: float
 ) -> tuple[Called, Called] | None:
     """A flap that is clipped on and what it meets at the target; None if nothing.
 
@@ -42,16 +42,16 @@ def flap_contact(
     left = flapped.inner_columns.start  # columns of flaps before the sheet's
     places = [(row, column - left) for row, column in layout.names[layout.flaps].tolist()]
     every = [(f"flap {[*each]}", each) for each in places]
-    every += [each for box in boxes for each in called(box)]
+    every += [each for part in carried for each in called(part)]
     faces, vertices, flat = [flaps], [points], [points_of(flapped, 0.0)]
     boards = [] if built is None else [_of_flaps(built, layout)]
-    for box in boxes:
+    for part in carried:
         begin, behind = sum(map(len, vertices)), sum(map(len, faces))
-        faces.append(box.sleeve.grid.faces_vertices() + begin)
-        vertices.append(points_of(box.sleeve, target))
-        flat.append(points_of(box.sleeve, 0.0))
-        if box.boards is not None:
-            boards.append(replace(box.boards, panels=box.boards.panels + behind))
+        faces.append(part.strips.grid.faces_vertices() + begin)
+        vertices.append(points_of(part.strips, target))
+        flat.append(points_of(part.strips, 0.0))
+        if part.boards is not None:
+            boards.append(replace(part.boards, panels=part.boards.panels + behind))
     whole, there = np.concatenate(faces), np.concatenate(vertices)
     if boards:
         bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))

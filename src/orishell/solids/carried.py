@@ -20,7 +20,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.design import Design, PanelSpec
-from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.carried import Carried, Hanging
 from orishell.motion.complex import Complex
@@ -35,7 +35,7 @@ FIRST, LAST = 3, 1
 """Sides of panels at the first and the last line of their strip."""
 
 
-def sleeve_design(design: Design, strips: Carried, start: float, stop: float) -> Design:
+def carried_design(design: Design, strips: Carried, start: float, stop: float) -> Design:
     """Strips as a design of their own, of the panels of the sheet's, to be used between two drives.
 
     Parameters
@@ -50,7 +50,7 @@ def sleeve_design(design: Design, strips: Carried, start: float, stop: float) ->
             for strip, side in sides_at(strips, hanging.line):
                 away[strip, :, side] = stand_off(strips, hanging, start, stop, design.panel.height)
         off = away.reshape(-1, 4)
-    return replace(design, mechanism=strips, clipped=None, attached=(), boxes=(), stand_off=off)
+    return replace(design, mechanism=strips, clipped=None, attached=(), carried=(), stand_off=off)
 
 
 def sides_at(strips: Carried, line: int) -> Iterator[tuple[int, int]]:
@@ -61,12 +61,12 @@ def sides_at(strips: Carried, line: int) -> Iterator[tuple[int, int]]:
         yield line - 1, LAST
 
 
-def moving_boards(sheet: Boards, whole: Complex, boxes: Sequence[Box]) -> Boards:
-    """Boards of a sheet and of its box girders, as panels of both together."""
+def moving_boards(sheet: Boards, whole: Complex, carried: Sequence[CarriedPart]) -> Boards:
+    """Boards of a sheet and of what it carries, as panels of all together."""
     every = [sheet]
-    for first, box in zip(whole.firsts[0][1:], boxes, strict=True):
-        assert box.boards is not None
-        every.append(replace(box.boards, panels=box.boards.panels + first))
+    for first, part in zip(whole.firsts[0][1:], carried, strict=True):
+        assert part.boards is not None
+        every.append(replace(part.boards, panels=part.boards.panels + first))
     return join_boards(every)
 
 

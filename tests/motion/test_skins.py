@@ -1,0 +1,136 @@
+"""Second skins under random parallel repeating sheets: rigid, one motion, as far off as asked.
+
+That the second skin and walls keep the contract of folding sheets is asked in ``test_contract.py``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from mechanisms import parallel, skin_of
+from orishell.motion import diagonal
+from orishell.motion.complex import Complex
+from orishell.motion.layout import points_of
+from orishell.motion.skins import INNER, OUTER, Skin
+from rigid_rank import freedoms_of_complex
+from samples import THOROUGH
+from skinned import random_sheet
+
+QUICK, ALL = 16, 150
+
+
+def random_skin(number: int) -> tuple[Skin, Complex]:
+    """A skin under a random sheet without flaps, with some of its walls."""
+    draw = np.random.default_rng([number, 3])
+    sheet = random_sheet(number).without_flaps()
+    every = slice(0, sheet.grid.columns)
+    half, _ = Skin.under(sheet, every, None).distances()
+    skin = Skin.under(sheet, every, float(draw.uniform(0.2, 1.4)) * half)
+    walls = skin.walls()
+    assert walls
+    chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
+    return skin, Complex(sheet, skin.carried(chosen))
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+def test_panels_stay_what_they_are(number: int) -> None:
+    """All distances in every panel with all that hangs on it, and its plane, in 40 states."""
+    _, whole = random_skin(number)
+    flat, loops = points_of(whole, 0.0), whole.layout.loops
+    loops = np.where(loops < 0, loops[:, :1], loops)
+    size = diagonal(whole.positions(0.0))
+
+    def distances(points: np.ndarray) -> np.ndarray:
+        corners = points[loops]
+        return np.asarray(np.linalg.norm(corners[:, :, None] - corners[:, None], axis=-1))
+
+    wanted = distances(flat)
+    for drive in np.linspace(0.0, whole.end_drive, 40):
+        points = points_of(whole, float(drive))
+        assert np.abs(distances(points) - wanted).max() < 1e-14 * size
+        corners = points[loops] - points[loops].mean(axis=1, keepdims=True)
+        assert np.linalg.svd(corners, compute_uv=False)[:, 2].max() < 1e-14 * size
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else 8))
+def test_it_adds_no_motion_and_takes_none(number: int) -> None:
+    """Whichever walls it has, one alone among them."""
+    skin, whole = random_skin(number)
+    drive = 0.7 * whole.target_drive
+    alone = freedoms_of_complex(Complex(whole.sheet, ()), drive)
+    assert freedoms_of_complex(whole, drive) == alone
+    one = Complex(whole.sheet, skin.carried(skin.walls()[:1]))
+    assert freedoms_of_complex(one, drive) == alone
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+def test_lines_lie_on_the_panels_that_they_hang_on(number: int) -> None:
+    """In the plane of these, and within them, in states of their own coordinates alone."""
+    _, whole = random_skin(number)
+    size = diagonal(whole.positions(0.0))
+    for drive in np.linspace(0.05, 0.95, 5) * whole.end_drive:
+        points, faces = points_of(whole, float(drive)), whole.layout.faces
+        for part, hanging in whole.hangings:
+            strips = whole.strips[part - 1]
+            line = points[whole.firsts[1][part] + strips.grid.vertices()[hanging.line]]
+            on = points[faces[whole.panels(hanging.part, hanging.panels, strips.columns)]]
+            normal = np.cross(on[:, 1] - on[:, 0], on[:, 3] - on[:, 0])
+            normal /= np.linalg.norm(normal, axis=1)[:, None]
+            for ends in (line[:-1], line[1:]):
+                off = ((ends - on[:, 0]) * normal).sum(axis=1)
+                assert np.abs(off).max() < 1e-14 * size
+                # On the inner side of all four edges.
+                edges = np.roll(on, -1, axis=1) - on
+                inside = (np.cross(edges, ends[:, None] - on) * normal[:, None]).sum(axis=-1)
+                assert inside.min() > -1e-12 * size**2
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+def test_it_is_as_far_from_the_sheet_as_asked(number: int) -> None:
+    """By points all over panels of both skins, of columns that are side by side."""
+    skin, whole = random_skin(number)
+    gap, most = skin.distances()
+    points, layout = points_of(whole, whole.target_drive), whole.layout
+    corners = points[layout.faces]
+    s, t = (each.ravel()[:, None] for each in np.meshgrid(*[np.linspace(0, 1, 7)] * 2))
+    a, b, c, d = corners.swapaxes(0, 1)[..., None, :]
+    inside = (1 - s) * ((1 - t) * a + t * b) + s * ((1 - t) * d + t * c)
+    outer, inner = (inside[whole.part_of == part] for part in (OUTER, INNER))
+    columns = [layout.names[whole.part_of == part, 1] for part in (OUTER, INNER)]
+    nearest = np.inf
+    for column in range(whole.grid.columns - 1):
+        mine = inner[columns[1] == column].reshape(-1, 1, 3)
+        near = outer[np.abs(columns[0] - column) <= 1].reshape(1, -1, 3)
+        nearest = min(nearest, float(np.linalg.norm(mine - near, axis=-1).min()))
+    assert gap * (1 - 1e-9) < nearest
+    assert most >= gap
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else 8))
+def test_vectors_accelerate_no_more_than_edges_in_between(number: int) -> None:
+    """Of any two vertices, by differences; the claim of the proof's bounds."""
+    _, whole = random_skin(number)
+    step, layout = 1e-3, whole.layout
+    for share in (0.3, 0.6, 0.9):
+        drive = share * whole.end_drive
+        near = [points_of(whole, drive + k * step) for k in (-1.0, 0.0, 1.0)]
+        swing = (near[0] - 2 * near[1] + near[2]) / step**2
+        along, down = whole.edge_accelerations(*(np.array([drive + k * step]) for k in (-1.0, 1.0)))
+        first, last = layout.first, layout.last
+        low, high = np.minimum(first[:, None], first), np.maximum(last[:, None], last)
+        sums = [np.concatenate([[0.0], np.cumsum(each[0])]) for each in (down, along)]
+        bound = sum(sums[k][high[..., k]] - sums[k][low[..., k]] for k in (0, 1))
+        mine = swing[layout.faces]
+        found = np.linalg.norm(mine[:, None, :, None] - mine[None, :, None], axis=-1)
+        assert (found.max(axis=(2, 3)) <= bound * (1 + 1e-6) + 1e-6 * np.asarray(bound).max()).all()
+
+
+def test_it_ends_at_the_height_of_the_ends_of_its_sheet() -> None:
+    whole = skin_of(parallel())
+    for drive in (0.4, whole.target_drive):
+        points, first = points_of(whole, drive), whole.firsts[1]
+        sheet, skin = whole.positions(drive), points[first[1] : first[2]]
+        ends = skin.reshape(whole.strips[0].grid.rows, -1, 3)[[0, -1], :, 2]
+        np.testing.assert_allclose(ends, sheet[[0, -1], :, 2], rtol=0, atol=1e-13)
+        assert skin[:, 2].min() > sheet[[0, -1], :, 2].min() - 1e-13
