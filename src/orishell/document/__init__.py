@@ -10,7 +10,6 @@ from orishell.document.document import (
 from orishell.document.loaded import (
     LoadedCase,
     LoadedCreases,
-    LoadedGussets,
     LoadedParts,
     LoadedShell,
 )
@@ -25,7 +24,6 @@ __all__ = [
     "FirstContact",
     "LoadedCase",
     "LoadedCreases",
-    "LoadedGussets",
     "LoadedParts",
     "LoadedShell",
     "Part",

@@ -40,28 +40,22 @@ class LoadedParts:
     """
 
     names: tuple[str, ...]  # what each is called: "gusset 5,3", "box 4 upper 3", "plate 4,3"
-    triangles: Integers  # corners (S, 3): nodes of the shell
+    # corners (S, 3): nodes of the shell; the two of every cell follow each other
+    triangles: Integers
     # which of them (S,) each triangle is of, numbered behind the panels of the sheet, flaps counted
     panels: Integers
+    # stiffness (S,) of sections: force per length by strain, moment per length by curvature
+    membrane: Array
+    bending: Array
+    poisson: float  # Poisson's ratio
+    # mass (S,) per area, that of each spread over it (kg per square of the unit)
+    areal_mass: Array
 
     @property
     def numbers(self) -> dict[str, int]:
         """The number of each by its name."""
         first = int(self.panels.min())
         return {name: first + k for k, name in enumerate(self.names)}
-
-
-@record
-class LoadedGussets:
-    """Gussets as plates that are hinged to panels along two of their edges."""
-
-    at: Integers  # row and column (G, 2) of the vertex that each goes from
-    # nodes (G, n, n), from the vertex up along its first edge, and down along its second
-    nodes: Integers
-    membrane: float  # stiffness in their plane (force per length by strain)
-    bending: float  # moment per length by curvature (force times length)
-    poisson: float  # Poisson's ratio
-    areal_mass: Array  # mass (G,) per area, of what stands off panels (kg per square of the unit)
 
 
 @record
@@ -97,7 +91,6 @@ class LoadedShell:
     whole_boards: bool = False
     # what stiffens the sheet; None if nothing does. None of it is in the triangles of panels
     parts: LoadedParts | None = None
-    gussets: LoadedGussets | None = None  # these of it by rows of their cells; None without any
     creases_turn: bool = False  # whether creases may turn, in some case at least
     rails: bool = False  # whether base rails join its feet
     creases: LoadedCreases | None = None  # forces along creases; None if no case is in balance

@@ -1,23 +1,30 @@
 """A loaded shell in quadratic shell elements: quadrilaterals, and triangles at corners of gussets.
 
-Gussets, and panels where creases turn, have nodes of their own. Where they are hinged to each other
-these are at one place, and are to have their displacements in common, but not their rotations.
+What stiffens the sheet, and panels where creases turn, have nodes of their own. Where they are
+hinged to each other these are at one place, and are to have their displacements in common, but not
+their rotations.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.document.loaded import LoadedGussets, LoadedShell
+from orishell.document.loaded import LoadedParts, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
+
+STRAIGHT = 1e-6
+"""A corner of a cell is a straight angle if the triangle there has less of its area."""
 
 
 @record
 class ShellSection:
     """What elements are made of: a plate as stiff in its plane and in bending."""
 
-    name: str  # "SECTION1", "GUSSET_5_3": letters, digits and underscores
+    name: str  # "SECTION1", "GUSSET_5_3", "BOX_4_UPPER_3": letters, digits and underscores
     thickness: float  # sqrt(12 bending/membrane) (length)
     modulus: float  # Young's, (1 - nu^2) membrane/thickness (force per area)
     poisson: float  # Poisson's ratio
@@ -27,16 +34,16 @@ class ShellSection:
 
 @record
 class QuadraticMesh:
-    """A shell in quadratic elements: those of panels first, then those of gussets."""
+    """A shell in quadratic elements: those of panels first, then those of what stiffens it."""
 
-    # nodes (N, 3): those of the shell, of gussets, of panels at one place, then middles of sides
+    # nodes (N, 3): those of the shell, again those of panels at one place, then middles of sides
     points: Array
     own: int  # how many are the shell's
     quads: Integers  # nodes (C, 8): corners, then the middles of the sides after them
     triangles: Integers  # nodes (K, 6), likewise
     panels: int  # how many quadrilaterals are panels'
     together: Integers  # pairs (P, 2) of nodes at one place: the first there, and another
-    sections: tuple[ShellSection, ...]  # those of panels, then one for every gusset
+    sections: tuple[ShellSection, ...]  # those of panels, then of every part that stiffens it
 
     def of_panels(self, nodes: Integers) -> list[Integers]:
         """All nodes of panels at each of some nodes (m,) of the shell."""
@@ -44,26 +51,46 @@ class QuadraticMesh:
         return [np.r_[node, pairs[pairs[:, 0] == node, 1]] for node in nodes.tolist()]
 
 
+@record
+class _Cells:
+    """All cells of a shell as elements: those of panels, of parts, and halves of some of these."""
+
+    quads: Integers  # corners (C, 4)
+    triangles: Integers  # corners (K, 3): both halves of cells two of whose sides are in one line
+    cells: Integers  # which cell of panels and then of parts each element is of (C + K,)
+    panels: int  # how many cells are panels'
+
+    @classmethod
+    def of(cls, shell: LoadedShell) -> _Cells:
+        """Those of a shell."""
+        corners = _around(shell.triangles[::2], shell.triangles[1::2])
+        count = len(corners)
+        if shell.parts is None:
+            return cls(corners, np.zeros((0, 3), np.int64), np.arange(count), count)
+        pairs = shell.parts.triangles.reshape(-1, 2, 3)
+        cells = _around(pairs[:, 0], pairs[:, 1])
+        split = _with_straight_corner(shell.points[cells])
+        whole, halved = count + np.flatnonzero(~split), count + np.flatnonzero(split)
+        return cls(
+            np.concatenate([corners, cells[~split]]),
+            pairs[split].reshape(-1, 3),
+            np.concatenate([np.arange(count), whole, np.repeat(halved, 2)]),
+            count,
+        )
+
+
 def quadratic_mesh(shell: LoadedShell, *, hinged: bool) -> QuadraticMesh:
     """The shell in quadratic elements.
 
     hinged: Whether creases turn: panels have nodes of their own then.
     """
-    corners = _around(shell.triangles[::2], shell.triangles[1::2])
-    part = shell.panels[::2] if hinged else np.zeros(len(corners), np.int64)
-    points, quads, triangles = shell.points, [corners], np.zeros((0, 3), np.int64)
-    parts, outer = [part], np.zeros(0, np.int64)
-    gussets = shell.gussets
-    if gussets is not None:
-        whole, triangles = _cells(gussets)
-        number = int(part.max()) + 1 + np.arange(len(gussets.at))
-        quads.append(whole.reshape(-1, 4))
-        parts.append(np.repeat(number, whole.shape[1]))
-        outer = np.repeat(number, triangles.shape[1])
-        triangles = triangles.reshape(-1, 3)
-    four, part = np.concatenate(quads), np.concatenate(parts)
-    nodes = np.concatenate([four.ravel(), triangles.ravel()])
-    owners = np.concatenate([np.repeat(part, 4), np.repeat(outer, 3)])
+    cells, points = _Cells.of(shell), shell.points
+    part = shell.all_panels[::2]
+    if not hinged:
+        part = np.where(np.arange(len(part)) < cells.panels, 0, part)
+    four, part = cells.quads, part[cells.cells]
+    nodes = np.concatenate([four.ravel(), cells.triangles.ravel()])
+    owners = np.concatenate([np.repeat(part[: len(four)], 4), np.repeat(part[len(four) :], 3)])
     own, again = _numbered(nodes, owners, len(points))
     place = np.concatenate([np.arange(len(points)), again])
     together = [np.column_stack([again, len(points) + np.arange(len(again))])]
@@ -79,24 +106,20 @@ def quadratic_mesh(shell: LoadedShell, *, hinged: bool) -> QuadraticMesh:
     together.append(len(place) + pairs[pairs[:, 0] != pairs[:, 1]])
     return QuadraticMesh(
         points=np.concatenate([points[place], points[place[sides]].mean(axis=1)]),
-        own=len(shell.points),
+        own=len(points),
         quads=np.column_stack([corners, middles[: corners.size].reshape(-1, 4)]),
         triangles=np.column_stack([ends, middles[corners.size :].reshape(-1, 3)]),
-        panels=len(quads[0]),
+        panels=cells.panels,
         together=np.concatenate(together),
-        sections=(*_of_panels(shell), *_of_gussets(shell, part, outer)),
+        sections=tuple(_sections(shell, cells)),
     )
 
 
-def _cells(gussets: LoadedGussets) -> tuple[Integers, Integers]:
-    """Corners of gussets' cells (G, n^2 - 1, 4), and of two triangles (G, 2, 3) for the last.
-
-    That is at the middle of the outer side, where two of its sides are in one line.
-    """
-    node = gussets.nodes
-    around = (node[:, :-1, :-1], node[:, 1:, :-1], node[:, 1:, 1:], node[:, :-1, 1:])
-    cells = np.stack([each.reshape(len(node), -1) for each in around], axis=-1)
-    return cells[:, :-1], cells[:, -1][:, [[0, 1, 2], [0, 2, 3]]]
+def _with_straight_corner(corners: Array) -> Booleans:
+    """Whether cells (C, 4, 3) have two sides in one line, as that at the outer side of a gusset."""
+    sides = np.roll(corners, -1, axis=1) - corners
+    there = np.linalg.norm(np.cross(np.roll(sides, 1, axis=1), sides), axis=2)
+    return np.asarray(there.min(axis=1) < STRAIGHT * there.sum(axis=1))
 
 
 def _numbered(nodes: Integers, parts: Integers, count: int) -> tuple[Integers, Integers]:
@@ -126,39 +149,26 @@ def _around(first: Integers, second: Integers) -> Integers:
     return np.column_stack([begin, then, second[row, other], last])
 
 
-def _of_panels(shell: LoadedShell) -> list[ShellSection]:
-    """Every section of panels once; a cell has the mean of its two triangles."""
-    values = np.column_stack(
-        [
-            each.reshape(-1, 2).mean(axis=1)
-            for each in (shell.membrane, shell.bending, shell.areal_mass)
-        ]
-    )
-    found, which = np.unique(_plates(values, shell.poisson), axis=0, return_inverse=True)
-    return [
-        _section(f"SECTION{number + 1}", each, shell.poisson, which.ravel() == number)
-        for number, each in enumerate(found.tolist())
-    ]
-
-
-def _of_gussets(shell: LoadedShell, part: Integers, outer: Integers) -> list[ShellSection]:
-    """One for every gusset: they are as stiff as each other, and their boards not as heavy.
-
-    part, outer: Which part of the shell each quadrilateral is of (C,), and each triangle (K,).
-    """
-    gussets = shell.gussets
-    if gussets is None:
-        return []
-    stiffness = np.tile([gussets.membrane, gussets.bending], (len(gussets.at), 1))
-    values = _plates(np.column_stack([stiffness, gussets.areal_mass]), gussets.poisson)
-    every = np.concatenate([part, outer])
-    first = int(outer.min())
-    return [
-        _section(f"GUSSET_{row}_{column}", each, gussets.poisson, every == first + number)
-        for number, ((row, column), each) in enumerate(
-            zip(gussets.at.tolist(), values.tolist(), strict=True)
-        )
-    ]
+def _sections(shell: LoadedShell, cells: _Cells) -> Iterator[ShellSection]:
+    """Every section of panels once, and those of each part that stiffens them, called after it."""
+    found, which = _plates(shell)
+    for number, values in enumerate(found):
+        there = cells.cells < cells.panels
+        there[there] = (which == number)[cells.cells[there]]
+        yield _section(f"SECTION{number + 1}", values, shell.poisson, there)
+    parts = shell.parts
+    if parts is None:
+        return
+    found, which = _plates(parts)
+    of = cells.cells - cells.panels
+    for name, own in parts.numbers.items():
+        mine = parts.panels[::2] == own
+        several = np.unique(which[mine])
+        for k, number in enumerate(several.tolist()):
+            called = re.sub(r"\W", "_", name).upper() + f"_{k + 1}" * (len(several) > 1)
+            there = of >= 0
+            there[there] = (mine & (which == number))[of[there]]
+            yield _section(called, found[number], parts.poisson, there)
 
 
 def _section(name: str, values: list[float], poisson: float, there: Booleans) -> ShellSection:
@@ -166,9 +176,16 @@ def _section(name: str, values: list[float], poisson: float, there: Booleans) ->
     return ShellSection(name, thickness, modulus, poisson, density, np.flatnonzero(there))
 
 
-def _plates(values: Array, poisson: float) -> Array:
-    """Thickness, modulus and density (S, 3) by membrane and bending stiffness and areal mass."""
-    membrane, bending, mass = values.T
+def _plates(made: LoadedShell | LoadedParts) -> tuple[list[list[float]], Integers]:
+    """Thickness, modulus and density of each kind of cell, and of which each is (C,).
+
+    A cell has the mean of its two triangles.
+    """
+    membrane, bending, mass = (
+        each.reshape(-1, 2).mean(axis=1) for each in (made.membrane, made.bending, made.areal_mass)
+    )
     thickness = np.sqrt(12 * bending / membrane)
-    modulus = (1 - poisson**2) * membrane / thickness
-    return np.column_stack([thickness, modulus, mass / thickness])
+    modulus = (1 - made.poisson**2) * membrane / thickness
+    values = np.column_stack([thickness, modulus, mass / thickness])
+    found, which = np.unique(values, axis=0, return_inverse=True)
+    return found.tolist(), which.ravel()

@@ -9,7 +9,6 @@ import numpy as np
 from orishell.document.loaded import (
     LoadedCase,
     LoadedCreases,
-    LoadedGussets,
     LoadedParts,
     LoadedShell,
 )
@@ -43,7 +42,6 @@ def loaded_shell(model: Model, cases: Named) -> LoadedShell:
         tie_stiffness=model.structure.tie_stiffness,
         whole_boards=model.design.has_whole_boards,
         parts=_parts(model),
-        gussets=_gussets(model),
         creases_turn=bool(np.isfinite(model.structure.crease_stiffness[0])),
         rails=bool(model.rails),
         cases=tuple(_loaded(name, case, model) for name, case in cases),
@@ -57,38 +55,30 @@ def _numbered(model: Model, panels: Integers) -> Integers:
     return row * (model.design.mechanism.grid.columns - 1) + column + model.before
 
 
-def _gussets(model: Model) -> LoadedGussets | None:
-    """Gussets by rows of their cells; None without any."""
-    parts, site = model.design.plates, model.site
-    if not parts:
-        return None
-    (plates,), (section,) = model.plates, model.stiffened.sections
-    own = plates.own
-    areas = own.facets.areas().reshape(len(parts), -1).sum(axis=1)
-    masses = np.array([part.mass(site.areal_mass, site.metres) for part in parts])
-    return LoadedGussets(
-        at=np.array([part.plate.corner for part in parts if part.plate is not None]),
-        nodes=plates.nodes.reshape(own.nodes.shape),
-        membrane=float(np.max(section.membrane)),
-        bending=float(np.max(section.bending)),
-        poisson=section.poisson,
-        areal_mass=masses / areas,
-    )
-
-
 def _parts(model: Model) -> LoadedParts | None:
     """All that stiffens the sheet; None if nothing does."""
     if not model.plates:
         return None
-    counts = [
-        np.full(len(each.own.nodes), len(each.own.places) // len(each.own.nodes))
-        for each in model.plates
-    ]
     names, first = stiffener_names(model), model.design.mechanism.grid.panel_count
+    counts, membrane, bending, mass = [], [], [], []
+    for each, section, masses in zip(
+        model.plates, model.stiffened.sections, model.plate_masses, strict=True
+    ):
+        own, shape = each.own, len(each.own.places)
+        whole = np.bincount(own.panels, own.facets.areas())
+        by_panel = masses.reshape(len(whole), -1).sum(axis=1) / whole
+        counts.append(np.bincount(own.panels))
+        membrane.append(np.broadcast_to(np.ravel(section.membrane), shape))
+        bending.append(np.broadcast_to(np.ravel(section.bending), shape))
+        mass.append(by_panel[own.panels])
     return LoadedParts(
         names=names,
         triangles=np.concatenate([each.triangles for each in model.plates]),
         panels=np.repeat(first + np.arange(len(names)), np.concatenate(counts)),
+        membrane=np.concatenate(membrane),
+        bending=np.concatenate(bending),
+        poisson=model.stiffened.sections[0].poisson,
+        areal_mass=np.concatenate(mass),
     )
 
 

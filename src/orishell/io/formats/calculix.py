@@ -5,8 +5,9 @@ come nearest to thin shells: CalculiX makes solids of all its shells, of which t
 stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6). Ties are springs between two
 nodes: trusses, T3D2, would hold the rotations of the shell, and spoil its buckling factors.
 
-Creases are rigid, but where gussets keep folds from turning: they would have nothing to do. There
-panels and gussets have nodes of their own, and equations give those at one place one displacement.
+Creases are rigid, but where gussets or girders keep folds from turning: they would have nothing to
+do. There panels and these have nodes of their own, and equations give those at one place one
+displacement. So hinges of girders turn, whatever creases do.
 """
 
 from __future__ import annotations
@@ -41,16 +42,16 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     """Write the analysed shell: mesh, sections, supports, ties and the loads of every case.
 
     Every case is a linear static step, then come natural frequencies, then buckling of every case.
-    Supports and ties act both ways, and creases are rigid, or turn freely where there are gussets
-    and creases that are not all locked; comments at its head say so. Lengths
+    Supports and ties act both ways, and creases are rigid, or turn freely where something
+    stiffens the sheet and creases are not all locked; comments at its head say so. Lengths
     are in the document's unit, forces in newtons, masses so that a newton is a mass times a unit
     of length per square second. Numbers have 13 digits, as many as CalculiX reads.
 
     Raises
     ------
     InputError
-        If the shell was not analysed, is of whole boards, has box girders or base rails, or no unit
-        of length is known.
+        If the shell was not analysed, is of whole boards, has base rails, or no unit of
+        length is known.
     """
     shell = document.loaded
     if shell is None:
@@ -67,14 +68,6 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             got='"hinged"',
             expected='"sandwich" or "bevel"',
         )
-    if shell.parts is not None and shell.gussets is None:
-        raise InputError(
-            "box girders are not written for CalculiX",
-            keys=("stiffeners.kind",),
-            got='"boxes"',
-            expected='"gussets"',
-            remedy="leave inp out of --write, or name gussets",
-        )
     if shell.rails:
         raise InputError(
             "base rails are not written for CalculiX",
@@ -82,7 +75,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
             expected="no rail: its feet then stand by themselves",
         )
     unit = document.require_unit()
-    hinged = shell.gussets is not None and shell.creases_turn
+    hinged = shell.parts is not None and shell.creases_turn
     mesh = quadratic_mesh(shell, hinged=hinged)
     cases = _different_loads(shell)
     lines = [
@@ -111,14 +104,14 @@ def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
     return list(found.values())
 
 
-MISSED = ("CalculiX may miss the lowest factors by which slender gussets buckle (2.20).",)
+MISSED = ("CalculiX may miss the lowest factors by which slender stiffeners buckle (2.20).",)
 TIED = (
     "CalculiX counts springs twice where it buckles (2.20): with ties its factors are too high.",
 )
 
 
 RIGID_CREASES = "- creases are rigid: panels share their rotations there;"
-HINGED = "- creases turn freely: panels and gussets share their displacements there, no rotations;"
+HINGED = "- creases and hinges turn freely: what meets there shares displacements, no rotations;"
 
 
 def _head(
@@ -144,7 +137,7 @@ def _head(
             "- cores of sandwich boards do not shear: where there are some, this shell is stiffer;",
             "- frequencies are those of the shell without loads, and with every tie.",
             *TIED * bool(len(shell.ties)),
-            *MISSED * (shell.gussets is not None),
+            *MISSED * (shell.parts is not None),
             "Steps: every case of loads; natural frequencies; buckling under every case.",
             *(f"Case {number}: {_plain(name)}" for number, name in enumerate(names, 1)),
         )
@@ -159,8 +152,8 @@ def _elements(mesh: QuadraticMesh, points: Array) -> Iterable[str]:
     first = 1
     for kind, name, nodes in (
         ("S8R", "PANELS", mesh.quads[: mesh.panels]),
-        ("S8R", "GUSSETS", mesh.quads[mesh.panels :]),
-        ("S6", "GUSSETS", mesh.triangles),
+        ("S8R", "STIFFENERS", mesh.quads[mesh.panels :]),
+        ("S6", "STIFFENERS", mesh.triangles),
     ):
         if len(nodes):
             yield f"*ELEMENT,TYPE={kind},ELSET={name}"
