@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import struct
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import meshio
 import numpy as np
@@ -15,6 +16,7 @@ from design_tables import Tables, formula, tables
 from orishell import Shell
 from orishell.design_file import check_design
 from orishell.io.format import DEFAULT_SETTINGS
+from orishell.io.formats.html import write_html
 from orishell.io.formats.vtk import write_vtk
 from orishell.io.view import dump_view
 from orishell.numerics.arrays import Array
@@ -22,6 +24,10 @@ from orishell.plot import DrawnCase, plot_structure
 from orishell.shell.make import make_shell
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.solve.active_set import respond
+from viewer_pages import await_frames, pixels, wait_until, watched_page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 KINDS = {"gussets": {"kind": "gussets"}, "boxes": {"kind": "boxes", "columns": "all"}}
 
@@ -198,3 +204,36 @@ def test_it_is_drawn_displaced(kind: str, tmp_path: Path) -> None:
         pictures.append(path.read_bytes())
     assert pictures[0] == pictures[1]
     assert pictures[0] != pictures[2]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_browser_draws_it(kind: str, browser: Browser, tmp_path: Path) -> None:
+    """Displaced, with what has the largest stress in the legend, no complaint."""
+    document = arch(kind, strength=20e6).document
+    loaded = document.loaded
+    assert loaded is not None
+    assert loaded.parts is not None
+    (case,) = loaded.cases
+    weaker = np.append(case.stresses[: len(loaded.panels)], 2 * case.stresses.max())
+    stresses = np.zeros_like(case.stresses)
+    stresses[: len(weaker)] = weaker
+    cases = (replace(case, stresses=stresses),)
+    write_html(
+        tmp_path / "viewer.html",
+        replace(document, loaded=replace(loaded, cases=cases)),
+        DEFAULT_SETTINGS,
+    )
+    with watched_page(browser) as page:
+        page.goto((tmp_path / "viewer.html").as_uri())
+        wait_until(page, "window.orishell !== undefined")
+        bare = pixels(page, ".stage canvas")
+        page.get_by_test_id("load-case").select_option("weight")
+        await_frames(page)
+        used = 100 * 2 * case.stresses.max() / 20e6
+        legend = page.locator(".orishell-legend").inner_text()
+        assert (
+            f"{float(f'{used:.3g}'):g} % of strength at most, in {loaded.parts.names[0]};" in legend
+        )
+        assert (
+            float((np.abs(pixels(page, ".stage canvas") - bare).max(axis=-1) > 0.1).mean()) > 0.02
+        )

@@ -70,10 +70,10 @@ export class LoadMarks {
   }
 }
 
-function middlesOf({ points, triangles, panels }: Loaded, count: number): Vector3[] {
+function middlesOf({ points, triangles, panels, ofPanels }: Loaded, count: number): Vector3[] {
   const sums = Array.from({ length: count }, () => new Vector3()), corners = new Float64Array(count);
   const at = new Vector3();
-  for (let k = 0; k < triangles.length; k++) {
+  for (let k = 0; k < 3 * ofPanels; k++) {
     const panel = panels[Math.floor(k / 3)]!;
     sums[panel]!.add(at.fromArray(points, 3 * triangles[k]!));
     corners[panel]!++;
