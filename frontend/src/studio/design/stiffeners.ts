@@ -92,7 +92,7 @@ export class StiffenerControls {
     const set = (size: number, gesture = ""): void => this.set("bolts", bolted(this.store.design.value.stiffeners?.["bolts"], key, size), gesture);
     const id = `stiffeners-bolts-${key}`;
     const box = numberBox({ min: 0, step: "any", placeholder, id, "data-testid": id }, (size) => size > 0 && set(size, `type-${id}`));
-    box.addEventListener("change", () => Number(box.value) || set(0));
+    box.addEventListener("change", () => box.value === "" && set(0));
     return box;
   }
 
