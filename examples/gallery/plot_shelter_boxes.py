@@ -76,6 +76,7 @@ figure, frames = plt.subplots(1, 2, figsize=(11, 6), width_ratios=[1, 1], layout
 for axes, folded in zip(frames, (sheet, box.sleeve), strict=True):
     draw_pattern(axes, folded.positions(0.0), find_assignment(folded))
 for each in shell.design.boxes:
+    assert each.hung is not None
     for line in each.hung.ends:
         frames[0].plot(*line.T, color=COLOURS["girder"], linewidth=1.6)
 frames[0].set_title("sheet, and where girders hang on it")
@@ -114,7 +115,7 @@ def sinks(design: Design, mass: float, *, locked: bool = False) -> Iterator[floa
     corners = facets.points[facets.triangles]
     sides = corners[:, 1:, :2] - corners[:, :1, :2]
     plan = 0.5 * np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
-    beyond = corners[..., 1].mean(axis=1) > np.median(model.bare.facets.points[:, 1])
+    beyond = corners[..., 1].mean(axis=1) > np.median(model.stiffened.sheet.facets.points[:, 1])
     for loaded in (plan, plan * beyond):
         forces: Array = np.zeros_like(facets.points)
         np.add.at(forces[:, 2], facets.triangles, -400 / 3 * loaded[:, None])
