@@ -43,7 +43,7 @@ for row in shell.report.verdict:
 
 # %%
 # From the pack, at the left, to where girders come off before the sheet is flattened. What the
-# proof says of all states between these is above. Sheet and flaps are pale, girders ochre, plates
+# proof says of all states between these is above. Sheet and flaps are pale, girders yellow, plates
 # red.
 
 COLOURS = {"sheet": "#e9e2d3", "flap": "#b9b2d6", "girder": "#d9a441", "plate": "#b4413c"}
