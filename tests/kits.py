@@ -44,7 +44,19 @@ BOXED, BOXED_ON_MEMBRANE = "boxed", "boxed_on_membrane"
 membrane. Two seconds each."""
 _LAMINATED = {"construction": "sandwich", "thickness": 0.01, "membrane": 0.001}
 _BOXES = {"kind": "boxes", "share": "auto", "columns": 4}
+SKINNED = "skinned"
+"""A second skin of 24 boards below as many, on six walls of four. Three seconds."""
 _STIFFENED = {
+    SKINNED: {
+        "shell": {"family": "parallel-repeating", "unit": "m"},
+        "target": {
+            "f": {"formula": "-0.35*x**2", "range": [-2, 2]},
+            "g": {"formula": "0.4*sin(x)", "range": [0, 4]},
+        },
+        "pattern": {"rows": 5, "columns": 5, "flap": 0, "xi_deg": 60},
+        "panel": {"construction": "bevel", "thickness": 0.012, "gap": 0.004, "density": 500},
+        "stiffeners": {"kind": "skin", "gap": 0.15},
+    },
     STIFFENED: _ARCH,
     BOXED: {**_ARCH, "stiffeners": _BOXES},
     BOXED_ON_MEMBRANE: {

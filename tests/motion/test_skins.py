@@ -26,9 +26,11 @@ def random_skin(number: int) -> tuple[Skin, Complex]:
     sheet = random_sheet(number).without_flaps()
     every = slice(0, sheet.grid.columns)
     half, _ = Skin.under(sheet, every, None).distances()
-    skin = Skin.under(sheet, every, float(draw.uniform(0.2, 1.4)) * half)
-    walls = skin.walls()
-    assert walls
+    gap = float(draw.uniform(0.2, 1.4)) * half
+    skin = Skin.under(sheet, every, gap)
+    while not (walls := skin.walls()):
+        gap *= 0.5
+        skin = Skin.under(sheet, every, gap)
     chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
     return skin, Complex(sheet, skin.carried(chosen))
 

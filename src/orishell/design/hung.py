@@ -45,6 +45,18 @@ class HungLines:
             away=np.stack([away[:, :-1], away[:, 1:]], axis=2).reshape(-1, 2),
         )
 
+    def of(self, name: str) -> Self:
+        """Those on which a part of a name hangs."""
+        mine = np.array([each == name for each in self.names], np.bool_)
+        return replace(
+            self,
+            names=(name,) * int(mine.sum()),
+            panels=self.panels[mine],
+            sides=self.sides[mine],
+            ends=self.ends[mine],
+            away=self.away[mine],
+        )
+
     def moved(self, first: int, move: Array) -> Self:
         """The same where the part is moved, and its first panel has another number."""
         return replace(self, panels=self.panels + first, ends=self.ends + move)

@@ -85,8 +85,8 @@ def write_fold(
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
     same numbers to the last bit. States are taken one by one, so that only one need be in memory.
     Parts that are there in all frames are panels as well, which do not hang together with it.
-    Box girders are in further frames, which call themselves "nonManifold": more than two panels
-    meet at edges there. They are passed over when the file is read.
+    Box girders, and a second skin, are in further frames, which call themselves "nonManifold": more
+    than two panels meet at edges there. They are passed over when the file is read.
     Without a flat sheet the first state is the key frame.
 
     Parameters
@@ -177,7 +177,7 @@ def _frames_of(hung: HungSheet) -> Iterator[dict[str, Any]]:
         yield {
             "frame_classes": ["foldedForm"],
             "frame_attributes": ["3D", NON_MANIFOLD],
-            **({"frame_title": f"{names[number]}, with girders"} if number in names else {}),
+            **({"frame_title": f"{names[number]}, with {hung.called}"} if number in names else {}),
             **(hung.mesh() if number == there[0] else same),
             **hung.state(number),
             **({"orishell:drive_deg": drive} if drive is not None else {}),

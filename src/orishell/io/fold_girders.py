@@ -1,9 +1,9 @@
 """The sheet with what hangs on it as it moves, in FOLD: edges at which more than two panels meet.
 
-Strips of box girders hang on lines across panels. There a panel is two in FOLD, joined to one
-(assignment J), and the panel of the strip is the third at that edge. Ends of these lines are
-vertices on the sides of all panels there. Where lines of two girders cross on a panel, it is parted
-along the first alone.
+Strips of box girders, and walls below a second skin, hang on lines across panels. There a panel is
+two in FOLD, joined to one (assignment J), and the panel of the strip is the third at that edge.
+Ends of these lines are vertices on the sides of all panels there. Where lines of two girders cross
+on a panel, it is parted along the first alone.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.design.hung import HungLines
 from orishell.document import Document, Part
 from orishell.numerics.arrays import Array, Integers
 
@@ -33,11 +34,18 @@ class HungSheet:
     """A sheet and the parts that hang on it, as one mesh."""
 
     document: Document
-    parts: tuple[Part, ...]  # those that hang on it
+    parts: tuple[Part, ...]  # those that hang on it, or on one another
     kept: Integers  # which of all vertices (N,), the sheet's and then every part's, are its own
     faces: tuple[list[int], ...]  # vertices around its panels, those of the sheet first
     # letter of every edge, and the number of its fold angle among those of sheet and parts
     edges: Mapping[Side, tuple[str, int]]
+
+    @property
+    def called(self) -> str:
+        """What hangs on it, in words."""
+        kinds = [part.kind for part in self.parts]
+        each = (kind + "s" * (kinds.count(kind) > 1) for kind in dict.fromkeys(kinds))
+        return " and ".join(each)
 
     def mesh(self) -> dict[str, Any]:
         """Keys of a frame that are the same in all of them."""
@@ -65,28 +73,30 @@ class HungSheet:
 
 
 def hung_sheet(document: Document) -> HungSheet | None:
-    """The sheet of a document with what hangs on it as it moves; None if nothing does.
-
-    None as well where some hang on others that do not: a second skin is left out with its walls.
-    """
-    parts = tuple(part for part in document.moving[1:] if part.hung is not None)
-    if not parts or any(part.bears is not None for part in document.moving):
+    """The sheet of a document with what hangs on it as it moves; None if nothing does."""
+    moving = document.moving[1:]
+    parts = tuple(part for part in moving if part.hung is not None or part.bears is not None)
+    if not parts:
         return None
     every: tuple[Part, ...] = (document.sheet, *parts)
     firsts = np.cumsum([0, *(each.mesh.vertex_count for each in every)]).tolist()
     flat = np.concatenate([each.require_flat() for each in every])
-    lines = [
-        line for each, first in zip(parts, firsts[1:], strict=False) for line in _lines(each, first)
-    ]
-    number, points = _ends_on_edges(document, lines, flat)
+    panels = np.concatenate([f + each.mesh.faces for f, each in zip(firsts, every, strict=False)])
+    lines = [*_lines(every, firsts)]
+    number, points = _ends_on_edges(panels, lines, flat)
     cuts: dict[int, list[Side]] = defaultdict(list)
     for panel, ends in lines:
         one, other = number[list(ends)].tolist()
         cuts[panel].append(_side(one, other))
+    loops = [
+        number[np.add(loop, first)].tolist()
+        for each, first in zip(every, firsts, strict=False)
+        for loop in each.mesh.around()
+    ]
     faces = [
         piece
-        for panel, loop in enumerate(document.mesh.around())
-        for piece in _parted(_with_points([*map(int, loop)], points), cuts[panel])
+        for panel, loop in enumerate(loops)
+        for piece in _parted(_with_points(loop, points), cuts[panel])
     ]
     times = Counter(side for piece in faces for side in _sides(piece))
     joined = {each for mine in cuts.values() for each in mine if times[each] > 1}
@@ -97,8 +107,6 @@ def hung_sheet(document: Document) -> HungSheet | None:
             for side in pairwise([one, *_between(one, other, points), other]):
                 edges.setdefault(_side(*side), (each.assignment[k], before + k))
         before += len(each.mesh.edges)
-        if first:
-            faces += [number[np.add(loop, first)].tolist() for loop in each.mesh.around()]
     kept, places = np.unique(np.concatenate([*map(np.array, faces)]), return_inverse=True)
     new = dict(zip(np.concatenate(faces).tolist(), places.tolist(), strict=True))
     return HungSheet(
@@ -110,31 +118,50 @@ def hung_sheet(document: Document) -> HungSheet | None:
     )
 
 
-def _lines(part: Part, first: int) -> Iterator[tuple[int, Side]]:
-    """The panel of the sheet that each panel of a part hangs on, and the vertices of that line.
+def _lines(parts: Sequence[Part], firsts: Sequence[int]) -> Iterator[tuple[int, Side]]:
+    """Every panel that a panel of a part hangs on, and the vertices of that line.
 
+    Panels and vertices are numbered through all parts, the sheet first.
+    firsts: The number of the first vertex of each part.
+    """
+    panels = np.cumsum([0, *(len(each.mesh.faces) for each in parts)]).tolist()
+    for part, first in zip(parts, firsts, strict=False):
+        if part.hung is None:
+            continue
+        yield from _lines_on(0, part.hung, part, first)
+        for k, on in enumerate(parts):
+            if on.bears is not None:
+                mine = on.bears.of(part.hung.names[0])
+                yield from _lines_on(panels[k], mine, part, first)
+
+
+def _lines_on(before: int, lines: HungLines, part: Part, first: int) -> Iterator[tuple[int, Side]]:
+    """The panels of lines on which all panels of a part hang, and the vertices of these.
+
+    before: The number of the first panel.
     first: The number of the part's first vertex.
     """
-    assert part.hung is not None
     flat = part.require_flat()
-    each = zip(part.hung.panels.tolist(), part.hung.ends, part.mesh.faces, strict=True)
-    for panel, ends, corners in each:
+    for panel, ends, corners in zip(
+        lines.panels.tolist(), lines.ends, part.mesh.faces, strict=True
+    ):
         away = np.linalg.norm(flat[corners][:, None] - ends, axis=-1)
         one, other = corners[away.argmin(axis=0)].tolist()
-        yield panel, (first + one, first + other)
+        yield before + panel, (first + one, first + other)
 
 
 def _ends_on_edges(
-    document: Document, lines: Lines, flat: Array
+    panels: Integers, lines: Lines, flat: Array
 ) -> tuple[Integers, dict[Side, list[int]]]:
-    """Numbers (N,) of vertices, those of ends at one place alike, and those on edges of the sheet.
+    """Numbers (N,) of vertices, those of ends at one place alike, and those on edges of panels.
 
     On an edge they are in their order, from the vertex of the lower number on.
+    panels: Corners (F, 4) of all panels.
     flat: All vertices (N, 2).
     """
     found: dict[Side, dict[int, float]] = defaultdict(dict)
     for panel, ends in lines:
-        sides = [_side(*each) for each in _sides(document.mesh.faces[panel].tolist())]
+        sides = [_side(*each) for each in _sides(panels[panel].tolist())]
         begin, run = flat[[low for low, _ in sides]], flat[[high for _, high in sides]]
         run = run - begin
         for vertex in ends:

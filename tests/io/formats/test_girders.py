@@ -12,7 +12,7 @@ import pygltflib
 import pytest
 
 from command_line import orishell
-from kits import BOXED, shell_of
+from kits import BOXED, SKINNED, shell_of
 from orishell.conventions.errors import InputError
 from orishell.document import FLAT, SHELL
 from orishell.io import read_fold, write_fold
@@ -150,3 +150,39 @@ def test_a_sheet_without_girders_has_no_further_frames(tmp_path: Path) -> None:
     write_fold(tmp_path / "sheet.fold", document)
     content = json.loads((tmp_path / "sheet.fold").read_text())
     assert len(content["file_frames"]) == len(document.states)
+
+
+def test_further_frames_have_a_second_skin_on_its_walls(tmp_path: Path) -> None:
+    """Three panels meet at both lines of every wall; panels are the same from frame to frame."""
+    document = shell_of(SKINNED).document
+    write_fold(tmp_path / "shell.fold", document)
+    frames = json.loads((tmp_path / "shell.fold").read_text())["file_frames"]
+    skins = [frame for frame in frames if "nonManifold" in frame["frame_attributes"]]
+    assert skins
+    assert skins[-1]["frame_title"] == "target, with skin and walls"
+    faces, edges = skins[0]["faces_vertices"], [tuple(e) for e in skins[0]["edges_vertices"]]
+    sides = Counter((min(pair), max(pair)) for face in faces for pair in pairwise([*face, face[0]]))
+    assert sorted(edges) == sorted(sides)
+    walls = sum(len(part.mesh.faces) for part in document.attached if part.kind == "wall")
+    others = len(document.mesh.faces) + sum(
+        len(part.mesh.faces) for part in document.attached if part.kind == "skin"
+    )
+    # Every panel of a wall parts one of the sheet and one of the second skin.
+    assert len(faces) == others + 3 * walls
+    letters = dict(zip(edges, skins[0]["edges_assignment"], strict=True))
+    assert sum(times == 3 for times in sides.values()) == 2 * walls
+    assert {letters[each] for each, times in sides.items() if times == 3} == {"J"}
+    assert {letters[each] for each, times in sides.items() if times == 1} == {"B"}
+    lengths = []
+    for frame in skins:
+        points = np.array(frame["vertices_coords"])
+        for face in faces:
+            corners = points[face] - points[face[0]]
+            assert np.linalg.svd(corners, compute_uv=False)[2] < 1e-9
+        apart = [np.linalg.norm(points[face] - points[face[0]], axis=1) for face in faces]
+        lengths.append(np.concatenate(apart))
+    np.testing.assert_allclose(lengths[0], lengths[-1], rtol=0, atol=1e-12)
+    lying = document.in_world(document.shell.positions)
+    np.testing.assert_allclose(
+        np.array(skins[-1]["vertices_coords"])[: len(lying)], lying, rtol=0, atol=1e-12
+    )
