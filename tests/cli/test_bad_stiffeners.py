@@ -168,6 +168,17 @@ def test_what_a_second_skin_cannot_be_is_said_in_one_line(tmp_path: Path, line: 
     assert SKIN[line] in said
 
 
+@pytest.mark.parametrize("command", ["design", "structure"])
+def test_a_structure_has_no_second_skin(tmp_path: Path, command: str) -> None:
+    file = tmp_path / "shell.toml"
+    more = '[structure]\nmodulus = 8e9\nsupports = [{ at = "feet", kind = "pinned" }]'
+    file.write_text(SHELL.format(flap=0, more=more) + '[stiffeners]\nkind = "skin"\n')
+    done = orishell(command, file, "--out", tmp_path / "out")
+    assert done.returncode == 2
+    assert "a second skin is not analysed under loads" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize("kind", ["gussets", "boxes"])
 def test_a_gap_is_of_a_second_skin(tmp_path: Path, kind: str) -> None:
     status, said = refusal(tmp_path, f'kind = "{kind}"\ngap = 0.1')

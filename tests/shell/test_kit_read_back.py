@@ -18,6 +18,7 @@ from kits import (
     BOXED_ON_MEMBRANE,
     CARD_SHELL,
     OF_STEEL,
+    SKINNED,
     STIFFENED,
     booklet_counts,
     names_in,
@@ -36,13 +37,15 @@ KITS = ["shelter", "shelter_boards", "shelter_hinged", "dome", "dome_locked", "t
 KIT = pytest.mark.parametrize(
     "name",
     [
-        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE),
+        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE, SKINNED),
         *(pytest.param(name, marks=thorough) for name in KITS),
     ],
     scope="module",  # tests of one kit come one after the other
 )
 SIDES = {"Upper boards": "top", "Lower boards": "bottom", "Boards": "panel"}
 """What the booklet calls boards, and the tables their side."""
+HUNG = {"box ": 1, "wall ": 2}
+"""What panels are called that hang on others, and on how many lines each does."""
 SHEETS = ("Sheet with creases", "Parts of the sheet", "Membrane", "Parts of the membrane")
 
 
@@ -150,13 +153,17 @@ def _require_sheet(kit: Path, counts: dict[str, int]) -> None:
 
 
 def _require_lines(kit: Path, counts: dict[str, int]) -> None:
-    """As many lines as strips have panels, and each drawn once on a board with its name."""
+    """As many lines as strips have panels, two of those of walls, each on a board with its name."""
     lines = rows_of(kit / "hinges/lines.csv")
-    assert counts.get("Box girders", 0) == len({row["part"] for row in lines})
+    hung = counts.get("Box girders", 0) + counts.get("Walls", 0)
+    assert hung == len({row["part"] for row in lines})
     boards = rows_of(kit / "cut/boards.csv")
     plates = {row["panel"] for row in boards if row["panel"].startswith("plate ")}
     assert counts.get("Plates", 0) == len(plates)
-    assert len(lines) == len({row["panel"] for row in boards if row["panel"].startswith("box ")})
+    strips = [{row["panel"] for row in boards if row["panel"].startswith(k)} for k in HUNG]
+    assert len(lines) == sum(
+        k * len(panels) for k, panels in zip(HUNG.values(), strips, strict=True)
+    )
     drawn = names_in((kit / "cut").glob("pattern-*.dxf"))
     solid = {row["side"] for row in boards} == {"panel"}
     letters = {"top": " T", "bottom": " B"} if solid else {"top": "", "bottom": ""}
@@ -217,7 +224,7 @@ def test_gussets_of_steel_are_cut_and_weighed_apart(kit_of: Callable[[str], Path
 @pytest.mark.parametrize(
     "name",
     [
-        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE),
+        *(CARD_SHELL, STIFFENED, OF_STEEL, BOXED, BOXED_ON_MEMBRANE, SKINNED),
         *("shelter_boards", "shelter_hinged", "dome"),
     ],
 )

@@ -6,13 +6,18 @@ import numpy as np
 import pytest
 import shapely
 
-from kits import BOXED, BOXED_ON_MEMBRANE, shell_of
+from kits import BOXED, BOXED_ON_MEMBRANE, SKINNED, shell_of
 from orishell.design.hung import HungLines
 from orishell.motion.quads import unit_normals
 from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import board_parts
 from orishell.workshop.kit.card_model import make_card_model
+from orishell.workshop.kit.facts import find_facts
+from orishell.workshop.kit.parts import kit_parts
+from orishell.workshop.kit.steps import kit_steps
+from orishell.workshop.kit.words import load_words
 from orishell.workshop.palettes import Text
+from orishell.workshop.settings import Language
 from orishell.workshop.sheets import draw_backs, draw_sheets
 
 CLOSE = 1e-12
@@ -121,12 +126,60 @@ def test_a_card_model_has_lines_to_its_scale() -> None:
     assert sum(text.words in named for text in front.texts) == len(hung)
 
 
-@pytest.mark.parametrize("name", [BOXED, BOXED_ON_MEMBRANE])
-def test_the_verdict_counts_boards_of_girders(name: str) -> None:
-    """As many as sheet, flaps and girders have in the document."""
+@pytest.mark.parametrize("name", [BOXED, BOXED_ON_MEMBRANE, SKINNED])
+def test_the_verdict_counts_boards_of_what_is_carried(name: str) -> None:
+    """As many as sheet, flaps and what the sheet carries have in the document."""
     shell = shell_of(name)
-    parts = [part for part in shell.document.parts if part.kind in {"sheet", "flap", "girder"}]
+    parts = [part for part in shell.document.parts if part.kind != "plate"]
     wanted = sum(len(part.boards) for part in parts if part.boards is not None)
     (row,) = (each for each in shell.report.verdict if each.subject == "boards")
     assert row.finding.startswith(f"{wanted}, of panels")
-    assert sum(part.kind == "girder" for part in parts) == 3
+    assert len(parts) == 1 + len(shell.design.carried) > 3
+
+
+def test_a_wall_has_its_name_on_both_skins() -> None:
+    """Of every panel of a wall, on the bottom of one panel and on the top of another."""
+    document = shell_of(SKINNED).document
+    (skin,) = (part for part in document.attached if part.kind == "skin")
+    walls = [part for part in document.attached if part.kind == "wall"]
+    assert len(walls) == 6
+    outer = HungLines.joined(part.hung for part in walls)
+    assert outer is not None
+    assert skin.bears is not None
+    assert outer.names == skin.bears.names
+    assert {*outer.sides.tolist()} == {-1}
+    assert {*skin.bears.sides.tolist()} == {1}
+    # Lines of both are as long as the wall is there: both are lines of one strip.
+    flat = [part.require_flat().reshape(2, -1, 2) for part in walls]
+    wanted = np.sort(
+        np.concatenate([np.linalg.norm(np.diff(f, axis=1), axis=-1).ravel() for f in flat])
+    )
+    drawn = np.concatenate([outer.ends, skin.bears.ends])
+    lengths = np.sort(np.linalg.norm(drawn[:, 1] - drawn[:, 0], axis=1))
+    np.testing.assert_allclose(lengths, wanted, rtol=0, atol=CLOSE)
+    texts = [text.words for board in board_parts(document) for text in board.texts]
+    for wall in walls:
+        (name,) = {*(wall.hung.names if wall.hung is not None else ())}
+        assert texts.count(f"{name} B") == texts.count(f"{name} T") == len(wall.mesh.faces)
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_the_booklet_has_skin_and_walls(language: Language) -> None:
+    """As parts, and one step each to fit them before the shell is folded."""
+    document, workshop = shell_of(SKINNED).document, Workshop()
+    facts = find_facts(document)
+    parts = kit_parts(document, workshop, facts)
+    assert {part.name: part.count for part in parts if part.name in ("skin", "wall")} == {
+        "skin": 1,
+        "wall": 6,
+    }
+    words = load_words(language)
+    steps = kit_steps(document, workshop, facts, parts)
+    names = [step.name for step in steps]
+    assert names.index("fit_skin") + 1 == names.index("fit_wall")
+    for step in steps:
+        if step.name in ("fit_skin", "fit_wall"):
+            assert "{" not in words.say(f"steps.{step.name}.text", **step.values)
+    for part in parts:
+        if part.name in ("skin", "wall"):
+            assert "{" not in words.say(f"parts.{part.note}", **part.values)

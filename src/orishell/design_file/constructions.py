@@ -70,16 +70,33 @@ def _require_room(structure: Structure, board: float, keys: tuple[str, ...]) -> 
         )
 
 
+def require_one_skin(asked: Stiffeners | None) -> None:
+    """Refuse a second skin, whose panels have no place in the model of a structure.
+
+    Raises InputError if there is one.
+    """
+    if asked is not None and asked.kind == "skin":
+        raise InputError(
+            "a shell with a second skin is not analysed under loads",
+            keys=("stiffeners.kind", "structure"),
+            got='"skin"',
+            expected='"gussets" or "boxes" beside a table [structure]',
+            remedy="leave out one of both tables",
+        )
+
+
 def plates_of(
     asked: Stiffeners | None, structure: Structure | None, panel: PanelSpec | None, unit: str
 ) -> Stiffeners | None:
     """Plates that stiffen the shell: of a material of their own, if that is not the structure's.
 
     Raises InputError if there is no such material, it has no room for its core, or panels without a
-    thickness have no boards beside which such plates stand.
+    thickness have no boards beside which such plates stand; or if a structure has a second skin.
     """
     if asked is None:
         return None
+    if structure is not None:
+        require_one_skin(asked)
     name, keys = asked.material, ("stiffeners.thickness", "stiffeners.material")
     if name is not None and name not in materials():
         raise InputError(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
+from orishell.design_file.constructions import require_one_skin
 from orishell.shell.make import Shell
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
@@ -50,8 +51,8 @@ def analyse_structure(
             keys=("structure",),
             remedy="add the table [structure], or pass a Structure",
         )
-    _require_one_skin(shell.file)
     try:
+        require_one_skin(shell.file.stiffeners)
         return analyse(shell.design, structure, shell.site, progress, built=shell.lock.built)
     except InputError as error:
         raise error.in_file(shell.file.path) from None
@@ -68,21 +69,4 @@ def require_structure(file: DesignFile) -> None:
             file=file.path,
             keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
-        )
-    _require_one_skin(file)
-
-
-def _require_one_skin(file: DesignFile) -> None:
-    """Refuse a second skin, whose panels have no place in the model of a structure.
-
-    Raises InputError if there is one.
-    """
-    if file.stiffeners is not None and file.stiffeners.kind == "skin":
-        raise InputError(
-            "a shell with a second skin is not analysed under loads",
-            file=file.path,
-            keys=("stiffeners.kind",),
-            got='"skin"',
-            expected='"gussets" or "boxes"',
-            remedy="analyse the shell without the table [stiffeners]",
         )
