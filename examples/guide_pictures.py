@@ -34,6 +34,7 @@ from orishell.design_file.file import check_design
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
 from orishell.locking import find_lock
+from orishell.motion.skins import Skin
 from orishell.plot import DrawnContact, find_hinge_section, plot_overview, plot_tradeoff
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.scene import WIDTH
@@ -350,6 +351,29 @@ def draw_clash(path: Path) -> None:
     smaller.save(path, optimize=True)
 
 
+def draw_skin(path: Path) -> None:
+    """Column 1 of a shell with a second skin, from half folded to nearly shut."""
+    f, g = graph("-0.35*x**2", -2, 2), graph("0.4*sin(x)", 0, 5)
+    pattern = ParallelRepeatingPattern(rows=7, columns=6, flap=0, xi_deg=60)
+    sheet = design_parallel_repeating(f, g, pattern).mechanism
+    skin = Skin.under(sheet, slice(0, sheet.grid.columns), 0.15)
+    below, *walls = skin.carried(skin.walls())
+    figure, frames = new_figure(11, 3.4, 3)
+    named = {"half of the target": 0.5, "target": 1.0, "beyond it": 1.25}
+    for axes, (name, share) in zip(frames, named.items(), strict=True):
+        drive = share * sheet.target_drive
+        middle = sheet.positions(drive)[:, 0].mean(axis=0)
+        along = sheet.positions(drive)[-1, 0] - sheet.positions(drive)[0, 0]
+        along = along / np.linalg.norm(along)
+        kinds = [(sheet, "#333333", 1.8), (below, LINE_COLOUR, 1.8)]
+        kinds += [(wall, OTHER_COLOUR, 1.3) for wall in walls]
+        for each, colour, width in kinds:
+            line = each.positions(drive)[:, 0] - middle
+            axes.plot(line @ along, line[:, 2], color=colour, linewidth=width)
+        to_scale(axes, f"{name}, {np.rad2deg(drive):.0f} degrees")
+    save(figure, path)
+
+
 PICTURES: Mapping[str, Callable[[Path], None]] = {
     "parallel-xi.png": draw_staircases,
     "parallel-plane.png": draw_planes,
@@ -365,6 +389,7 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "workshop-sheets.png": draw_sheets,
     "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,
+    "second-skin.png": draw_skin,
 }
 
 
