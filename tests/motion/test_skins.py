@@ -136,3 +136,22 @@ def test_it_ends_at_the_height_of_the_ends_of_its_sheet() -> None:
         ends = skin.reshape(whole.strips[0].grid.rows, -1, 3)[[0, -1], :, 2]
         np.testing.assert_allclose(ends, sheet[[0, -1], :, 2], rtol=0, atol=1e-13)
         assert skin[:, 2].min() > sheet[[0, -1], :, 2].min() - 1e-13
+
+
+@pytest.mark.parametrize("number", range(ALL if THOROUGH else 6))
+def test_columns_are_one_staircase(number: int) -> None:
+    """What is asked of a lattice: coordinates, parallel creases, bounds as lengths are."""
+    sheet = random_sheet(number).without_flaps()
+    lattice, size = sheet.lattice(), diagonal(sheet.positions(0.0))
+    for drive in np.linspace(0.1, 0.95, 4) * sheet.end_drive:
+        points = sheet.positions(float(drive))
+        for column in range(sheet.grid.columns):
+            own = points[:, column] - points[0, column]
+            solved, *_ = np.linalg.lstsq(lattice.places, own, rcond=None)
+            assert np.abs(lattice.places @ solved - own).max() < 1e-14 * size
+        along = np.diff(points, axis=1)
+        along = along / np.linalg.norm(along, axis=-1)[..., None]
+        assert np.abs(along - along[:1]).max() < 1e-12
+    _, down = sheet.edge_accelerations(np.array([0.4, 1.0]), np.array([0.5, 1.3]))
+    share = down / lattice.lengths
+    np.testing.assert_allclose(share, share[:, :1].repeat(share.shape[1], 1), rtol=1e-12)

@@ -87,7 +87,10 @@ class Lattice:
 
 @runtime_checkable
 class OnLattice(Protocol):
-    """A sheet whose columns share a lattice."""
+    """A sheet whose columns share a lattice, and whose row creases between two are parallel.
+
+    Its bounds of accelerations of edges down columns are in proportion to their lengths.
+    """
 
     def lattice(self) -> Lattice:
         """Coordinates of its rows."""
