@@ -81,7 +81,9 @@ def with_skin(
     if motion.joined_from >= design.mechanism.target_drive:
         least, _ = skin.distances()
         smaller = [Remedy({"stiffeners.gap": rounded_down(k * least)}) for k in OTHERS]
-        raise path.refusal(motion, ("stiffeners.gap", "stiffeners.walls"), smaller)
+        # Boards of walls meet those that go on beside them where flaps are shut.
+        bare = [Remedy({"pattern.flap": 0})] if design.mechanism.flap_columns else []
+        raise path.refusal(motion, ("stiffeners.gap", "stiffeners.walls"), [*bare, *smaller])
     made = replace(design, carried=parts)
     return made, replace(path.ended(motion), skin=_found(made, skin, walls, motion))
 
