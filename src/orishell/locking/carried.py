@@ -69,8 +69,8 @@ class CarriedPath:
         target, end = lock.target_drive, lock.closes_to
         carried, end, within = self._built(parts, end, progress)
         strips = tuple(each.strips for each in carried)
-        whole = Complex(self.design.mechanism, strips).least_turning
-        bodies = self._bodies(whole, carried)
+        made = Complex(self.design.mechanism, strips)
+        bodies, whole = self._bodies(made, carried), made.least_turning
 
         def path(stop: float, tolerance: float) -> PathResult:
             if bodies is None:
@@ -130,7 +130,7 @@ class CarriedPath:
         return tuple(made), end if first is None else min(end, first.clear_until), first
 
     def _bodies(self, whole: Complex, carried: Sequence[CarriedPart]) -> Bodies | None:
-        """All boards on the panels of the complex; None if panels have no thickness."""
+        """All boards on the panels of the complex, drawn flat; None if they have no thickness."""
         built = self.lock.built
         if built is None:
             return None
