@@ -331,6 +331,8 @@ SAMPLES: dict[str, Sample] = {
     "wall, parallel": Sample(lambda: skin_of(parallel()).strips[2]),
 }
 """Of every family the kinds of sheets that its closed form tells apart; what they carry."""
+CLOSED = [name for name in SAMPLES if not name.startswith("wall")]
+"""Those with inner vertices, about which panels close."""
 COMPLEXES = {
     "sheet with sleeves": Sample(
         lambda: complex_of(flat_foldable(random_net(6, 5, 2))), rounding=(1e-14, 1e-15)

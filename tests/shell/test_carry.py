@@ -573,35 +573,26 @@ def test_box_girders_take_the_place_of_gussets(weak: tuple[DesignFile, Analysis]
     assert not list(carry_steps.box_girders(held, begun))
 
 
-def test_gussets_are_not_tried_where_nobody_knows_what_holds_them(
-    weak: tuple[DesignFile, Analysis], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """That is said, with the key to give; known in one direction is not known."""
+def test_stiffeners_come_with_what_holds_them(weak: tuple[DesignFile, Analysis]) -> None:
+    """The strongest kind of which all is known, said, where the file gives less than all."""
     file, begun = weak
-    for given in (None, {"pull": 150e3, "along": 150e3}):
-        unfixed = file.tried({"structure.edge_strength": given})
-        assert not list(carry_steps.gussets(unfixed, begun))
-        assert not list(carry_steps.box_girders(unfixed, begun))
-        ((words, why),) = carry_strengths.untried(unfixed)
-        assert words == "gussets and box girders"
-        assert "edge_strength" in why
-    assert not list(carry_strengths.untried(file))
-    for order in ("BUILDER", "DESIGNER"):
-        monkeypatch.setattr(carry, order, ())
-    tried = find_carrying(unfixed).tried
-    assert f"{words}: {why}" in tried
+    fixed = {"structure.edge_strength": {"kind": "bolted hinge"}}
+    for step in (carry_steps.gussets, carry_steps.box_girders):
+        for given in (None, {"pull": 150e3, "along": 150e3}):
+            change = next(step(file.tried({"structure.edge_strength": given}), begun))
+            assert change.values.items() >= fixed.items()
+            assert change.words.endswith("bolted hinge along edges of gussets and plates")
+        assert "structure.edge_strength" not in next(step(file, begun)).values
 
 
-def test_a_shell_with_gussets_is_asked_what_holds_them(
-    weak: tuple[DesignFile, Analysis],
-) -> None:
-    """No change makes that known, so nothing is tried before it is given."""
-    file, _ = weak
+def test_what_holds_gussets_comes_first(weak: tuple[DesignFile, Analysis]) -> None:
+    """Of a file that has them already, and of plates across girders; not where there are none."""
+    file, begun = weak
     stiffened = file.tried({"stiffeners.kind": "gussets", "structure.edge_strength": None})
     assert carry_strengths.not_given(stiffened) == ["plate_edges"]
-    with pytest.raises(DesignError) as refused:
-        find_carrying(stiffened)
-    assert refused.value.keys == ("structure.edge_strength",)
+    ((step, _),) = [each for each in carry_strengths.MAKES_KNOWN if "plate_edges" in each[1]]
+    held = stiffened.tried(next(step(stiffened, begun)).values)
+    assert not carry_strengths.not_given(held)
     kinds = {"stiffeners.kind": "boxes", "stiffeners.columns": "none"}
     assert not carry_strengths.not_given(stiffened.tried(kinds))
     assert carry_strengths.not_given(stiffened.tried({"stiffeners.kind": "boxes"}))

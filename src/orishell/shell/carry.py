@@ -22,14 +22,7 @@ from orishell.shell.carry_change import Change, Step, together
 from orishell.shell.carry_found import Carrying, CarrySearch, ended, parts_on_site
 from orishell.shell.carry_state import State
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
-from orishell.shell.carry_strengths import (
-    MAKES_KNOWN,
-    in_words,
-    not_given,
-    refuse,
-    require_known,
-    untried,
-)
+from orishell.shell.carry_strengths import MAKES_KNOWN, in_words, not_given, refuse, require_known
 from orishell.shell.facts import Facts
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.load_trials import LOADED, LoadTrials, Refused
@@ -37,7 +30,7 @@ from orishell.structure.results import Analysis
 
 ROUNDS = 3
 """So many times all steps of an order are taken, as one may help after another."""
-WORK = 60.0
+WORK = 90.0
 """Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
 LEFT = 8.0
 """So many predicted seconds are left at least for what a shell that carries does not need."""
@@ -99,8 +92,6 @@ class _Search:
         first = self._trial((), "the file")
         if isinstance(first, State):
             first = self._made_known(first)
-            for words, why in untried(first.file):
-                self._note(words, why)
             for order, share in ((BUILDER, 0.5), (DESIGNER, 1.0)):
                 self.until = share * WORK
                 self._walk(first, order)

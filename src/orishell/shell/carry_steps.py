@@ -17,7 +17,7 @@ from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.shell.carry_boards import other_materials, thicker, thinner
-from orishell.shell.carry_change import Change, Step
+from orishell.shell.carry_change import Change, Step, together
 from orishell.shell.carry_feet import anchored, base_rail, clamped, held_edges, more_ballast
 from orishell.shell.load_trials import STANDING_CELLS
 from orishell.structure.hinge_lines import DIRECTIONS, hinge_lines
@@ -85,28 +85,39 @@ def flaps(file: DesignFile, _: Analysis) -> Iterator[Change]:
         yield Change({"pattern.flap": "auto"}, {"flaps": 'flaps (flap = "auto")'})
 
 
-def gussets(file: DesignFile, _: Analysis) -> Iterator[Change]:
+def gussets(file: DesignFile, found: Analysis) -> Iterator[Change]:
     """Gussets in few columns, of folds that look down or of all; then in more of them.
 
     Not in place of box girders that the file has.
     """
     if file.stiffeners is None or file.stiffeners.kind == "gussets":
-        yield from _stiffened(file, "gussets", "gussets in the {}, {}")
+        yield from _stiffened(file, found, "gussets", "gussets in the {}, {}")
 
 
-def box_girders(file: DesignFile, _: Analysis) -> Iterator[Change]:
+def box_girders(file: DesignFile, found: Analysis) -> Iterator[Change]:
     """Box girders with plates in few columns, in the place of gussets; then with more of them."""
-    yield from _stiffened(file, "boxes", "box girders over the {}, plates at {}")
+    yield from _stiffened(file, found, "boxes", "box girders over the {}, plates at {}")
 
 
-def _stiffened(file: DesignFile, kind: str, words: str) -> Iterator[Change]:
-    """Stiffeners of a kind where there are none of it, or more of them.
+def fixed_edges(file: DesignFile, _: Analysis) -> Iterator[Change]:
+    """The strongest kind of line of which all is known, along edges of gussets and plates.
 
-    If it is known what holds the edges of gussets and plates.
+    Where the file does not say what holds them.
     """
     assert file.structure is not None
-    hinged = file.panel is not None and file.panel.construction == "hinged"
-    if hinged or not holds_plates(file):
+    strength = file.structure.filled(file.unit).edge_strength
+    if strength is None or not strength.is_known:
+        of = attrgetter(*DIRECTIONS)
+        known = {name: of(each) for name, each in hinge_lines().items() if None not in of(each)}
+        name = max(known, key=lambda each: min(known[each]))
+        values = {"structure.edge_strength": {"kind": name}}
+        yield Change(values, {"fixed": f"{name} along edges of gussets and plates"})
+
+
+def _stiffened(file: DesignFile, found: Analysis, kind: str, words: str) -> Iterator[Change]:
+    """Stiffeners of a kind where there are none of it, or more of them, and what holds them."""
+    assert file.structure is not None
+    if file.panel is not None and file.panel.construction == "hinged":
         return
     finer = {} if file.structure.cells >= STANDING_CELLS else {"structure.cells": STANDING_CELLS}
     there = file.stiffeners
@@ -124,14 +135,8 @@ def _stiffened(file: DesignFile, kind: str, words: str) -> Iterator[Change]:
         }
         which = PLACES[rows] if isinstance(rows, str) else f"rows {', '.join(map(str, rows))}"
         often = COLUMNS.get(columns, f"every {columns}th column")
-        yield Change({**begun, **placed, **finer}, {"stiffeners": words.format(which, often)})
-
-
-def holds_plates(file: DesignFile) -> bool:
-    """Whether a file says what edges of gussets, and of plates across girders, are held by."""
-    assert file.structure is not None
-    strength = file.structure.filled(file.unit).edge_strength
-    return strength is not None and strength.is_known
+        said = {"stiffeners": words.format(which, often)}
+        yield together((Change({**begun, **placed, **finer}, said), *fixed_edges(file, found)))
 
 
 def _more_places(there: Stiffeners | None) -> Iterator[tuple[Rows, Literal["all"] | int]]:

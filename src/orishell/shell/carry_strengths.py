@@ -14,7 +14,7 @@ from orishell.conventions.quantities import conversion
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.shell.carry_change import Change, Step
-from orishell.shell.carry_steps import holds_plates, named_lines
+from orishell.shell.carry_steps import fixed_edges, named_lines
 from orishell.structure.results import Analysis
 from orishell.structure.utilisation import Limiting
 
@@ -54,15 +54,6 @@ def not_given(file: DesignFile) -> list[Limiting]:
     return [part for part, open_ in missing.items() if open_]
 
 
-def untried(file: DesignFile) -> Iterator[tuple[str, str]]:
-    """What is not tried though it may help, and why: a file does not say what it bears."""
-    hinged = file.panel is not None and file.panel.construction == "hinged"
-    if not (hinged or holds_plates(file)):
-        words, key = GIVE["plate_edges"]
-        why = f"not tried, as the strength of {words} is not given ({key})"
-        yield "gussets and box girders", why
-
-
 def free_hinges(file: DesignFile, _: Analysis) -> Iterator[Change]:
     """Hinges that turn freely, which have no moment to bear."""
     assert file.structure is not None
@@ -99,6 +90,7 @@ def no_membrane(file: DesignFile, _: Analysis) -> Iterator[Change]:
 MAKES_KNOWN: Sequence[tuple[Step, frozenset[Limiting]]] = (
     (no_membrane, frozenset({"membrane", "lines"})),
     (named_lines, frozenset({"lines"})),
+    (fixed_edges, frozenset({"plate_edges"})),
     (free_hinges, frozenset({"creases"})),
     (no_ties, frozenset({"ties"})),
 )

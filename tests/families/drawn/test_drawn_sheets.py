@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from accelerations import shares_of_bounds
-from mechanisms import SAMPLES, drawn_from, flat_foldable, miura_net, parallel, random_net
+from mechanisms import CLOSED, SAMPLES, drawn_from, flat_foldable, miura_net, parallel, random_net
 from orishell.conventions.errors import DesignError
 from orishell.families.drawn.mechanism import DrawnSheet
 from orishell.families.drawn.sheet import drawn_sheet
@@ -20,7 +20,7 @@ from timing import ROOM, seconds
 from toy_family import Miura
 
 Array = np.ndarray
-OTHERS = [name for name in SAMPLES if not name.startswith("drawn")]
+OTHERS = [name for name in CLOSED if not name.startswith("drawn")]
 
 
 def rotations(axes: Array, angles: Array) -> Array:

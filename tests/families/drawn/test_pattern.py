@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mechanisms import CLOSED, flat_foldable, random_net
 from mechanisms import SAMPLES as SHEETS
-from mechanisms import flat_foldable, random_net
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, read_design_file, starter_file
@@ -100,7 +100,7 @@ NEARBY = [
     "flat-foldable, one row",
     "toy",
 ]
-OTHERS = [name for name in SHEETS if name not in NEARBY and not name.startswith("drawn")]
+OTHERS = [name for name in CLOSED if name not in NEARBY and not name.startswith("drawn")]
 
 
 def jittered_sheet(name: str, seed: int, share: float = 1e-3) -> tuple[Array, Array, CreaseValues]:
@@ -210,7 +210,7 @@ def without_letters(sheet: Mechanism) -> tuple[Array, CreaseValues, CreaseValues
     return flat, signs, nothing
 
 
-@pytest.mark.parametrize("name", [each for each in SHEETS if not each.startswith("drawn")])
+@pytest.mark.parametrize("name", [each for each in CLOSED if not each.startswith("drawn")])
 def test_mountains_and_valleys_are_found(name: str) -> None:
     flat, signs, nothing = without_letters(SHEETS[name].make())
     ways = find_signs(flat, nothing)
