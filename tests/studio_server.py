@@ -33,6 +33,17 @@ with tempfile.TemporaryDirectory() as place:
 same, with an empty page."""
 
 
+HURRIED = """
+from dataclasses import replace
+from functools import partial
+from orishell.__main__ import main
+from orishell.studio import app
+app.make_app = partial(app.make_app, limits=replace(app.LIMITS, slow=6))
+main()
+"""
+"""A studio that waits for proofs for a few seconds only."""
+
+
 @dataclass(frozen=True)
 class Studio:
     """Where a studio answers whom, and the number of its process.
@@ -61,12 +72,17 @@ def running_studio(
     python: str | Path = sys.executable,
     environment: Mapping[str, str] | None = None,
     port: int | None = None,
+    program: str = "",
 ) -> Iterator[Studio]:
-    """A studio that runs as long as the context lasts, of the orishell that a Python has."""
+    """A studio that runs as long as the context lasts, of the orishell that a Python has.
+
+    program: What is run in place of it, in Python.
+    """
     port = port or _free_port()
     built = python != sys.executable or viewer_is_built()
-    program = ["-m", "orishell"] if built else ["-c", WITHOUT_PAGES]
-    command = [str(python), *program, "studio", "--no-browse", "--port", str(port)]
+    code = program or ("" if built else WITHOUT_PAGES)
+    begin = ["-c", code] if code else ["-m", "orishell"]
+    command = [str(python), *begin, "studio", "--no-browse", "--port", str(port)]
     with tempfile.TemporaryDirectory() as place, Path(place, "words").open("wb") as heard:
         words = Path(heard.name)
         process = subprocess.Popen([*command, *map(str, arguments)], env=environment, stderr=heard)

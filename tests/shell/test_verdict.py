@@ -61,6 +61,7 @@ def test_the_worst_comes_first_and_the_report_has_it() -> None:
         "finding": "at 180 degrees: its flaps stop it closing; only its supports stop it opening",
         "remedy": "",
         "changes": {},
+        "known": True,
     }
 
 

@@ -44,6 +44,7 @@ MESSAGES: tuple[Any, ...] = (
     api.DrawnSheetFacts,
     api.FamiliesFound,
     api.FamiliesResult,
+    api.VerifiedSoFar,
     api.FitFound,
     api.FitResult,
     api.Advance,

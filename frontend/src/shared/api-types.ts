@@ -1696,6 +1696,8 @@ export interface Row {
   remedy: string;
   /** The same as values of keys of the design file; empty where it is none of these. */
   changes: Record<string, unknown>;
+  /** Whether anybody looked; if not, the finding says that nobody did. */
+  known: boolean;
 }
 
 /** Faces and core of boards. */
@@ -2048,6 +2050,11 @@ export interface Verified {
   sizes: BuiltSizes;
   /** A view in base64 that takes the place of the one shown; null: that one stays. */
   view: string | null;
+}
+
+/** A line of the answer: what is known before the structure of the shell is. */
+export interface VerifiedSoFar {
+  found: Verified;
 }
 
 /** How much of stock or rolls is used, and how long cuts and creases are (document's unit). */

@@ -29,6 +29,14 @@ export function headline(rows: readonly Judged[]): [string, Tone] | null {
   return [`${HEADS[tone]}: ${subjects.join(", ")}`, tone];
 }
 
+/** What is said of rows that are not known. */
+export interface Missing {
+  words: string;
+  sign?: Tone;
+  /** Makes the button that looks again. */
+  mend?: () => HTMLElement;
+}
+
 export class Verdict {
   readonly element = document.createElement("ul");
   /** By their subjects, the rows that were opened or closed. */
@@ -43,12 +51,19 @@ export class Verdict {
     this.element.setAttribute("aria-label", "Verdict");
   }
 
-  /** `pending`: what the rows will say is not known yet. */
-  show(report: Known | null, pending = false): void {
+  /** `missing`: what is said of rows that nobody has looked at so far, if more is to come; `found`: whether
+   * the others are known. */
+  show(report: Known | null, missing: Missing | null = null, found = false): void {
     const rows = judged(report);
-    if (pending) {
+    if (missing && !found) {
       const subjects = rows.map(({ subject }) => subject).filter((each) => each !== UNCHECKED);
-      this.element.replaceChildren(...subjects.map(unknown));
+      this.element.replaceChildren(...this.unknown(subjects, missing));
+      return;
+    }
+    if (missing) {
+      const [open, known] = [rows.filter((row) => !row.known && row.subject !== UNCHECKED), rows.filter((row) => row.known || row.subject === UNCHECKED)];
+      const subjects = open.length ? open.map(({ subject }) => subject) : ["remedies"];
+      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)));
       return;
     }
     const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])]);
@@ -68,6 +83,22 @@ export class Verdict {
     mends.textContent = `\u2192 ${this.said(row.remedy)}`;
     item.firstElementChild!.append(mends, ...[this.mend(row) ?? []].flat());
     return item;
+  }
+
+  /** Rows of which nothing is known; the first has what looks again. */
+  private unknown(subjects: readonly string[], { words, mend, sign }: Missing): HTMLElement[] {
+    return subjects.map((subject, place) => {
+      const said = document.createElement("span");
+      said.className = "orishell-pending";
+      said.textContent = ` ${words}`;
+      const dots = sign ? signOf(sign) : document.createElement("span");
+      if (!sign) {
+        dots.setAttribute("aria-hidden", "true");
+        dots.textContent = "\u2026";
+      }
+      const button = place ? null : mend?.();
+      return listed(sign ?? "pending", subject, dots, bold(subject), said, ...(button ? [button] : []));
+    });
   }
 
   private notes(texts: string[]): HTMLElement {
@@ -91,16 +122,6 @@ export class Verdict {
     row.append(head);
     return listed(tone, name, row);
   }
-}
-
-function unknown(subject: string): HTMLElement {
-  const words = document.createElement("span");
-  words.className = "orishell-pending";
-  words.textContent = " not yet known";
-  const dots = document.createElement("span");
-  dots.setAttribute("aria-hidden", "true");
-  dots.textContent = "\u2026";
-  return listed("pending", subject, dots, bold(subject), words);
 }
 
 export function signOf(tone: Tone): HTMLElement {

@@ -58,8 +58,8 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     },
   });
   const stage = new Stage(store, banner.element);
-  const results = new Results(store);
-  const live = new Live(store, async () => {
+  const results: Results = new Results(store, () => live.proveAgain());
+  const live: Live = new Live(store, async () => {
     // The shell first; pattern and figures follow when its frame has been handed over.
     stage.draw();
     await painted();

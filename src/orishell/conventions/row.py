@@ -31,3 +31,4 @@ class Row:
     remedy: str = ""  # what mends it, which has been tried; empty if nothing was found that does
     # the same as values of keys of the design file; empty where it is none of these
     changes: Mapping[str, Any] = field(default_factory=dict)
+    known: bool = True  # whether anybody looked; if not, the finding says that nobody did

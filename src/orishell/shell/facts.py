@@ -46,7 +46,15 @@ class Facts:
 
 
 def find_facts(found: Candidate, work: Work) -> Facts:
-    """Measure a shell that is proved.
+    """Measure a shell that is proved, and analyse its structure.
+
+    Raises InputError or DesignError as :func:`orishell.shell.make_shell` does.
+    """
+    return with_structure(measure(found, work), work)
+
+
+def measure(found: Candidate, work: Work) -> Facts:
+    """Measure a shell that is proved; its structure, if the file asks for it, is not looked at.
 
     Raises InputError or DesignError as :func:`orishell.shell.make_shell` does.
     """
@@ -68,20 +76,6 @@ def find_facts(found: Candidate, work: Work) -> Facts:
     cutting = None
     if work.asks("cutting"):
         cutting = find_cutting(design, file.workshop, found.feet, progress)
-    analysis = None
-    if work.asks("structure") and file.structure is not None:
-        analysis = analyse(
-            design,
-            file.structure,
-            site,
-            progress,
-            built=lock.built,
-            remedies=work.asks("remedies"),
-        )
-        deployment = with_anchors(deployment, analysis.anchors)
-        order = (*quantities.order, *rail_order(analysis.model))
-        quantities = replace(quantities, order=order)
-        clock.lap("structure")
     deviation = found.deviation
     unknown = {
         "whether panels stay rigid": residuals is None,
@@ -93,7 +87,7 @@ def find_facts(found: Candidate, work: Work) -> Facts:
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),
         STOCK: quantities.stock is None,
-        STRUCTURE: analysis is None and file.structure is not None,
+        STRUCTURE: file.structure is not None,
     }
     return Facts(
         found=found,
@@ -103,8 +97,32 @@ def find_facts(found: Candidate, work: Work) -> Facts:
         drawn=drawn,
         quantities=quantities,
         cutting=cutting,
-        analysis=analysis,
+        analysis=None,
         not_checked=tuple(words for words, missing in unknown.items() if missing),
+    )
+
+
+def with_structure(facts: Facts, work: Work) -> Facts:
+    """What was measured, with the structure analysed if that is asked for."""
+    found = facts.found
+    if not work.asks("structure") or found.file.structure is None:
+        return facts
+    analysis = analyse(
+        found.design,
+        found.file.structure,
+        found.site,
+        work.progress,
+        built=found.lock.built,
+        remedies=work.asks("remedies"),
+    )
+    order = (*facts.quantities.order, *rail_order(analysis.model))
+    work.clock.lap("structure")
+    return replace(
+        facts,
+        deployment=with_anchors(facts.deployment, analysis.anchors),
+        quantities=replace(facts.quantities, order=order),
+        analysis=analysis,
+        not_checked=tuple(each for each in facts.not_checked if each != STRUCTURE),
     )
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from orishell.conventions.arguments import checked
-from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
@@ -27,7 +27,7 @@ from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import warn_of_cutting
 from orishell.shell.deployment_warnings import warn_of_deployment
-from orishell.shell.facts import Facts, find_facts
+from orishell.shell.facts import Facts, measure, with_structure
 from orishell.shell.fit.built_size import triangles_of
 from orishell.shell.one_motion import find_joining, warn_of_freedom
 from orishell.shell.open_questions import find_candidate
@@ -92,6 +92,7 @@ def make_shell(
     *,
     clash: ClashPolicy = "refused",
     skip: Collection[Step] = (),
+    told: Callable[[Shell], None] | None = None,
 ) -> Shell:
     """Design a shell, verify its states and prove how its motion ends.
 
@@ -101,6 +102,9 @@ def make_shell(
         If panels collide: refuse, allow, or do not check.
     skip
         What is not found out of it; its report says so where a reader might think it was.
+    told
+        Is given what is known of it so far, before its structure is analysed, and before what would
+        have it carry is looked for: both may take minutes.
 
     Raises
     ------
@@ -114,7 +118,7 @@ def make_shell(
     require_steps(skip)
     work = Work(progress, clash, skip)
     try:
-        return _made(find_candidate(file, work), work)
+        return _made(find_candidate(file, work), work, told)
     except InputError as error:
         raise error.in_file(file.path) from None
     except DesignError as error:
@@ -123,23 +127,44 @@ def make_shell(
         raise with_remedies(file, error, progress) from None
 
 
-def _made(found: Candidate, work: Work) -> Shell:
+@record
+class _Mended:
+    """What was tried and mends a shell, or None where nothing was found, or looked for."""
+
+    stronger: Remedy | None = None  # has it carry its loads
+    joining: Remedy | None = None  # leaves its sheet one motion
+
+
+def _made(found: Candidate, work: Work, told: Callable[[Shell], None] | None) -> Shell:
     """The shell of a file that leaves nothing open, and that was proved."""
     clock, progress, mended = work.clock, work.progress, work.asks("remedies")
     proved = work.clash != "unexamined"
-    facts = find_facts(found, work)
-    file, design, lock, analysis = found.file, found.design, found.lock, facts.analysis
-    report = _report(facts, work)
-    stronger = None
+    so_far = replace(work, skip=(*work.skip, "remedies"))
+    file, facts = found.file, measure(found, work)
+    if told is not None and file.structure is not None and work.asks("structure"):
+        told(_shell(facts, so_far))
+    facts = with_structure(facts, work)
+    analysis, stronger = facts.analysis, None
     if analysis is not None and analysis.sign == "fails" and mended:
+        if told is not None:
+            told(_shell(facts, so_far))
         stronger = find_stronger(file, analysis, progress)
         clock.lap("remedies")
     joining = None
     if not found.freedom.one_motion and proved and mended:
         joining = find_joining(file, progress)
         clock.lap("remedies")
-    two = find_two_thicknesses(file, progress, mended=proved and mended)
-    verdict = find_verdict(report, stronger, file.workshop.stock, joining, two)
+    return _shell(facts, work, _Mended(stronger, joining))
+
+
+def _shell(facts: Facts, work: Work, by: _Mended | None = None) -> Shell:
+    """The shell, with report and document, of what was found."""
+    found, analysis, by = facts.found, facts.analysis, by or _Mended()
+    file, design, lock = found.file, found.design, found.lock
+    mended = work.clash != "unexamined" and work.asks("remedies")
+    two = find_two_thicknesses(file, work.progress, mended=mended)
+    report = _report(facts, work)
+    verdict = find_verdict(report, by.stronger, file.workshop.stock, by.joining, two)
     report = replace(report, verdict=verdict)
     document = replace(
         facts.drawn,
@@ -159,7 +184,7 @@ def _made(found: Candidate, work: Work) -> Shell:
         choice=found.answers.choice,
         document=document,
         report=report,
-        seconds=clock.seconds,
+        seconds=work.clock.seconds,
     )
 
 

@@ -90,7 +90,7 @@ def _stands(report: Report, stronger: Remedy) -> Iterator[Row]:
     if structure is not None:
         yield Row(structure.sign, "stands", structure.in_words(), str(stronger), stronger.changes)
     elif STRUCTURE in report.not_checked:
-        yield Row("warns", "stands", "not known: the structure was not analysed")
+        yield Row("warns", "stands", "not known: the structure was not analysed", known=False)
 
 
 def _way(report: Report) -> Iterator[Row]:
@@ -114,7 +114,7 @@ def _way(report: Report) -> Iterator[Row]:
         return
     if report.feasible is None:
         said = "not known: nobody looked whether panels meet on the way"
-        yield Row("warns", "folds", f"{said}{exact}")
+        yield Row("warns", "folds", f"{said}{exact}", known=False)
         return
     if contact is not None and lock.cause in ("clash", "boards"):
         angle = degrees_below(contact.drive, lock.target_drive)
@@ -204,7 +204,7 @@ def _packs(report: Report, *, said: bool) -> Iterator[Row]:
     if deployment.start != "pack" or report.feasible is False:
         return
     if packed is None:
-        yield Row("warns", "packs", "not known: its pack was not measured")
+        yield Row("warns", "packs", "not known: its pack was not measured", known=False)
         return
     # Of panels without thickness a flat pack has no height: its layers count.
     flat = packed.height < SLIM * packed.length
@@ -228,7 +228,8 @@ def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:
         return
     sheet = box(stock, report.unit)
     if used is None:
-        yield Row("warns", "fits", f"not known: it was not laid out on stock of {sheet}")
+        unknown = f"not known: it was not laid out on stock of {sheet}"
+        yield Row("warns", "fits", unknown, known=False)
         return
     sheets = used.sheets if built is None or built.stock_sheets is None else built.stock_sheets
     what = "sheet" if sheets == 1 else "sheets"
@@ -238,7 +239,7 @@ def _fits(report: Report, stock: tuple[float, float] | None) -> Iterator[Row]:
 def _unchecked(report: Report) -> Iterator[Row]:
     others = [each for each in report.not_checked if each not in SAID]
     if others:
-        yield Row("warns", "unchecked", "; ".join(others))
+        yield Row("warns", "unchecked", "; ".join(others), known=False)
 
 
 def _boards(report: Report) -> Iterator[Row]:

@@ -217,6 +217,12 @@ class Result(TypedDict):
     result: Verified
 
 
+class VerifiedSoFar(TypedDict):
+    """A line of the answer: what is known before the structure of the shell is."""
+
+    found: Verified
+
+
 class FitFound(TypedDict):
     """A line of the answer: the view of a coarser sheet, in base64."""
 

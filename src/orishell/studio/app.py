@@ -126,8 +126,9 @@ def make_app(
         headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
-    for task in ("families", "fit", "verify", "tradeoff", "sheets", "booklet"):
+    for task in ("families", "fit", "tradeoff", "sheets", "booklet"):
         _add_stream(app, task, slow, kept)
+    _add_stream(app, "verify", slow, kept, patient=search)
     _add_stream(app, "search", search, Kept(most=0))
     _add_stream(app, "carry", search, kept)
     _add_task(app, "ranges", slow)
@@ -139,8 +140,13 @@ def make_app(
     return Guard(app, key, hosts, limits.bytes, limits.receiving)
 
 
-def _add_stream(app: FastAPI, task: str, pool: Pool, kept: Kept) -> None:
-    """A task whose progress is told while it is under way."""
+def _add_stream(
+    app: FastAPI, task: str, pool: Pool, kept: Kept, *, patient: Pool | None = None
+) -> None:
+    """A task whose progress is told while it is under way.
+
+    patient: Answers in place of the pool where the request says that it is patient.
+    """
 
     @app.post(f"/api/{task}")
     async def streamed(request: Request) -> Response:
@@ -148,9 +154,10 @@ def _add_stream(app: FastAPI, task: str, pool: Pool, kept: Kept) -> None:
         if answer := kept.find(task, body):
             return Response(answer, media_type="application/x-ndjson")
         payload = await _payload(request)
+        chosen = patient if patient is not None and payload.get("patient") else pool
 
         async def lines() -> AsyncIterator[bytes]:
-            async with aclosing(_lines(pool, task, payload)) as told:
+            async with aclosing(_lines(chosen, task, payload)) as told:
                 async for kind, line in told:
                     if kind == "result":
                         kept.keep(task, body, line)

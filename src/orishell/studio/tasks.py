@@ -7,6 +7,7 @@ import contextlib
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -37,6 +38,7 @@ from orishell.studio.api import (
     DrawnSurface,
     DroppedCurve,
     DroppedTarget,
+    Fault,
     Parsed,
     Ranges,
     SearchState,
@@ -129,15 +131,27 @@ class Task:
         return dump_view(document, curves)
 
     def verify(self) -> Verified:
-        """The full report of a design, its first contact and the distances of its vertices."""
+        """The full report of a design, its first contact and the distances of its vertices.
+
+        What is known before its structure is, is told.
+        """
         file = self._design()
+
+        def tell(shell: Shell, refusal: Fault | None = None) -> None:
+            self.send(self._verified(file, shell, refusal))
+
         refusal = None
         try:
-            shell = make_shell(file, self.progress)
+            shell = make_shell(file, self.progress, told=tell)
         except ClashError as error:
             refusal = describe_error(error)["error"]
-            shell = make_shell(file, self.progress, clash="allowed")
+            told = partial(tell, refusal=refusal)
+            shell = make_shell(file, self.progress, clash="allowed", told=told)
         LATEST.keep(self._key(), shell)
+        return self._verified(file, shell, refusal)
+
+    def _verified(self, file: DesignFile, shell: Shell, refusal: Fault | None) -> Verified:
+        """What pages are told of a shell; ``refusal`` says why its design is refused."""
         document = lay_surface(shell.document, shell.design)
         distances = np.zeros(0) if document.distances is None else document.distances
         # Flaps of a width that the program chooses may be narrower now than the view had them, a

@@ -135,9 +135,10 @@ export async function exportDesign(
 
 export type Progressed = (share: number, what: string) => void;
 
-/** Prove how the motion ends; aborting stops the proof. */
-export function verify(design: Design, signal: AbortSignal, progressed: Progressed): Promise<Verified> {
-  return streamed("verify", { design }, signal, progressed);
+/** Prove how the motion ends, and what is borne; what is known sooner is told. Aborting stops the proof.
+ * `patient`: it may take as long as a search. */
+export function verify(design: Design, signal: AbortSignal, progressed: Progressed, found?: (known: Verified) => void, patient = false): Promise<Verified> {
+  return streamed("verify", { design, patient }, signal, progressed, found);
 }
 
 /** What fewer panels cost, and how near a sheet of the size given comes; aborting stops the search. */

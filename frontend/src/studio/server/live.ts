@@ -12,8 +12,8 @@ import { leaveOpen } from "./left-open.ts";
 import { isSameShell, settled } from "../state/sizing.ts";
 import { isOfFile } from "../state/stale.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
-import type { Store } from "../state/store.ts";
-import type { Design, Report } from "../state/types.ts";
+import { isFound, type Store } from "../state/store.ts";
+import type { Design, Report, Verified } from "../state/types.ts";
 
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
@@ -43,6 +43,8 @@ export class Live {
   private resting = false;
   /** What was proved last, or was to be. */
   private proved: Pending | null = null;
+  /** Whether the next proof has more time. */
+  private patient = false;
   private design = new AbortController();
   private rested = new AbortController();
 
@@ -66,6 +68,7 @@ export class Live {
     this.sequence++;
     this.design.abort();
     this.stopResting();
+    this.patient = false;
     const { store } = this;
     store.proof.set({ state: "none" });
     store.busy.set(null);  // a search for sizes is broken off
@@ -118,8 +121,9 @@ export class Live {
     this.store.proof.set({ state: "stopped" });
   }
 
-  /** Prove the shell that is shown, after that was stopped. */
+  /** Prove the shell that is shown, after that was stopped, or took too long: then it has more time. */
   proveAgain(): void {
+    this.patient = this.store.proof.value.state === "late";
     this.restLater(this.proved);
   }
 
@@ -312,7 +316,7 @@ export class Live {
       if (signal.aborted || this.store.view.value !== before) return;
       leaveOpen(view);
       // The proof may have come first: what it found is kept.
-      if (this.store.proof.value.state === "done") {
+      if (isFound(this.store.proof.value)) {
         view.header.report = this.store.report.value!;
         view.header.contact = this.store.view.value!.header.contact;
         const known = this.store.view.value!.distance;
@@ -355,31 +359,50 @@ export class Live {
 
   private async prove(design: Design, signal: AbortSignal): Promise<void> {
     const { store } = this;
-    store.proof.set({ state: "running", share: 0, what: "verifying" });
+    let found = false, what = "verifying";
+    const running = (share: number): void => store.proof.set({ state: "running", share, what, found });
+    running(0);
     try {
-      const result = await verify(design, signal, (share, what) => {
-        if (!signal.aborted) store.proof.set({ state: "running", share, what });
-      });
+      const result = await verify(
+        design,
+        signal,
+        (share, now) => {
+          what = now;
+          if (!signal.aborted) running(share);
+        },
+        (known) => {
+          if (signal.aborted) return;
+          void this.show(known);
+          found = true;
+          running(0);
+        },
+        this.patient,
+      );
       if (signal.aborted) return;
-      // Flaps that the program chooses may have become narrower: then there is another shell.
-      const other = result.view ? decodeView(decodeBytes(result.view)) : null;
-      const view = other ?? store.view.value!;
-      view.header.report = result.report;
-      view.header.contact = result.contact;
-      if (result.distance) view.distance = decodeFloats(result.distance);
-      store.report.set(result.report);
-      if (other) {
-        store.view.set(other);
-        await this.draw();
-        if (signal.aborted) return;
-      }
+      await this.show(result);
+      if (signal.aborted) return;
       const { refusal, sizes } = result;
       store.proof.set({ state: "done", sizes, refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
       const fault = faultOf(error);
-      store.proof.set({ state: "failed", fault });
+      store.proof.set(fault.kind === "time" ? { state: "late", fault, what, found } : { state: "failed", fault });
       if (fault.kind === "network") this.tryAgain(this.sequence);
     }
+  }
+
+  /** Show what is known of the shell. */
+  private async show(known: Verified): Promise<void> {
+    const { store } = this;
+    // Flaps that the program chooses may have become narrower: then there is another shell.
+    const other = known.view ? decodeView(decodeBytes(known.view)) : null;
+    const view = other ?? store.view.value!;
+    view.header.report = known.report;
+    view.header.contact = known.contact;
+    if (known.distance) view.distance = decodeFloats(known.distance);
+    store.report.set(known.report);
+    if (!other) return;
+    store.view.set(other);
+    await this.draw();
   }
 }

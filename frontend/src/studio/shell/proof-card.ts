@@ -1,11 +1,12 @@
 // The verdict on the shell: rows, worst first, the progress of the proof, and what would mend a contact.
 
-import { headline, judged, signOf, type Tone, Verdict } from "../../shared/verdict.ts";
+import { headline, judged, type Missing, signOf, type Tone, Verdict } from "../../shared/verdict.ts";
 import { capital, sentence } from "../../shared/words.ts";
+import { button } from "../parts/controls.ts";
 import { h, keepFocus } from "../parts/dom.ts";
 import { wordsOfRemedies } from "../state/faults.ts";
 import { changeButton, remedyButton } from "../parts/remedy-button.ts";
-import type { Proof, Store } from "../state/store.ts";
+import { isFound, type Proof, type Store } from "../state/store.ts";
 import type { Fault } from "../state/types.ts";
 
 export class ProofCard {
@@ -16,7 +17,11 @@ export class ProofCard {
   private readonly bar = h("progress", { max: 1, "aria-label": "Verification" });
   private readonly verdict: Verdict;
 
-  constructor(private readonly store: Store) {
+  constructor(
+    private readonly store: Store,
+    /** Prove the shell again, with more time. */
+    private readonly again: () => void,
+  ) {
     const { labels } = store;
     this.verdict = new Verdict(
       (text) => labels.said(text),
@@ -44,12 +49,20 @@ export class ProofCard {
     this.element.dataset["tone"] = tone ?? "quiet";
     this.mark.replaceChildren(...(tone ? [signOf(tone)] : []));
     keepFocus(() => {
-      this.verdict.show(proof.state === "failed" ? null : report, proof.state !== "done");
+      this.verdict.show(proof.state === "failed" ? null : report, this.missing(proof), isFound(proof));
       this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
     });
     this.bar.hidden = proof.state !== "running";
     if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
     else this.bar.removeAttribute("value");
+  }
+
+  /** What is said of rows that are not known. */
+  private missing(proof: Proof): Missing | null {
+    if (proof.state === "done") return null;
+    if (proof.state !== "late") return { words: "not yet known" };
+    const mend = (): HTMLElement => button({ label: "Retry, with more time", text: "Retry, with more time", class: "button primary", testid: "retry", act: this.again });
+    return { words: "not finished in time ", sign: "warns", mend };
   }
 
   /** What would keep the panels apart. */
@@ -79,6 +92,8 @@ export class ProofCard {
         return [`${capital(proof.what)}\u2026${proof.share > 0 ? ` ${Math.round(100 * proof.share)} %` : ""}`, null];
       case "stopped":
         return ["Stopped: not verified.", null];
+      case "late":
+        return [sentence(`Not finished in time: ${proof.what}`), "warns"];
       case "failed":
         return [sentence(this.store.labels.said(proof.fault.message)), "fails"];
       case "done":

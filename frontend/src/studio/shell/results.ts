@@ -20,7 +20,11 @@ export class Results {
   private readonly legend = h("div", { class: "pattern-legend", "data-testid": "pattern-legend" });
   private keepView = false;
 
-  constructor(private readonly store: Store) {
+  /** `again`: prove the shell again. */
+  constructor(
+    private readonly store: Store,
+    again: () => void,
+  ) {
     const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
     this.element = h(
       "aside",
@@ -33,7 +37,7 @@ export class Results {
       ),
       sheet,
       this.legend,
-      new ProofCard(store).element,
+      new ProofCard(store, again).element,
       scrolledByKeys(h("div", { class: "figures-frame", role: "region", "aria-label": "Figures" }, this.figures)),
       this.said,
     );

@@ -7,7 +7,7 @@ import { contactOf } from "../../shared/stops.ts";
 import { h } from "../parts/dom.ts";
 import { FoldBar } from "./fold-bar.ts";
 import { aimOf, isSlow } from "../state/aims.ts";
-import type { Store } from "../state/store.ts";
+import { isFound, type Store } from "../state/store.ts";
 import type { Design } from "../state/types.ts";
 
 const COLOURS: { value: Colouring; text: string; title: string }[] = [
@@ -143,7 +143,8 @@ export class Stage {
 
   private showProof(): void {
     const view = this.store.view.value;
-    if (this.store.proof.value.state !== "done" || !view) return;
+    const proof = this.store.proof.value;
+    if (proof.state === "running" || !isFound(proof) || !view) return;
     this.shell.setDistance(view.distance ?? null);
     const contact = contactOf(view);
     this.shell.setContact(contact?.panels ?? null, contact?.drive_deg);

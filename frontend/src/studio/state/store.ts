@@ -15,11 +15,19 @@ import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report
 export type Proof =
   | { state: "none" }
   | { state: "waiting" }
-  | { state: "running"; share: number; what: string }
+  /** `found`: whether the report has what was proved so far. */
+  | { state: "running"; share: number; what: string; found: boolean }
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
   | { state: "done"; refusal: Fault | null; sizes: BuiltSizes }
   | { state: "failed"; fault: Fault }
+  /** Its time was over: `what` was being done; `found` as above. */
+  | { state: "late"; fault: Fault; what: string; found: boolean }
   | { state: "stopped" };
+
+/** Whether the report has what was proved, all of it or the first of it. */
+export function isFound(proof: Proof): boolean {
+  return proof.state === "done" || ("found" in proof && proof.found);
+}
 
 /** What the shell on the screen is to the design. */
 export type Freshness = "current" | "computing" | "outdated";

@@ -8,7 +8,7 @@ import { button, type Segmented, segmented, setNumber } from "../parts/controls.
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
-import type { Store } from "../state/store.ts";
+import { isFound, type Store } from "../state/store.ts";
 import { CarryCard } from "./carry.ts";
 import { RailControls } from "./rail.ts";
 import { box, choice, named, row } from "./rows.ts";
@@ -190,16 +190,17 @@ export class StructureControls {
     const { proof, report, design } = this.store;
     const now = proof.value;
     const asked = design.value["structure"] !== undefined;
-    const found = now.state === "done" ? judged(report.value).find(({ subject }) => subject === "stands") : null;
+    const found = isFound(now) ? judged(report.value).find(({ subject, known }) => subject === "stands" && known) : null;
     if (now.state === "running") this.work.show(now.share, now.what);
     else if (now.state === "waiting") this.work.begin("waiting");
     else this.work.hide();
-    const failed = asked && now.state === "failed" ? { sign: "fails" as const, subject: "not analysed", finding: now.fault.message } : null;
+    const fault = asked && (now.state === "failed" || now.state === "late") ? now.fault : null;
+    const failed = fault && { sign: now.state === "late" ? ("warns" as const) : ("fails" as const), subject: "not analysed", finding: fault.message };
     const shown = found ?? failed;
     this.verdict.hidden = !shown;
     this.verdict.replaceChildren(...(shown ? [signOf(shown.sign), " ", h("b", {}, capital(shown.subject)), ` ${this.store.labels.said(shown.finding)}`] : []));
     this.verdict.dataset["tone"] = shown?.sign ?? "";
-    this.again.hidden = now.state !== "stopped";
+    this.again.hidden = now.state !== "stopped" && now.state !== "late";
   }
 }
 
