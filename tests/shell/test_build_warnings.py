@@ -251,7 +251,7 @@ def test_a_fitted_sheet_is_put_on_its_corners_where_that_levels_it() -> None:
     dome = "-0.4*x**2-0.4*y**2"
     (text,) = matching(fitted(dome, 0.6), "not level")
     assert text.endswith(
-        'ground = "corners" in [pattern] puts it on its four corners, at one height'
+        'it can stand on its four corners, at one height (ground = "corners" in [pattern])'
     )
     feet = find_feet(fitted(dome, 0.6, ground="corners"))
     assert feet is not None

@@ -1173,6 +1173,16 @@ export interface MeetingReport {
   largest_turn_deg: number;
 }
 
+/** A change of the design that does what a note says. */
+export interface Mend {
+  /** Which. */
+  note: string;
+  /** What is done. */
+  text: string;
+  /** Values of keys of the design file; None removes a key. */
+  changes: Record<string, unknown>;
+}
+
 /** What is analysed. */
 export interface Model {
   /** Nodes of the mesh. */
@@ -2046,7 +2056,8 @@ export interface Verified {
   distance: string;
   /** Why the design is refused although its shell can be shown: panels meet before it locks. */
   refusal: Fault | null;
-  /** Why the design is refused although its shell can be shown: panels meet before it locks. */
+  /** Changes that do what notes say, which have been tried. */
+  mends: Mend[];
   sizes: BuiltSizes;
   /** A view in base64 that takes the place of the one shown; null: that one stays. */
   view: string | null;

@@ -1,7 +1,7 @@
 // The verdict on a shell: independent rows, worst first, as terminal and report have them. A row says
 // its sign and subject, and its finding when it is opened.
 
-import type { Row } from "./api-types.ts";
+import type { Mend, Row } from "./api-types.ts";
 import type { Known } from "./view.ts";
 import { capital, sentence } from "./words.ts";
 
@@ -45,15 +45,15 @@ export class Verdict {
   /** `said` puts texts into the page's words; `mend` makes a button of what mends a row. */
   constructor(
     private readonly said = (text: string): string => text,
-    private readonly mend = (_: Row): HTMLElement | null => null,
+    private readonly mend = (_: Pick<Mend, "changes"> & { text?: string }): HTMLElement | null => null,
   ) {
     this.element.className = "orishell-verdict";
     this.element.setAttribute("aria-label", "Verdict");
   }
 
   /** `missing`: what is said of rows that nobody has looked at so far, if more is to come; `found`: whether
-   * the others are known. */
-  show(report: Known | null, missing: Missing | null = null, found = false): void {
+   * the others are known; `mends`: what does what notes say. */
+  show(report: Known | null, missing: Missing | null = null, found = false, mends: readonly Mend[] = []): void {
     const rows = judged(report);
     if (missing && !found) {
       const subjects = rows.map(({ subject }) => subject).filter((each) => each !== UNCHECKED);
@@ -66,10 +66,11 @@ export class Verdict {
       this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)));
       return;
     }
-    const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])]);
+    const notes = new Map([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])].map((text) => [text, [] as Mend[]]));
+    for (const mend of mends) notes.get(mend.note)?.push(mend);
     this.element.replaceChildren(
       ...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")),
-      ...(notes.size ? [this.notes([...notes])] : []),
+      ...(notes.size ? [this.notes(notes)] : []),
     );
   }
 
@@ -101,13 +102,13 @@ export class Verdict {
     });
   }
 
-  private notes(texts: string[]): HTMLElement {
-    const item = this.item("warns", texts.length === 1 ? "1 note" : `${texts.length} notes`, false, "", "notes");
-    for (const text of texts) {
+  private notes(notes: ReadonlyMap<string, readonly Mend[]>): HTMLElement {
+    const item = this.item("warns", notes.size === 1 ? "1 note" : `${notes.size} notes`, false, "", "notes");
+    for (const [text, mends] of notes) {
       const line = document.createElement("p");
       line.className = "orishell-warning";
       line.textContent = sentence(this.said(text));
-      item.firstElementChild!.append(line);
+      item.firstElementChild!.append(line, ...mends.flatMap((each) => this.mend(each) ?? []));
     }
     return item;
   }

@@ -1,10 +1,10 @@
-"""A row of the verdict, as terminal, report and pages have it."""
+"""Rows of the verdict, and notes, as terminal, report and pages have them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import field
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
 from orishell.conventions.record import record
 
@@ -19,6 +19,30 @@ MARKS = {"fails": "x", "warns": "!", "holds": "v", "says": " "}
 def worst(signs: Iterable[Sign]) -> Sign:
     """The worst of some signs; "holds" of none."""
     return min(signs, key=ORDER.index, default="holds")
+
+
+About = Literal["columns", "board", "reach", "no flaps", "opens"]
+"""What a note is about that a change of the design may mend."""
+
+
+class Note(str):
+    """A sentence that a user should read, and what it is about.
+
+    Parameters
+    ----------
+    text
+        The sentence.
+    about
+        What a change of the design may mend; None if there is no such change.
+    """
+
+    about: About | None
+
+    def __new__(cls, text: str, about: About | None = None) -> Self:
+        """Make the sentence."""
+        note = super().__new__(cls, text)
+        note.about = about
+        return note
 
 
 @record

@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
+from orishell.conventions.row import Note
 from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface
 from orishell.design.boxes import Box
@@ -244,6 +245,9 @@ def warn_of_no_lock(flap: float) -> tuple[str, ...]:
     if flap:
         return ()
     return (
-        "without flaps (flap = 0) nothing but its supports keeps the shell from closing beyond its "
-        "target",
+        Note(
+            "without flaps (flap = 0) nothing but its supports keeps the shell from closing beyond "
+            "its target",
+            "no flaps",
+        ),
     )

@@ -45,14 +45,18 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
                 "nearer"
             )
     if design.panel is not None and design.panel.weighs_boards_alone:
-        yield "masses leave out arms or hinges: arm_density and hinge.linear_density in [panel]"
+        yield (
+            "masses leave out arms or hinges: say what these weigh (arm_density and "
+            "hinge.linear_density in [panel])"
+        )
     flat = mechanism.positions(0.0)
     edges = np.concatenate([lengths(np.diff(flat, axis=axis)).ravel() for axis in (0, 1)])
     if design.hinges.longest_arm > LONG_ARM * np.median(edges):
         yield (
             f"hinges stand up to {plain(design.hinges.longest_arm, 3)} {unit} off their boards, "
             f"and edges of panels are {plain(float(np.median(edges)), 3)} {unit} long: fewer rows "
-            "or straight columns need shorter arms, and largest_arm in [panel] refuses longer ones"
+            "or straight columns need shorter arms, and a limit refuses longer ones (largest_arm "
+            "in [panel])"
         )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.quantities import conversion, plain
+from orishell.conventions.row import About, Note
 from orishell.curves.plane import extent_across
 from orishell.deployment.feet import Feet, find_feet
 from orishell.design import Design
@@ -97,26 +98,30 @@ def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Ite
     flaps = shell[:, [flap for flap, _ in ends], 2]
     flapped = bool(design.mechanism.flap_columns)
     name = "flaps" if flapped else "strips beside the first and last column"
-    remedy = "make them narrower (flap)"
+    remedy = "make them narrower"
+    about: About | None = "reach" if flapped else None
     if flapped:
         remedy += ' or turn them to the other end of f (flap_side = "start" or "end")'
     below, above = float(height.min() - flaps.min()), float(flaps.max() - height.max())
     if below > BELOW * size:
         what = "the feet" if feet else "the lowest point"
-        yield (
+        yield Note(
             f"the {name} reach {plain(below, 3)} {unit} below {what} of a shell {plain(size, 3)} "
-            f"{unit} high, which would rest on them: {remedy}"
+            f"{unit} high, which would rest on them: {remedy}",
+            about,
         )
     if above > ABOVE * size:
-        yield (
+        yield Note(
             f"the {name} reach {plain(above, 3)} {unit} above the top of a shell {plain(size, 3)} "
-            f"{unit} high: {remedy}"
+            f"{unit} high: {remedy}",
+            about,
         )
     beyond, span = max(_beyond(shell[:, near], shell[:, flap]) for flap, near in ends)
     if beyond > BESIDE * span:
-        yield (
+        yield Note(
             f"the {name} reach {plain(beyond, 3)} {unit} beyond the foot of a shell that spans "
-            f"{plain(span, 3)} {unit}: {remedy}"
+            f"{plain(span, 3)} {unit}: {remedy}",
+            about,
         )
 
 
@@ -139,7 +144,7 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     if gap > 0.5 * feet.uneven:
         remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
     elif _level_on_corners(design):
-        remedy = 'ground = "corners" in [pattern] puts it on its four corners, at one height'
+        remedy = 'it can stand on its four corners, at one height (ground = "corners" in [pattern])'
     elif design.levelled_by:
         remedy = f"{design.levelled_by} may level them; else {remedy}"
     yield (
@@ -181,9 +186,10 @@ def _of_unfolded_columns(design: Design) -> Iterator[str]:
         return
     count = len(unfolded)
     if extent_across(g[:, :2]) <= STRAIGHT * np.ptp(g, axis=0).max():
-        yield (
+        yield Note(
             f"{int(unfolded.sum())} of {count} columns stay unfolded because g is straight: 2 "
-            "columns suffice, unless panels have to be shorter"
+            "columns suffice, unless panels have to be shorter",
+            "columns",
         )
         return
     # One by itself is where g bends from one side to the other.
@@ -216,10 +222,11 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
     if workshop.stock is not None or (long <= LARGEST_BOARD[0] and short <= LARGEST_BOARD[1]):
         return
     board = " x ".join(plain(side / metres) for side in LARGEST_BOARD)
-    yield (
+    yield Note(
         f"the flat sheet, {plain(width, 3)} x {plain(height, 3)} {unit}, is larger than any board "
-        f"(the largest plywood commonly sold is {board} {unit}): name your board as stock in "
-        "[workshop], and the pattern is split into parts with joints"
+        f"(the largest plywood commonly sold is {board} {unit}): say how large your boards are "
+        "(stock in [workshop]), and the pattern is split into parts with joints",
+        "board",
     )
 
 

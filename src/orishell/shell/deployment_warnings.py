@@ -10,6 +10,7 @@ from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import plain
+from orishell.conventions.row import Note
 from orishell.deployment import OwnWeight, Pack, find_pack
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design
@@ -102,9 +103,10 @@ def _of_weight(design: Design, report: DeploymentReport, weight: OwnWeight) -> I
     unit = "N" if weight.force_unit == "N" else "times its weight"
     force = f"{plain(abs(weight.at_feet), 3)} {unit} at each line of feet"
     if weight.at_feet > 0 and report.opening is None:
-        yield (
+        yield Note(
             f"the shell opens under its own weight with {force}, and nothing but its supports "
-            'holds it: tie its feet together (ties = "feet" in [deployment])'
+            'holds it: tie its feet together (ties = "feet" in [deployment])',
+            "opens",
         )
     if weight.at_feet < 0 and report.closing is None:
         remedy = "block a hinge, for all fold together" if design.hinges.beside else "give it flaps"

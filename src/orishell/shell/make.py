@@ -23,19 +23,17 @@ from orishell.locking import Lock
 from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, area_of, extents
 from orishell.motion.layout import Layout, points_of
-from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.candidate import Candidate
-from orishell.shell.cutting import warn_of_cutting
-from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.facts import Facts, measure, with_structure
 from orishell.shell.fit.built_size import triangles_of
-from orishell.shell.one_motion import find_joining, warn_of_freedom
+from orishell.shell.notes import all_notes
+from orishell.shell.one_motion import find_joining
 from orishell.shell.open_questions import find_candidate
-from orishell.shell.piece_warnings import warn_of_joints
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import Report, describe_assignment
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import ClashPolicy, Step, Work, require_steps
+from orishell.shell.strength_remedy import find_known
 from orishell.shell.thickness_remedy import find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import find_verdict
@@ -131,7 +129,7 @@ def make_shell(
 class _Mended:
     """What was tried and mends a shell, or None where nothing was found, or looked for."""
 
-    stronger: Remedy | None = None  # has it carry its loads
+    stronger: Remedy | None = None  # has it carry its loads, or makes known whether it does
     joining: Remedy | None = None  # leaves its sheet one motion
 
 
@@ -149,6 +147,9 @@ def _made(found: Candidate, work: Work, told: Callable[[Shell], None] | None) ->
         if told is not None:
             told(_shell(facts, so_far))
         stronger = find_stronger(file, analysis, progress)
+        clock.lap("remedies")
+    elif analysis is not None and analysis.sign == "warns" and mended:
+        stronger = find_known(file, analysis, progress)
         clock.lap("remedies")
     joining = None
     if not found.freedom.one_motion and proved and mended:
@@ -208,25 +209,7 @@ def _report(facts: Facts, work: Work) -> Report:
         feasible=None if work.clash == "unexamined" else lock.reaches_target,
         degrees_of_freedom=found.freedom.count,
         freedom=found.freedom,
-        warnings=(
-            *file.notes,
-            *design.warnings,
-            *lock.warnings,
-            *warn_of_freedom(found.freedom),
-            *warn_of_building(design, lock, found.feet, file.unit, file.workshop),
-            *warn_of_joints(design, lock, file.unit),
-            *warn_of_deployment(
-                file,
-                design,
-                lock,
-                facts.deployment,
-                work.progress,
-                mended=work.asks("remedies"),
-                one=found.freedom.one_motion,
-            ),
-            *warn_of_cutting(design, facts.cutting, file.unit),
-            *(() if analysis is None else analysis.warnings),
-        ),
+        warnings=all_notes(facts, work),
         residuals=facts.residuals,
         assignment=describe_assignment(design, facts.assignment),
         lock=lock,

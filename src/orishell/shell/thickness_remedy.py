@@ -35,7 +35,7 @@ def find_stronger(file: DesignFile, analysis: Analysis, progress: Progress) -> R
         return Remedy(
             {},
             "what would carry its loads is not sought where large displacements are followed: "
-            "with nonlinear = false it is",
+            "where they are not, it is (nonlinear = false in [structure])",
         )
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
         return None  # thickness holds nothing, and the case says what does

@@ -51,7 +51,7 @@ def find_verdict(
 ) -> tuple[Row, ...]:
     """The findings of a report, worst first.
 
-    stronger: What has it carry its loads, which has been tried.
+    stronger: What has it carry its loads, or makes known whether it does, which has been tried.
     stock: Size of the sheets that it is cut from, where they are known.
     joining: What leaves a sheet one motion that has several, which has been tried.
     two: The thickness that only its structure has.

@@ -124,5 +124,5 @@ class CaseResult:
     def load_warnings(self) -> Iterator[tuple[str, str]]:
         """Of which case, and what an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
-            yield self.name, "own weight is left out (self_weight = true)"
+            yield self.name, "own weight is left out (self_weight = true in [load_case])"
         yield from ((load.case, load.caution) for load in self.loads if load.caution)

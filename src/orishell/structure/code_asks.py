@@ -66,8 +66,8 @@ ASKS: tuple[tuple[Left, str], ...] = (
     ),
     (
         lambda asked: not asked.nonlinear or asked.imperfection == 0,
-        "imperfections of shape (EN 1993-1-1, 5.3; EN 1995-1-1, 5.4.4): imperfection, with "
-        "nonlinear = true, has one",
+        "imperfections of shape (EN 1993-1-1, 5.3; EN 1995-1-1, 5.4.4): a shell whose large "
+        "displacements are followed may have one (imperfection in [structure])",
     ),
     (_always, "fire (EN 1991-1-2), and earthquakes (EN 1998)"),
     (

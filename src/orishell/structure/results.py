@@ -233,7 +233,7 @@ class Analysis:
         if far:
             text = f"linear theory may mislead under {few(far)}"
             if self.model.mesh.offsets is None:  # of whole boards they are not
-                text += ": large displacements are followed with nonlinear = true in [structure]"
+                text += ": follow large displacements (nonlinear = true in [structure])"
             yield text
         yield from doubts_of_shell(self.model)
         said: dict[str, dict[str, None]] = {}

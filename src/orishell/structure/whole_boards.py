@@ -78,7 +78,7 @@ def arm_warnings(structure: Structure, mesh: SheetMesh) -> Iterator[str]:
     if hinges is not None and hinges.heights.any() and structure.arm_modulus is None:
         yield (
             "arms of hinges are taken as rigid, so they draw more of the moments than fins that "
-            "bend: give arm_modulus in [structure]"
+            "bend: say how stiff their material is (arm_modulus in [structure])"
         )
 
 

@@ -12,6 +12,7 @@ from orishell.document import FirstContact
 from orishell.io.view import Curves
 from orishell.shell.carry_found import CarrySearch
 from orishell.shell.family_choice import FamilyChoice, FamilyTrial
+from orishell.shell.note_remedies import Mend
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
 from orishell.workshop.palettes import Layer
@@ -152,6 +153,7 @@ class Verified(TypedDict):
     distance: str
     # why the design is refused although its shell can be shown: panels meet before it locks
     refusal: Fault | None
+    mends: list[Mend]  # changes that do what notes say, which have been tried
     sizes: BuiltSizes
     view: str | None  # A view in base64 that takes the place of the one shown; null: that one stays
 

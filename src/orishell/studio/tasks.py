@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import contextlib
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -27,6 +27,7 @@ from orishell.shell.carry import find_carrying
 from orishell.shell.designed import design_of
 from orishell.shell.family_choice import FamilyTrial
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.note_remedies import Mend, find_mends
 from orishell.shell.open_questions import compare_families
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import STEPS
@@ -148,7 +149,11 @@ class Task:
             told = partial(tell, refusal=refusal)
             shell = make_shell(file, self.progress, clash="allowed", told=told)
         LATEST.keep(self._key(), shell)
-        return self._verified(file, shell, refusal)
+        tell(shell, refusal)
+        mends: Sequence[Mend] = ()
+        if refusal is None:
+            mends = find_mends(file, shell.report.warnings, self.progress)
+        return {**self._verified(file, shell, refusal), "mends": as_table(mends)}
 
     def _verified(self, file: DesignFile, shell: Shell, refusal: Fault | None) -> Verified:
         """What pages are told of a shell; ``refusal`` says why its design is refused."""
@@ -165,6 +170,7 @@ class Task:
             "contact": document.contact,
             "distance": _text(distances.astype("<f4").tobytes()),
             "refusal": refusal,
+            "mends": [],
             "sizes": measure_sizes(shell, head_of(file)),
             "view": _text(dump_view(document)) if other else None,
         }

@@ -1,5 +1,6 @@
 // The button that mends a fault, where the fault names a value that works.
 
+import { capital } from "../../shared/words.ts";
 import { button } from "./controls.ts";
 import type { Store } from "../state/store.ts";
 import type { Fault, Remedy } from "../state/types.ts";
@@ -15,13 +16,21 @@ export function patternKeys(store: Store): string[] {
 export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
   const [remedy] = fault.remedies;
   if (!remedy) return null;
-  return changeButton(store, remedy.changes, "use-nearest", fault.again);
+  return changeButton(store, remedy.changes, { testid: "use-nearest", again: fault.again });
+}
+
+interface ChangeOptions {
+  testid?: string;
+  /** What it does, where values would not say it. */
+  text?: string | undefined;
+  /** Does again what was refused with these values. */
+  again?: ((changes: Remedy["changes"]) => void) | undefined;
 }
 
 /** The button that changes values of the design, or does again what was refused with them. */
-export function changeButton(store: Store, changes: Remedy["changes"], testid = "mend", again?: (changes: Remedy["changes"]) => void): HTMLButtonElement {
-  const said = store.labels.remedy({ text: "", changes });
-  const text = `Use ${said}`;
+export function changeButton(store: Store, changes: Remedy["changes"], { testid = "mend", text: done, again }: ChangeOptions = {}): HTMLButtonElement {
+  const said = done ?? store.labels.remedy({ text: "", changes });
+  const text = done ? capital(done) : `Use ${said}`;
   return button({
     label: text,
     text,

@@ -381,8 +381,8 @@ export class Live {
       if (signal.aborted) return;
       await this.show(result);
       if (signal.aborted) return;
-      const { refusal, sizes } = result;
-      store.proof.set({ state: "done", sizes, refusal: refusal && { ...refusal, searching: false } });
+      const { refusal, sizes, mends } = result;
+      store.proof.set({ state: "done", sizes, mends, refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
       const fault = faultOf(error);

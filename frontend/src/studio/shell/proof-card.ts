@@ -25,7 +25,7 @@ export class ProofCard {
     const { labels } = store;
     this.verdict = new Verdict(
       (text) => labels.said(text),
-      ({ changes }) => (Object.keys(changes).length ? changeButton(store, changes) : null),
+      ({ changes, text }) => (Object.keys(changes).length ? changeButton(store, changes, { text }) : null),
     );
     this.element = h(
       "section",
@@ -49,7 +49,7 @@ export class ProofCard {
     this.element.dataset["tone"] = tone ?? "quiet";
     this.mark.replaceChildren(...(tone ? [signOf(tone)] : []));
     keepFocus(() => {
-      this.verdict.show(proof.state === "failed" ? null : report, this.missing(proof), isFound(proof));
+      this.verdict.show(proof.state === "failed" ? null : report, this.missing(proof), isFound(proof), proof.state === "done" ? proof.mends : []);
       this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
     });
     this.bar.hidden = proof.state !== "running";

@@ -44,9 +44,11 @@ export class Labels {
     return this.page(table) ?? capital(table.replaceAll("_", " "));
   }
 
-  /** A text of the server with labels for keys, and sections of the page for tables. */
+  /** A text of the server with labels for keys, and sections of the page for tables; without what only
+   * says, in brackets, how that is written in a file. */
   said(text: string): string {
     return text
+      .replace(/ \(([^()]*)\)/g, (whole, inner: string) => (this.isOfFile(inner) ? "" : whole))
       .replace(/ (in|of) \[(\w+)\]/g, (_, __, table: string) => ` under ${this.section(table)}`)
       .replace(/\[(target\.)?([fg])\] ?/g, "curve $2: ")
       .replace(/\[target\.surface\] ?/g, "surface: ")
@@ -60,6 +62,13 @@ export class Labels {
         const after = `${equals.slice(0, equals.length - String(number).length)}${plain}${plain && key.endsWith("_deg") ? "°" : ""}`;
         return `${at ? small(label) : label}${after}${number === plain ? "" : "."}`;
       });
+  }
+
+  /** Whether words are keys of a table, or begin with a value of a key. */
+  private isOfFile(words: string): boolean {
+    const [, key, next] = /^([a-z][a-z_.]*)( = |, | or | and | in )/.exec(words) ?? [];
+    if (key === undefined) return false;
+    return / in \[[a-z_]+\]$/.test(words) || (next === " = " && this.find(key) !== undefined);
   }
 
   /** What a remedy changes, in words. */
@@ -120,5 +129,6 @@ function isPlace(name: string): boolean {
 }
 
 function written(value: Value): string {
-  return Array.isArray(value) ? value.map(written).join(", ") : String(value);
+  if (typeof value !== "object") return String(value);
+  return Object.values(value).map(written).join(", ");
 }

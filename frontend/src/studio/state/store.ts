@@ -1,6 +1,6 @@
 // The state of the studio: the design with its history, and what is known of it.
 
-import type { BuiltSizes, FamilyTrial } from "../../shared/api-types.ts";
+import type { BuiltSizes, FamilyTrial, Mend } from "../../shared/api-types.ts";
 import type { View } from "../../shared/view.ts";
 import type { DrawnSurface } from "../surface/drawn-surface.ts";
 import { Left } from "./aims.ts";
@@ -18,7 +18,7 @@ export type Proof =
   /** `found`: whether the report has what was proved so far. */
   | { state: "running"; share: number; what: string; found: boolean }
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
-  | { state: "done"; refusal: Fault | null; sizes: BuiltSizes }
+  | { state: "done"; refusal: Fault | null; sizes: BuiltSizes; mends: readonly Mend[] }
   | { state: "failed"; fault: Fault }
   /** Its time was over: `what` was being done; `found` as above. */
   | { state: "late"; fault: Fault; what: string; found: boolean }

@@ -24,8 +24,8 @@ FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 DEEPEST = 1.6
 """mu_2 of 5.3.4 at valleys between slopes of 30 degrees or more."""
 SLIDES = (
-    "snow by slope slides off steep panels; folds hold it: take shape = cylinder, or valleys, of "
-    "EN 1991-1-3"
+    "snow by slope slides off steep panels; folds hold it: take the rule of EN 1991-1-3 for "
+    'cylinders or valleys (shape = "cylinder" or "valleys" in [load_case])'
 )
 
 GROUND = (50.0, 30e3)

@@ -1,0 +1,95 @@
+"""What notes offer does what they say: the shell is made with it, and they are gone."""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from orishell.conventions.progress import no_progress
+from orishell.conventions.row import Note
+from orishell.design_file import DesignFile, check_design
+from orishell.shell.make import make_shell
+from orishell.shell.note_remedies import find_mends
+
+ARCH: dict[str, Any] = {
+    "shell": {"family": "orthodiagonal", "unit": "m"},
+    "target": {
+        "f": {"formula": "-x**2", "range": [-1, 1]},
+        "g": {"formula": "0.25*sin(pi*x/2)", "range": [0, 2]},
+    },
+    "pattern": {"rows": 5, "columns": 5, "flap": 0, "depth": 0.12, "heading_deg": 90},
+}
+"""An arch without flaps, larger than any board, which its own weight opens."""
+STRAIGHT = {
+    "shell": {"family": "parallel-repeating", "unit": "m"},
+    "target": {
+        "f": {"formula": "0.4*(1-x**2)", "range": [-1, 1]},
+        "g": {"formula": "0", "range": [0, 2]},
+    },
+    "pattern": {"rows": 5, "columns": 5},
+}
+"""A barrel, most of whose columns stay unfolded."""
+LOADED = {
+    "structure": {
+        "modulus": 9e9,
+        "strength": 40e6,
+        "crease_stiffness": "free",
+        "thickness": 0.05,
+        "cells": 2,
+        "supports": [{"at": "feet", "kind": "pinned"}],
+    },
+    "load_case": [{"name": "snow", "snow": {"ground": 500}}],
+}
+
+
+def read(design: dict[str, Any]) -> DesignFile:
+    return check_design(deepcopy(design), Path("shell.toml"), files=False)
+
+
+@pytest.mark.parametrize(
+    ("design", "about", "changes"),
+    [
+        (ARCH, "no flaps", {"pattern.flap": "auto"}),
+        (ARCH, "opens", {"deployment.ties": "feet"}),
+        (ARCH, "board", {"workshop.stock": [2.5, 1.25]}),
+        (STRAIGHT, "columns", {"pattern.columns": 2}),
+    ],
+)
+def test_what_a_note_offers_does_away_with_it(
+    design: dict[str, Any], about: str, changes: dict[str, Any]
+) -> None:
+    file = read(design)
+    notes = make_shell(file).report.warnings
+    (note,) = (each for each in notes if isinstance(each, Note) and each.about == about)
+    (mend,) = find_mends(file, [note], no_progress)
+    assert (mend.note, mend.changes) == (note, changes)
+    after = make_shell(file.changed(changes)).report
+    assert about not in [getattr(note, "about", None) for note in after.warnings]
+
+
+def test_what_is_not_known_to_do_it_is_not_offered() -> None:
+    # Panels of 3 m fit no board that is sold.
+    wide = {**ARCH, "pattern": {**ARCH["pattern"], "rows": 3, "columns": 2}}
+    wide["target"] = {
+        "f": {"formula": "-x**2/8", "range": [-8, 8]},
+        "g": {"formula": "2*sin(pi*x/16)", "range": [0, 16]},
+    }
+    wide["pattern"]["depth"] = 1.0
+    file = read(wide)
+    notes = make_shell(file).report.warnings
+    assert "board" in [getattr(note, "about", None) for note in notes]
+    assert all("boards" not in mend.text for mend in find_mends(file, notes, no_progress))
+
+
+def test_a_kind_of_hinge_is_offered_where_nobody_knows_what_one_bears() -> None:
+    file = read({**ARCH, **LOADED})
+    (row,) = (each for each in make_shell(file).report.verdict if each.subject == "stands")
+    assert "crease lines, whose strength is not given" in row.finding
+    assert [*row.changes] == ["structure.line_strength"]
+    assert "known what these bear" in row.remedy
+    changed = make_shell(file.changed(row.changes)).report
+    (after,) = (each for each in changed.verdict if each.subject == "stands")
+    assert "strength is not given" not in after.finding
