@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from loaded_shells import LARGEST, loaded_document
@@ -69,6 +70,23 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
     header, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=known))))
     assert [case["parts_strength"] for case in header["cases"]] == [9, 9, 9]
     assert "stiffeners" not in header
+
+
+@pytest.mark.parametrize("cells", [1, 2])
+def test_loads_on_panels_are_as_these_are_large(cells: int) -> None:
+    """Own weight at nodes that panels share is of each as much as it has there."""
+    document = loaded_document("parallel-repeating", cells)
+    loaded = document.loaded
+    assert loaded is not None
+    a, b, c = np.moveaxis(loaded.points[loaded.triangles], 1, 0)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    nodes = np.bincount(loaded.triangles.ravel(), np.repeat(areas / 3, 3), len(loaded.points))
+    weight = replace(loaded.cases[0], forces=np.outer(nodes, [0, 0, -60.0]))
+    header, blocks = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=(weight,)))))
+    place = header["arrays"]["panel_loads"]
+    loads = np.frombuffer(blocks, "<f4", int(np.prod(place["shape"])), place["offset"])
+    expected = -60 * np.bincount(loaded.panels, areas)
+    np.testing.assert_allclose(loads.reshape(-1, 3)[:, 2], expected, rtol=1e-5)
 
 
 def test_the_view_says_how_nodes_are_held() -> None:

@@ -33,9 +33,10 @@ export class LoadMarks {
     return [...this.arrows.drawn, ...this.supports.drawn];
   }
 
-  build(loaded: Loaded, number: number): void {
+  /** Of a case, on panels where their nodes (N, 3) are drawn. */
+  build(loaded: Loaded, number: number, nodes: Float32Array): void {
     const { radius } = extentOf([loaded.points]);
-    this.arrows.set(Float32Array.from(this.arrowsOf(loaded, number, ARROW * radius)));
+    this.arrows.set(Float32Array.from(this.arrowsOf(loaded, number, nodes, ARROW * radius)));
     const marks: number[] = [], { held, points } = loaded;
     for (const k of every(held.length / 2)) marks.push(...supportMark(points.subarray(3 * held[2 * k]!, 3 * held[2 * k]! + 3), held[2 * k + 1]!, SUPPORT * radius));
     this.supports.set(Float32Array.from(marks));
@@ -51,17 +52,18 @@ export class LoadMarks {
     this.supports.dispose();
   }
 
-  /** Ends of lines: arrows whose tips are in the middle of their panels. */
-  private arrowsOf(loaded: Loaded, number: number, longest: number): number[] {
+  /** Ends of lines: arrows outside the shell, which push to the middle of their panels or pull from it. */
+  private arrowsOf(loaded: Loaded, number: number, nodes: Float32Array, longest: number): number[] {
     const panels = loaded.loads.length / 3 / loaded.cases.length;
     const force = (panel: number): Vector3 => new Vector3().fromArray(loaded.loads, 3 * (number * panels + panel));
     this.force = 0;
     for (let panel = 0; panel < panels; panel++) this.force = Math.max(this.force, force(panel).length());
-    const middles = middlesOf(loaded, panels), lines: number[] = [];
+    const faces = facesOf(loaded, nodes, panels), lines: number[] = [];
     for (const panel of every(panels)) {
       const way = force(panel).multiplyScalar(longest / (this.force || 1)), size = way.length();
       if (!(size > SHORTEST * longest)) continue;
-      const tip = middles[panel]!, tail = tip.clone().sub(way);
+      const { middle, outward } = faces[panel]!, pulls = way.dot(outward) > 0;
+      const tip = pulls ? middle.clone().add(way) : middle, tail = tip.clone().sub(way);
       const side = new Vector3().crossVectors(way, Math.abs(way.z) > 0.7 * size ? new Vector3(1, 0, 0) : new Vector3(0, 0, 1)).setLength(WIDE * size);
       const neck = tip.clone().addScaledVector(way, -HEAD);
       lines.push(...tail, ...tip, ...tip, ...neck.clone().add(side), ...tip, ...neck.clone().sub(side));
@@ -70,15 +72,27 @@ export class LoadMarks {
   }
 }
 
-function middlesOf({ points, triangles, panels, ofPanels }: Loaded, count: number): Vector3[] {
-  const sums = Array.from({ length: count }, () => new Vector3()), corners = new Float64Array(count);
-  const at = new Vector3();
-  for (let k = 0; k < 3 * ofPanels; k++) {
-    const panel = panels[Math.floor(k / 3)]!;
-    sums[panel]!.add(at.fromArray(points, 3 * triangles[k]!));
-    corners[panel]!++;
+/** Middle of every panel, and the way out of the shell there: most of it looks up. */
+function facesOf({ triangles, panels, ofPanels }: Loaded, nodes: Float32Array, count: number): { middle: Vector3; outward: Vector3 }[] {
+  const faces = Array.from({ length: count }, () => ({ middle: new Vector3(), outward: new Vector3(), corners: 0 }));
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  let up = 0;
+  for (let k = 0; k < ofPanels; k++) {
+    const face = faces[panels[k]!]!;
+    [a, b, c].forEach((corner, which) => {
+      corner.fromArray(nodes, 3 * triangles[3 * k + which]!);
+      face.middle.add(corner);
+      face.corners++;
+    });
+    const area = b.sub(a).cross(c.sub(a));
+    face.outward.add(area);
+    up += area.z;
   }
-  return sums.map((sum, panel) => sum.divideScalar(corners[panel]! || 1));
+  for (const { middle, outward, corners } of faces) {
+    middle.divideScalar(corners || 1);
+    if (up < 0) outward.negate();
+  }
+  return faces;
 }
 
 /** A pyramid below a pinned node, with a line below it where that slides, and a box round a clamped one. */

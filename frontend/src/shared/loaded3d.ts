@@ -64,6 +64,8 @@ export class Loaded3D {
     this.drawn.visible = true;
     const { deflection, measure, scale } = shown;
     if (deflection !== this.deflection) this.build(loaded, deflection);
+    const nodes = loaded.points.map((value, k) => value + scale * deflection.displacements[k]!);
+    this.marks.build(loaded, deflection.number, nodes);
     const { shares, most, of } = amountsOf(loaded, deflection, measure);
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));
@@ -97,7 +99,6 @@ export class Loaded3D {
     this.creases.build(points, displacements, this.ends.rims);
     this.before.build(points, displacements, this.ends.border);
     this.ties.build(points, displacements, ties);
-    this.marks.build(loaded, deflection.number);
   }
 }
 

@@ -250,7 +250,7 @@ export class Shell3D {
     this.posed = false;
     this.highlight(null);
     if (!kept) this.fit(true);
-    else if (this.following.follow(this.extent, this.seenPoints())) this.fit();
+    else if (this.following.follow(this.extent, this.seenPoints())) this.lookFrom(this.arm());
     else this.limitDistance();
     this.invalidate();
   }
@@ -337,18 +337,14 @@ export class Shell3D {
    * folded, until one comes nearer or goes elsewhere. */
   fit(turn = false): void {
     if (!this.view) return;
-    const direction = turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm();
-    this.middle.copy(placeCamera(this.camera, this.seenPoints(), direction));
-    this.controls.target.copy(this.middle);
-    this.fitted = this.container.clientWidth > 0;
-    this.following.fitted(this.extent!);
-    this.limitDistance();
-    this.invalidate();
+    const towards = turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm();
+    this.stopGliding();
+    this.lookFrom(towards);
   }
 
   /** Bring all into view again, unless one has come nearer or gone elsewhere. */
   refit(): void {
-    if (this.fitted && this.following.turnedOnly) this.fit();
+    if (this.fitted && this.following.turnedOnly) this.lookFrom(this.arm());
   }
 
   maxPanelStrain(): number {
@@ -400,13 +396,32 @@ export class Shell3D {
     return points;
   }
 
+  /** All that is to be in view, seen from a direction. */
+  private lookFrom(towards: Vector3): void {
+    this.middle.copy(placeCamera(this.camera, this.seenPoints(), towards));
+    this.controls.target.copy(this.middle);
+    this.fitted = this.container.clientWidth > 0;
+    this.limitDistance();
+    this.following.fitted(this.extent!);
+    this.invalidate();
+  }
+
   private arm(): Vector3 {
     return this.camera.position.clone().sub(this.controls.target);
   }
 
+  /** What is left of a turn or a shift by hand does not go on from another place. */
+  private stopGliding(): void {
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
+  }
+
+  /** Never nearer or farther than the camera is put: a narrow picture wants it far away. */
   private limitDistance(): void {
-    this.controls.minDistance = 0.02 * this.extent!.radius;
-    this.controls.maxDistance = 14 * this.extent!.radius;
+    const away = this.arm().length();
+    this.controls.minDistance = Math.min(0.02 * this.extent!.radius, away);
+    this.controls.maxDistance = Math.max(14 * this.extent!.radius, away);
     this.controls.update();
   }
 
@@ -447,6 +462,7 @@ export class Shell3D {
     this.camera.updateProjectionMatrix();
     this.setQuality(this.quality);
     if (this.view && !this.fitted) this.fit(true);
+    else this.refit();
     this.draw();
   }
 

@@ -96,7 +96,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   });
   forgetWhatIsStale(store);
   stage.frame.append(blankCover(store, (names) => sketch.begin(names)), fitBar(store, live));
-  stage.element.append(sketch.element);
+  stage.element.append(sketch.element, saidElement(store));
   linkHover(stage, results);
   addInspection(store, stage, results);
   listenForShortcuts({
@@ -130,7 +130,6 @@ export function buildStudio(root: HTMLElement, store: Store): void {
       stage.element,
       results.element,
     ),
-    saidElement(store),
     help.element,
     examples.element,
     drop.element,

@@ -248,12 +248,15 @@ def _megapascals(document: Document) -> float:
 def _on_panels(loaded: LoadedShell, case: LoadedCase) -> Array:
     """Loads of a case on every panel (P, 3), with its flaps those on what is meshed.
 
-    Nodes that panels share count for one of them, those of what only stiffens them for none.
+    Nodes that panels share count for each by the area of its triangles there, those of what only
+    stiffens them for none.
     """
-    count = int(loaded.panels.max()) + 1
-    owner = np.full(len(loaded.points), count)
-    owner[loaded.triangles] = loaded.panels[:, None]
-    axes = [np.bincount(owner, force, count + 1)[:count] for force in case.forces.T]
+    a, b, c = np.moveaxis(loaded.points[loaded.triangles], 1, 0)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    nodes, panels = loaded.triangles.ravel(), np.repeat(loaded.panels, 3)
+    around = np.repeat(areas, 3)
+    share = around / np.bincount(nodes, around)[nodes]
+    axes = [np.bincount(panels, share * force) for force in case.forces[nodes].T]
     return np.stack(axes, axis=1)
 
 

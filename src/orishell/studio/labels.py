@@ -162,7 +162,8 @@ def describe_tables() -> dict[str, TableWords]:
         }
         for each in describe_workshop()
     }
-    return {**TABLES, "workshop": {"label": "Workshop", "keys": workshop}}
+    # Its controls stand in the window of files.
+    return {**TABLES, "workshop": {"label": "Export", "keys": workshop}}
 
 
 _WORDS = parse_toml(Path(__file__).with_name("words.toml").read_text(encoding="utf-8"))

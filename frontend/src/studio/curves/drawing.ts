@@ -33,6 +33,8 @@ export class Drawing {
   readonly element = s("g", { class: "plot-drawing" });
   private readonly stroke = s("path", { class: "plot-stroke" });
   private readonly cross = s("path", { class: "plot-cross" });
+  /** From the last point to where the next would be. */
+  private readonly band = s("path", { class: "plot-band" });
   private on = false;
   private track: Point[] = [];
   private pointer: number | null = null;
@@ -43,7 +45,7 @@ export class Drawing {
     private readonly place: DrawPlace,
     private readonly events: DrawEvents,
   ) {
-    this.element.append(this.stroke, this.cross);
+    this.element.append(this.band, this.stroke, this.cross);
     // Before handles and the plane get them.
     const capture = { capture: true };
     svg.addEventListener("pointerdown", (event) => this.down(event), capture);
@@ -72,6 +74,8 @@ export class Drawing {
   draw(): void {
     const { plane } = this.place;
     this.stroke.setAttribute("d", line(...this.track.map((point) => plane.toPixels(point))));
+    const last = this.on ? this.events.last() : null;
+    this.band.setAttribute("d", this.at && last ? line(plane.toPixels(last), plane.toPixels(this.at)) : "");
     const [x, y] = this.at && this.on ? plane.toPixels(this.at) : [-99, -99];
     this.cross.setAttribute("d", `M${x - 9} ${y}H${x + 9}M${x} ${y - 9}V${y + 9}`);
   }

@@ -85,9 +85,9 @@ export async function readCurve(file: File, unit: string): Promise<DroppedCurve>
   return json("curve", { name: file.name, content: await base64(file), unit });
 }
 
-/** The target surface of a design, to be drawn. */
-export function fetchSurface(design: Design): Promise<Api.DrawnSurface> {
-  return json("surface", { design });
+/** The target surface of a design, to be drawn, whatever is wrong with loads, boards and the like. */
+export function fetchSurface({ shell, target, pattern, tolerance }: Design): Promise<Api.DrawnSurface> {
+  return json("surface", { design: { shell, target, pattern, tolerance } });
 }
 
 /** The drawn sheet in a file; `asked` is what its reader is told. */

@@ -1,5 +1,6 @@
 // How far a fit is, and a button that stops it; once it is stopped, one that fits again.
 
+import { isWhole } from "../curves/curve-table.ts";
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { WorkBar } from "../parts/work-bar.ts";
@@ -19,7 +20,7 @@ export function fitBar(store: Store, live: Live): HTMLElement {
   const element = h("div", { class: "fit-bar", role: "status" }, work.element, again);
   const refresh = (): void => {
     const { fitting, freshness, design, fault } = store;
-    const stopped = isSlow(design.value) && !design.value.tolerance && freshness.value === "outdated" && !fault.value;
+    const stopped = isSlow(design.value) && isWhole(design.value) && !design.value.tolerance && freshness.value === "outdated" && !fault.value;
     again.hidden = !stopped;
     words.textContent = isAuto(design.value) ? "The trial of families was stopped." : "The fit was stopped.";
     if (fitting.value) work.show(fitting.value.share, fitting.value.what);

@@ -1,0 +1,235 @@
+"""Small things that a person trips over: names cut off, words over controls, missing marks."""
+
+from __future__ import annotations
+
+import tomllib
+from typing import TYPE_CHECKING
+
+import pytest
+
+from node_tools import PACKAGES, lacking
+from studio_pages import drawn, drop_file, in_bar, opened, settle
+from surface_files import obj
+from viewer_pages import await_frames, wait_until
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from playwright.sync_api import Browser, FloatRect, Locator, Page
+
+STORE = "window.__orishell.store"
+WIDTHS = (1440, 820)
+CUT = """() => [...document.querySelectorAll(".inputs .parameter-head")].flatMap((row) => {
+    const [name] = row.children;
+    if (!row.checkVisibility()) return [];
+    const wrong = [];
+    const { width } = name.getBoundingClientRect();
+    if (width < 20 || name.scrollWidth > name.clientWidth + 1 && name.clientWidth) {
+        wrong.push(`${name.textContent} is cut to ${width}`);
+    }
+    const box = row.querySelector("input.number"), unit = row.querySelector(".unit:not(:empty)");
+    if (box && unit) {
+        const words = document.createRange();
+        words.selectNodeContents(unit);
+        const style = getComputedStyle(box);
+        const end = box.getBoundingClientRect().right - parseFloat(style.paddingRight);
+        const gap = words.getBoundingClientRect().left - end;
+        const within = words.getBoundingClientRect().right < box.getBoundingClientRect().right;
+        if (gap < 3 || !within) wrong.push(`${name.textContent}: a unit ${gap} px off`);
+    }
+    return wrong;
+})"""
+"""Names of controls that are cut off, and units that touch the numbers before them."""
+NO_ROWS = """() => {
+    const { store } = window.__orishell, shell = { ...store.design.value.shell, family: "auto" };
+    const design = { shell, target: { surface: window.mesh }, pattern: { rows: 0, columns: 9 } };
+    store.change(design, "mesh");
+}"""
+"""A mesh in a design that is refused, whatever its family."""
+LOADED = """
+[shell]
+family = "parallel-repeating"
+unit = "m"
+
+[target.f]
+formula = "0.4*(1-x**2)"
+range = [-1, 1]
+
+[target.g]
+formula = "0"
+range = [0, 2]
+
+[pattern]
+rows = 5
+columns = 5
+
+[workshop]
+areal_density = 1.9
+
+[structure]
+modulus = 270e6
+thickness = 0.01
+crease_stiffness = "rigid"
+cells = 1
+supports = [{ at = "feet", kind = "pinned" }]
+
+[[load_case]]
+name = "snow"
+snow = { ground = 500 }
+
+[[load_case]]
+name = "wind"
+wind = { speed = 20, direction_deg = 90, terrain = "II" }
+"""
+ARROWS = """(() => {
+    const { motion, loaded, camera } = window.__orishell.shell3d;
+    const { geometry } = loaded.marks.arrows;
+    const ends = ["from", "to"].map((name) => geometry.getAttribute(name)), found = [];
+    // Each is a shaft and two lines of its head.
+    for (let k = 0; k < ends[0].count; k += 12) {
+        const [tail, tip] = ends.map((end) => camera.position.clone().fromBufferAttribute(end, k));
+        const { x, y, z } = tail.clone().add(tip).multiplyScalar(0.5);
+        const covered = motion.hit(x, y, z, 0, 0, 1) !== null;
+        found.push({ y, size: tip.distanceTo(tail), up: tip.z - tail.z, covered });
+    }
+    return found;
+})()"""
+"""Arrows of loads: the middle of each, its size, how far up it points, whether a panel is above."""
+AXE = """axe.run({ runOnly: ["target-size"] }).then(({ violations }) =>
+    violations.flatMap(({ nodes }) => nodes.map(({ html }) => html.slice(0, 160))))"""
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser, address: str) -> Iterator[Page]:
+    """One page for all, which may be given axe-core."""
+    with opened(browser, address, width=1440, height=900, bypass_csp=True) as shared:
+        yield shared
+
+
+def resize(page: Page, width: int) -> None:
+    page.set_viewport_size({"width": width, "height": 844 if width < 500 else 1000})
+    await_frames(page)
+
+
+def box_of(element: Locator) -> FloatRect:
+    box = element.bounding_box()
+    assert box is not None
+    return box
+
+
+def load_example(page: Page, name: str) -> None:
+    in_bar(page, "examples").click()
+    page.get_by_test_id(f"example-{name}").click()
+    drawn(page)
+
+
+def test_names_and_units_of_controls_are_whole(page: Page) -> None:
+    load_example(page, "shelter")
+    page.get_by_test_id("structure-material").select_option("birch plywood")
+    drawn(page)
+    for width in WIDTHS:
+        resize(page, width)
+        assert page.evaluate(CUT) == []
+    # What is typed in another unit is said below the box, and moves nothing.
+    page.get_by_test_id("structure-snow").fill("500 N/m\u00b2")
+    assert page.locator("output.echo").inner_text() == "= 0.5 kN/m\u00b2"
+    assert page.evaluate(CUT) == []
+    page.get_by_test_id("structure-snow").fill("")
+
+
+def test_words_at_the_edge_lie_over_no_control(page: Page) -> None:
+    for width in (*WIDTHS, 390):
+        resize(page, width)
+        page.evaluate(f"{STORE}.said.set('')")
+        page.evaluate(f"{STORE}.said.set('Undo brings back your unsaved work on a shell')")
+        await_frames(page)
+        said = box_of(page.get_by_test_id("said"))
+        bar = box_of(page.locator(".fold-bar"))
+        assert said["y"] + said["height"] <= bar["y"] or bar["y"] + bar["height"] <= said["y"]
+        assert said["x"] >= 0
+        assert said["x"] + said["width"] <= width
+    page.evaluate(f"{STORE}.said.set('')")
+
+
+def test_controls_are_large_enough_to_be_hit(page: Page) -> None:
+    axe = PACKAGES / "axe-core" / "axe.min.js"
+    if not axe.is_file():
+        lacking("axe-core is not installed: make node")
+    page.add_script_tag(path=str(axe))
+    for width in WIDTHS:
+        resize(page, width)
+        found: list[str] = page.evaluate(AXE)
+        assert found == []
+
+
+def test_a_line_goes_from_the_last_point_to_the_pointer(page: Page) -> None:
+    resize(page, 1440)
+    in_bar(page, "new").click()
+    plane = box_of(page.get_by_test_id("curve-f"))
+    at = [(plane["x"] + x * plane["width"], plane["y"] + 0.6 * plane["height"]) for x in (0.3, 0.6)]
+    page.mouse.click(*at[0])
+    page.mouse.move(*at[1])
+    await_frames(page)
+    band = box_of(page.get_by_test_id("curve-f").locator(".plot-band"))
+    assert band["x"] == pytest.approx(at[0][0], abs=12)
+    assert band["x"] + band["width"] == pytest.approx(at[1][0], abs=12)
+    page.get_by_test_id("sketch-cancel").click()
+    await_frames(page)
+
+
+def test_automatic_waits_for_curves(page: Page) -> None:
+    in_bar(page, "new").click()
+    page.get_by_test_id("sketch-cancel").click()
+    page.evaluate(f"{STORE}.redo()")
+    page.locator("label:has([data-testid=family-auto])").click()
+    await_frames(page)
+    assert page.get_by_test_id("blank").is_visible()
+    assert not page.get_by_text("was stopped").is_visible()
+
+
+def test_a_mesh_is_drawn_once_its_design_is_mended(page: Page) -> None:
+    drop_file(page, "roof.obj", obj())
+    wait_until(page, f"{STORE}.surface.value !== null")
+    page.evaluate(f"window.mesh = {STORE}.design.value.target.surface")
+    load_example(page, "parallel-repeating")
+    assert page.evaluate(f"{STORE}.surface.value") is None
+    assert page.evaluate(f"{STORE}.surfaceAt.value") is None
+    page.evaluate(NO_ROWS)
+    wait_until(page, f"{STORE}.surfaceAt.value === window.mesh")
+    assert page.evaluate(f"{STORE}.surface.value") is None
+    page.evaluate(f"{STORE}.set({{ 'pattern.rows': 9 }}, 'rows')")
+    wait_until(page, f"{STORE}.surface.value !== null")
+    assert page.get_by_test_id("surface-editor").locator(".handle").count() == 4
+    load_example(page, "parallel-repeating")
+
+
+def test_arrows_of_loads_stand_outside_at_both_ends(page: Page) -> None:
+    page.evaluate(f"(design) => {STORE}.change(design, 'loaded')", tomllib.loads(LOADED))
+    settle(page)
+    page.get_by_test_id("load-case").select_option("snow")
+    page.get_by_test_id("load-scale").fill("0")
+    await_frames(page)
+    snow = page.evaluate(ARROWS)
+    assert len(snow) > 20
+    assert not any(each["covered"] for each in snow)
+    # The shell is the same from both ends, and so is its snow.
+    sizes = [each["size"] for each in sorted(snow, key=lambda each: each["y"])]
+    half = len(sizes) // 2
+    assert sum(sizes[:half]) == pytest.approx(sum(sizes[half:]), rel=0.05)
+    page.get_by_test_id("load-case").select_option("wind")
+    page.get_by_test_id("load-scale").fill("0")
+    await_frames(page)
+    wind = page.evaluate(ARROWS)
+    assert any(each["up"] > 0 for each in wind)  # suction
+    assert not any(each["covered"] for each in wind)
+    page.get_by_test_id("load-case").select_option("")
+
+
+def test_a_warning_names_the_window_of_its_settings(page: Page) -> None:
+    load_example(page, "parallel-repeating")
+    settle(page)
+    said = page.locator(".results").text_content() or ""
+    assert "name your board as stock under Export" in said
+    in_bar(page, "export").click()
+    assert page.locator("[data-key=stock]").is_visible()
+    page.keyboard.press("Escape")
