@@ -62,16 +62,18 @@ export class Verdict {
     }
     if (missing) {
       const [open, known] = [rows.filter((row) => !row.known && row.subject !== UNCHECKED), rows.filter((row) => row.known || row.subject === UNCHECKED)];
-      const subjects = open.length ? open.map(({ subject }) => subject) : ["remedies"];
-      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)));
+      const subjects = open.length || !missing.sign ? open.map(({ subject }) => subject) : ["remedies"];
+      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)), ...this.notesOf(report, mends));
       return;
     }
+    this.element.replaceChildren(...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")), ...this.notesOf(report, mends));
+  }
+
+  /** The row of all notes, if there are any. */
+  private notesOf(report: Known | null, mends: readonly Mend[]): HTMLElement[] {
     const notes = new Map([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])].map((text) => [text, [] as Mend[]]));
     for (const mend of mends) notes.get(mend.note)?.push(mend);
-    this.element.replaceChildren(
-      ...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")),
-      ...(notes.size ? [this.notes(notes)] : []),
-    );
+    return notes.size ? [this.notes(notes)] : [];
   }
 
   private row(row: Judged, first: boolean): HTMLElement {
@@ -92,13 +94,15 @@ export class Verdict {
       const said = document.createElement("span");
       said.className = "orishell-pending";
       said.textContent = ` ${words}`;
-      const dots = sign ? signOf(sign) : document.createElement("span");
-      if (!sign) {
-        dots.setAttribute("aria-hidden", "true");
-        dots.textContent = "\u2026";
+      if (sign) {
+        const item = this.item(sign, subject, true, said);
+        if (mend && !place) item.firstElementChild!.append(mend());
+        return item;
       }
-      const button = place ? null : mend?.();
-      return listed(sign ?? "pending", subject, dots, bold(subject), said, ...(button ? [button] : []));
+      const dots = document.createElement("span");
+      dots.setAttribute("aria-hidden", "true");
+      dots.textContent = "\u2026";
+      return listed("pending", subject, dots, bold(subject), said);
     });
   }
 
