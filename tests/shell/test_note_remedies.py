@@ -70,6 +70,21 @@ def test_what_a_note_offers_does_away_with_it(
     assert about not in [getattr(note, "about", None) for note in after.warnings]
 
 
+def test_a_load_case_without_own_weight_is_given_it() -> None:
+    file = read({**ARCH, **LOADED, "workshop": {"areal_density": 20.0}})
+    shell = make_shell(file)
+    mends = find_mends(file, shell.report.warnings, no_progress, shell.analysis)
+    (mend,) = (each for each in mends if "own weight is left out" in each.note)
+    assert mend.changes == {"load_case.0.self_weight": True}
+    after = make_shell(file.changed(mend.changes)).report.warnings
+    assert not any("own weight is left out" in note for note in after)
+    # Without a density nobody knows what it weighs: then it is not offered.
+    file = read({**ARCH, **LOADED})
+    shell = make_shell(file)
+    mends = find_mends(file, shell.report.warnings, no_progress, shell.analysis)
+    assert not any("load_case" in key for each in mends for key in each.changes)
+
+
 def test_what_is_not_known_to_do_it_is_not_offered() -> None:
     # Panels of 3 m fit no board that is sold.
     wide = {**ARCH, "pattern": {**ARCH["pattern"], "rows": 3, "columns": 2}}

@@ -21,7 +21,7 @@ def worst(signs: Iterable[Sign]) -> Sign:
     return min(signs, key=ORDER.index, default="holds")
 
 
-About = Literal["columns", "board", "reach", "no flaps", "opens"]
+About = Literal["columns", "board", "reach", "no flaps", "opens", "points", "weight"]
 """What a note is about that a change of the design may mend."""
 
 

@@ -9,7 +9,7 @@ from itertools import chain
 from math import inf
 
 from orishell.conventions.record import record
-from orishell.conventions.row import Sign, worst
+from orishell.conventions.row import Note, Sign, worst
 from orishell.numerics.arrays import Array
 from orishell.structure.ballast import BallastedFoot, against_ballast, worst_ballast
 from orishell.structure.combinations import STRENGTH, LimitState
@@ -124,5 +124,8 @@ class CaseResult:
     def load_warnings(self) -> Iterator[tuple[str, str]]:
         """Of which case, and what an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
-            yield self.name, "own weight is left out (self_weight = true in [load_case])"
+            yield (
+                self.name,
+                Note("own weight is left out (self_weight = true in [load_case])", "weight"),
+            )
         yield from ((load.case, load.caution) for load in self.loads if load.caution)

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.conventions.row import ORDER, Sign
+from orishell.conventions.row import ORDER, Note, Sign
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.equals import SOLVED, classes, largest_of
 from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
@@ -49,10 +49,11 @@ def warn_of_points(model: Model, cases: Sequence[CaseResult]) -> Iterator[str]:
         if case.equilibrium is not None and buckles_at_points(case.equilibrium)
     )
     if names:
-        yield (
+        yield Note(
             f"load cases {', '.join(names)}: buckling is local to supports held at a point, and "
             "falls as cells become finer: hold edges or a patch there (edges = true, or patch, in "
-            "supports in [structure])"
+            "supports in [structure])",
+            "points",
         )
 
 
@@ -242,7 +243,8 @@ class Analysis:
                 said.setdefault(text, {})[name] = None
         for text, names in said.items():
             every = names.keys() == {each.name for each in self.cases}
-            yield f"{'all load cases' if every else f'load cases {few(list(names))}'}: {text}"
+            which = "all load cases" if every else f"load cases {few(list(names))}"
+            yield Note(f"{which}: {text}", text.about if isinstance(text, Note) else None)
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.

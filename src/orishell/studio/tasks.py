@@ -152,7 +152,7 @@ class Task:
         tell(shell, refusal)
         mends: Sequence[Mend] = ()
         if refusal is None:
-            mends = find_mends(file, shell.report.warnings, self.progress)
+            mends = find_mends(file, shell.report.warnings, self.progress, shell.analysis)
         return {**self._verified(file, shell, refusal), "mends": as_table(mends)}
 
     def _verified(self, file: DesignFile, shell: Shell, refusal: Fault | None) -> Verified:
