@@ -123,3 +123,20 @@ def test_what_is_known_when_time_is_over_stays(browser: Browser, address: str) -
         wait_until(page, IDLE, LONG)
         assert retry.count() == 0
         assert "under snow" in (row["stands"].text_content() or "")
+
+
+def test_a_note_has_the_button_that_does_it(page: Page) -> None:
+    design = {key: table for key, table in SNOW.items() if key in ("shell", "target", "pattern")}
+    page.evaluate("design => window.__orishell.store.change(design, 'arch')", design)
+    settle(page)
+    notes = page.get_by_test_id("verify-status").locator("[data-row=notes]")
+    notes.get_by_test_id("verdict-notes").press("Enter")
+    # How a file says it is no affair of the page.
+    assert not {"=", "["} & set(notes.inner_text())
+    opens = notes.get_by_text("opens under its own weight")
+    assert opens.count() == 1
+    notes.get_by_role("button", name="Tie its feet together").click()
+    settle(page)
+    assert page.evaluate("window.__orishell.store.design.value.deployment") == {"ties": "feet"}
+    assert opens.count() == 0
+    assert notes.get_by_role("button", name="Boards of 2.5 x 1.25 m").count() == 1
