@@ -171,7 +171,7 @@ def test_what_a_second_skin_cannot_be_is_said_in_one_line(tmp_path: Path, line: 
 @pytest.mark.parametrize("command", ["design", "structure"])
 def test_a_structure_has_no_second_skin(tmp_path: Path, command: str) -> None:
     file = tmp_path / "shell.toml"
-    more = '[structure]\nmodulus = 8e9\nsupports = [{ at = "feet", kind = "pinned" }]'
+    more = f"{STRUCTURE}\nthickness = 0.01"
     file.write_text(SHELL.format(flap=0, more=more) + '[stiffeners]\nkind = "skin"\n')
     done = orishell(command, file, "--out", tmp_path / "out")
     assert done.returncode == 2

@@ -100,6 +100,18 @@ def test_they_weigh_what_their_boards_do(panel: Tables) -> None:
         assert built.mass_kg.total == pytest.approx(balanced(shell).model.mass, rel=1e-9)
 
 
+def test_they_are_off_their_shape_as_plates_may_bow() -> None:
+    """Where they buckle first panels hardly move: a gusset bows by 0.005 of its shorter side."""
+    shell = arch(BEVEL, thickness=0.004)
+    sides = [
+        np.linalg.norm(np.diff(part.shell.positions[[0, 1, 3, 0]], axis=0), axis=1).max()
+        for part in shell.design.plates
+    ]
+    path = balanced(shell).path
+    assert path is not None
+    assert 0 < path.imperfection < 0.005 * max(sides)
+
+
 def test_stiffer_ones_sink_less_and_bear_more() -> None:
     """The shell sinks less the stiffer they are, by no more than its panels leave; what they use is
     their stress by what steel bears, 235 N/mm2."""
