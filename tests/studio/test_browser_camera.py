@@ -134,8 +134,10 @@ class Visit:
 
     def restart(self) -> None:
         self.studio.close()
-        self.page.evaluate(f"{STORE}.change({{ ...{STORE}.design.value }}, 'nothing')")
+        # What is asked of no server has no answer, and is taken back meanwhile.
+        self.page.evaluate(f"{STORE}.set({{ 'pattern.rows': 0 }}, 'rows')")
         wait_until(self.page, f"{STORE}.fault.value?.kind === 'network'")
+        self.undo()
         self.require_seen()
         port = urlsplit(self.first.address).port
         again = self.studio.enter_context(running_studio(port=port))
