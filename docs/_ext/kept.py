@@ -71,8 +71,12 @@ def kept_shell(
     *,
     clash: ClashPolicy = "refused",
     skip: Collection[Step] = (),
+    told: Callable[[Shell], None] | None = None,  # noqa: ARG001
 ) -> Shell:
-    """As ``make_shell``, for a file with which it was called before without delay."""
+    """As ``make_shell``, for a file with which it was called before without delay.
+
+    told: Is told nothing: what is kept is known at once.
+    """
     asked = (file, file.tables, clash, sorted(skip))
     name = _digest(b"shell", repr(asked).encode(), *map(_bytes, file.inputs))
     shell: Shell = _found(name, lambda: make_shell(file, progress, clash=clash, skip=skip))

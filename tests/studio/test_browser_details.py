@@ -229,7 +229,8 @@ def test_a_warning_names_the_window_of_its_settings(page: Page) -> None:
     load_example(page, "parallel-repeating")
     settle(page)
     said = page.locator(".results").text_content() or ""
-    assert "name your board as stock under Export" in said
+    assert "say how large your boards are" in said
+    assert "under Workshop" not in said
     in_bar(page, "export").click()
     assert page.locator("[data-key=stock]").is_visible()
     page.keyboard.press("Escape")
