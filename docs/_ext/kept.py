@@ -71,7 +71,7 @@ def kept_shell(
     *,
     clash: ClashPolicy = "refused",
     skip: Collection[Step] = (),
-    told: Callable[[Shell], None] | None = None,  # noqa: ARG001
+    told: Callable[[Shell], None] | None = None,
 ) -> Shell:
     """As ``make_shell``, for a file with which it was called before without delay.
 

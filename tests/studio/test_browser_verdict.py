@@ -100,6 +100,7 @@ def test_what_is_seldom_needed_is_folded_away(page: Page) -> None:
     assert max(ends) - min(ends) <= 1
 
 
+@thorough  # waits out a limit, twice
 def test_what_is_known_when_time_is_over_stays(browser: Browser, address: str) -> None:
     assert address, "pages are built"
     design = deepcopy(SNOW)
