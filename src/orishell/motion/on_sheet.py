@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Self
+from typing import Self, cast
 
 from orishell.conventions.record import record
 from orishell.motion.mechanism import Mechanism, mechanism_in_one_line
@@ -16,7 +16,7 @@ class OnSheet:
     sheet: Mechanism
 
     def __repr__(self) -> str:
-        return mechanism_in_one_line(self)  # type: ignore[arg-type]
+        return mechanism_in_one_line(cast("Mechanism", self))  # as what inherits from it is
 
     def on(self, sheet: Mechanism) -> Self:
         """It on a sheet of the same panels, which stands or ends otherwise."""
