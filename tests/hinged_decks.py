@@ -45,7 +45,7 @@ class Deck:
     @property
     def parts(self) -> list[Integers]:
         """Nodes (F, m+1, n+1) of the model in panels of the sheet, and in those of every strip."""
-        strips = self.model.plates if self.model.design.boxes else ()
+        strips = self.model.plates if self.model.design.carried else ()
         return [self.model.mesh.nodes, *(each.nodes[each.own.nodes] for each in strips)]
 
     @property

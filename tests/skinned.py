@@ -20,6 +20,10 @@ CURVES = "-x**2", "-0.5*x**2 + 0.3*x", "0.9*x - 0.1*x**2", "0.6*x**2", "sin(2*x)
 LINES = "0.3*sin(x)", "0.1*x**2", "0.05*x**3 - 0.1*x", "0.4*cos(x)"
 
 
+OF_ITS_OWN = 60
+"""From this number on second skins follow a curve of their own."""
+
+
 def random_tables(number: int, attempt: int) -> Tables:
     """A parallel repeating shell, with or without boards and flaps."""
     draw = np.random.default_rng([number, attempt, 11])
@@ -72,6 +76,12 @@ def skinned(number: int) -> tuple[Tables, Shell | DesignError]:
             continue
         gap = round(float(draw.uniform(0.02, 0.3)), 3) if draw.integers(2) else "auto"
         design["stiffeners"] = {"kind": "skin", "gap": gap, "walls": int(draw.integers(1, 4))}
+        if number >= OF_ITS_OWN:
+            f, part = design["target"]["f"], round(float(draw.uniform(0.6, 1)), 3)
+            inner = f"{round(float(draw.uniform(0.9, 1.4)), 3)}*({f['formula']}) - 0.2"
+            design["target"]["inner"] = {**f, "formula": inner}
+            design["target"]["inner"]["range"] = [part * end for end in f["range"]]
+            del design["stiffeners"]["gap"]
         design["motion"] = {"frames": 8}
         try:
             return design, shell_of(design)

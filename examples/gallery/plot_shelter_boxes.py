@@ -26,7 +26,7 @@ from orishell.design.stiffeners import Stiffeners
 from orishell.design_file import read_design_file
 from orishell.locking import lock_without_clash
 from orishell.locking.box_plates import with_box_plates
-from orishell.locking.boxes import with_boxes
+from orishell.locking.carry import with_carried
 from orishell.locking.gussets import with_gussets
 from orishell.motion import area_of, find_assignment
 from orishell.shell.designed import designed
@@ -127,7 +127,7 @@ file = read_design_file(EXAMPLES / "shelter.toml").changed({"pattern.flap": 0.0}
 bare = replace(designed(file), panel=None)
 lock = lock_without_clash(bare)
 boxes = Stiffeners(kind="boxes", share=0.95, columns=4)
-girders, held = with_boxes(bare, lock, boxes, 1e-9, examined=False)
+girders, held = with_carried(bare, lock, boxes, 1e-9, examined=False)
 plated = with_box_plates(girders, held, boxes, 1e-9)
 clipped = with_gussets(bare, lock, Stiffeners(kind="gussets"), 1e-9)
 mass = DENSITY * THICKNESS * area(plated)

@@ -39,6 +39,7 @@ NOT_READ = {
     "rows = 1": "a list, in brackets",
     "rows = true": "a list, in brackets",
     "rows = [1.5]": "a whole number",
+    'rows = ["1"]': "expected 'valleys', 'crests' or 'all' or a list, each entry a whole number",
     "rows = [1, -1]": "at least 0",
     "rows = [0]": "numbers from 1 to 3",
     "rows = [4]": "numbers from 1 to 3",
@@ -68,6 +69,7 @@ NOT_READ = {
     'material = "steel"': "with a thickness",
     "bolts = 0.1": "expected a table",
     "bolts = { hole = 0.006 }": "key is missing",
+    "bolts = {}": "bolts hole, spacing: these keys are missing",
     "bolts = { hole = 0, spacing = 0.1 }": "greater than 0",
     "bolts = { hole = 0.006, spacing = -0.1 }": "at least 0",
     "bolts = { hole = 0.006, spacing = 0.01 }": "two diameters, 0.012",
@@ -168,14 +170,28 @@ def test_what_a_second_skin_cannot_be_is_said_in_one_line(tmp_path: Path, line: 
     assert SKIN[line] in said
 
 
-@pytest.mark.parametrize("command", ["design", "structure"])
-def test_a_structure_has_no_second_skin(tmp_path: Path, command: str) -> None:
+CURVE = '[target.inner]\nformula = "-x**2 - 0.5"\n'
+RANGE = "range = [-0.7, 0.7]\n"
+INNER = {
+    f'[stiffeners]\nkind = "skin"\ngap = 0.1\n{CURVE}{RANGE}': "of its own, or is as far",
+    f'[stiffeners]\nkind = "boxes"\n{CURVE}{RANGE}': "a curve of a second skin needs one",
+    f"{CURVE}{RANGE}": "a curve of a second skin needs one",
+    f"{CURVE}": "[target.inner]: a formula needs its range",
+    f"{CURVE}{RANGE}slope = 2\n": "unknown key",
+    f"{CURVE}{RANGE}[target.fit]\nwidth = 2\n": "goes with f and g, without fit",
+}
+
+
+@pytest.mark.parametrize("tables", INNER)
+def test_what_a_curve_of_a_second_skin_cannot_be_is_said_in_one_line(
+    tmp_path: Path, tables: str
+) -> None:
     file = tmp_path / "shell.toml"
-    more = f"{STRUCTURE}\nthickness = 0.01"
-    file.write_text(SHELL.format(flap=0, more=more) + '[stiffeners]\nkind = "skin"\n')
-    done = orishell(command, file, "--out", tmp_path / "out")
+    file.write_text(SHELL.format(flap=0, more=tables))
+    done = orishell("design", file, "--out", tmp_path / "out")
     assert done.returncode == 2
-    assert "a second skin is not analysed under loads" in done.stderr
+    assert INNER[tables] in done.stderr
+    assert done.stderr.count("\n") == 1
     assert not (tmp_path / "out").exists()
 
 

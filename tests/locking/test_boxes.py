@@ -18,7 +18,8 @@ from orishell.design.stiffeners import Stiffeners
 from orishell.document import Document
 from orishell.families.flat_foldable.named import graded_net
 from orishell.locking import lock_without_clash
-from orishell.locking.boxes import NARROWEST, BoxPlace, with_boxes
+from orishell.locking.boxes import NARROWEST, BoxPlace
+from orishell.locking.carry import with_carried
 from orishell.locking.result import Contact
 from orishell.motion.complex import Complex
 from orishell.motion.layout import has_flaps, points_of
@@ -226,7 +227,7 @@ def test_a_share_that_columns_leave_no_room_for_is_refused_with_one_that_works()
     """A strip's sides would be narrow, or cross; a row has what it has room for at the most."""
     design, place, asked = converging()
     with pytest.raises(DesignError, match="narrower") as caught:
-        with_boxes(design, place.lock, asked, CONTACT_TOLERANCE)
+        with_carried(design, place.lock, asked, CONTACT_TOLERANCE)
     offered = next(iter(caught.value.candidates)).changes["stiffeners.share"]
     assert isinstance(offered, float)
     most = place.narrowest().largest(NARROWEST)

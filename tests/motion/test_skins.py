@@ -5,10 +5,13 @@ That the second skin and walls keep the contract of folding sheets is asked in `
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
 from mechanisms import parallel, skin_of
+from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.layout import points_of
@@ -21,10 +24,18 @@ QUICK, ALL = 16, 150
 
 
 def random_skin(number: int) -> tuple[Skin, Complex]:
-    """A skin under a random sheet without flaps, with some of its walls."""
+    """A skin under a random sheet without flaps, with some of its walls.
+
+    Every second one is a staircase of its own.
+    """
     draw = np.random.default_rng([number, 3])
     sheet = random_sheet(number).without_flaps()
     every = slice(0, sheet.grid.columns)
+    if number % 2:
+        skin = staircase_of_its_own(sheet, every, draw)
+        walls = skin.walls()
+        chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
+        return skin, Complex(sheet, skin.carried(chosen))
     half, _ = Skin.under(sheet, every, None).distances()
     gap = float(draw.uniform(0.2, 1.4)) * half
     skin = Skin.under(sheet, every, gap)
@@ -33,6 +44,25 @@ def random_skin(number: int) -> tuple[Skin, Complex]:
         skin = Skin.under(sheet, every, gap)
     chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
     return skin, Complex(sheet, skin.carried(chosen))
+
+
+def staircase_of_its_own(
+    sheet: ParallelRepeating, columns: slice, draw: np.random.Generator
+) -> Skin:
+    """One of random edges, moved down until it is below the sheet's and walls have room."""
+    lattice = sheet.lattice()
+    edges = 2 * int(draw.integers(1, len(lattice.lengths) + 2))
+    steps = np.zeros((edges, 2))
+    steps[np.arange(edges), np.arange(edges) % 2] = draw.uniform(0.5, 1.5, edges)
+    steps *= np.ptp(lattice.places, axis=0) / steps.sum(axis=0)
+    places = lattice.places[0] + np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+    down = 0.05 * float(lattice.lengths.mean()) * np.array([-1.0, 1.0])
+    for k in itertools.count():
+        skin = Skin.along(sheet, columns, places + k * down)
+        if skin.shift > 0 and skin.walls():
+            return skin
+        assert k < 100
+    raise AssertionError
 
 
 @pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))

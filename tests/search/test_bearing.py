@@ -59,20 +59,15 @@ def test_what_breaks_or_buckles_is_not_on_the_front(
 
 
 def test_what_is_not_known_to_carry_is_not_on_the_front() -> None:
-    """No strength of panels is given: whether they bear their loads is in no figure.
-
-    The file may allow that, as it may allow what fails.
-    """
+    """No strength of panels is given: there is no figure of what they bear, whatever is allowed."""
     panels = {"modulus": 270e6, "cells": 2}
-    thick = evaluate(job_of(posed(panels, [0.014])), [{"structure.thickness": 0.014}])[0]
-    assert thick.reason == "it is not known whether it carries its loads"
-    assert (
-        "under snow, free creases it is loaded in panels, whose strength is not given" in thick.said
-    )
-    assert not thick.figures
-    allowed = posed(panels, [0.014], subject_to={"utilisation": {"most": 1e4}})
-    assert evaluate(job_of(allowed), [{"structure.thickness": 0.014}])[0].figures
-    assert "is not known to carry its loads" in asked_of_loads(allowed)
+    for limits in ({}, {"subject_to": {"utilisation": {"most": 1e4}}}):
+        job = job_of(posed(panels, [0.014], **limits))
+        thick = evaluate(job, [{"structure.thickness": 0.014}])[0]
+        assert thick.reason == "it is not known whether it carries its loads"
+        said = "under snow, free creases it is loaded in panels, whose strength is not given"
+        assert said in thick.said
+        assert not thick.figures
 
 
 @thorough

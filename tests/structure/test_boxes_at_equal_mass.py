@@ -16,7 +16,7 @@ from equal_mass import MADE_OF, area_with_all, example, sinks
 from orishell.design.stiffeners import Stiffeners
 from orishell.locking import lock_without_clash
 from orishell.locking.box_plates import with_box_plates
-from orishell.locking.boxes import with_boxes
+from orishell.locking.carry import with_carried
 from samples import thorough
 
 PAGE = Path(__file__).parents[2] / "docs" / "theory" / "structure.md"
@@ -33,7 +33,7 @@ def test_at_equal_mass(name: str) -> None:
     bare = example(name)
     lock = lock_without_clash(bare)
     asked = Stiffeners(kind="boxes", share=share, columns=4)
-    girders, lock = with_boxes(bare, lock, asked, 1e-9, examined=False)
+    girders, lock = with_carried(bare, lock, asked, 1e-9, examined=False)
     plates = with_box_plates(girders, lock, asked, 1e-9)
     mass, more = (MADE_OF[name][0] * thickness * area_with_all(each) for each in (girders, plates))
     found = {

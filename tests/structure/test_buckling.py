@@ -12,8 +12,9 @@ from scipy.sparse import csr_array
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.mesh.geometric import geometric_stiffness, smooth_rotations
+from orishell.structure.mesh.lines import GRADING
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.sheet import GRADING, mesh_sheet
+from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.solve.conditions import joined, on_ground
 from orishell.structure.solve.factorise import factorise
 from orishell.structure.solve.stability import Inverse, find_buckling

@@ -101,7 +101,7 @@ def test_forces_along_edges_hold_the_weight_of_each_plate(kind: str) -> None:
         own, forces = plates.own, elements.forces(moved)
         np.testing.assert_allclose(load[:, 2], -GRAVITY * masses, rtol=1e-12)
         total += masses.sum()
-        edges = find_plate_edges(own, own.facets.points, forces, load)
+        edges = find_plate_edges(own, own.facets.points, forces, load, plates.shared)
         held = np.zeros((own.nodes.size, 3))
         np.add.at(held, own.places, forces.reshape(-1, 3, 6)[..., :3])
         held -= load
@@ -145,7 +145,8 @@ def test_a_plate_that_is_pulled() -> None:
     moved = np.zeros(mesh.count)
     moved[mesh.translations()[:, 0]] = stress / 10e9 * mesh.facets.points[:, 0]
     nothing = np.zeros((mesh.nodes.size, 3))
-    found = find_plate_edges(mesh, mesh.facets.points, elements.forces(moved), nothing)
+    alone = np.zeros(mesh.node_count, np.bool_)
+    found = find_plate_edges(mesh, mesh.facets.points, elements.forces(moved), nothing, alone)
     np.testing.assert_allclose(found.lengths[0], [height, width, height, width])
     pulled, pull = found.per_length[0, [0, 2]], stress * thickness
     np.testing.assert_allclose(pulled[..., NORMAL], pull, rtol=1e-9)

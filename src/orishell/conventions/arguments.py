@@ -30,6 +30,8 @@ NUMBERS = ("int_type", "float_type")
 WHOLE = frozenset({"int_type", "int_from_float"})
 Location = tuple[str | int, ...]
 """Keys and indices from the outermost table to the value."""
+_Found = tuple[Location, ErrorDetails]
+"""What was found, and where within the value that has the fault."""
 
 
 class Place(TypedDict, total=False):
@@ -60,13 +62,21 @@ def first_fault(
         if details["type"] != "default_factory_not_called"  # what it lacks is a fault itself
     ]
     places = {location for location, _ in found}
-    faults: dict[Location, list[ErrorDetails]] = {}
+    faults: dict[Location, list[_Found]] = {}
+    lacking: dict[Location, list[str]] = {}
     for location, details in found:
         # A value that fits none of several types has a fault, and others within it: they are one.
         whole = next(location[:k] for k in range(len(location) + 1) if location[:k] in places)
-        faults.setdefault(whole, []).append(details)
+        if details["type"] == "missing":
+            table = whole[:-1]
+            lacking.setdefault(table, []).append(str(whole[-1]))
+            if len(lacking[table]) > 1:
+                continue  # the keys that one table lacks are one fault
+        faults.setdefault(whole, []).append((location[len(whole) :], details))
     first, *others = [
-        _fault(location, group, place, keys, CALLED if called else {})
+        _missing(location, lacking[location[:-1]], place)
+        if group[0][1]["type"] == "missing"
+        else _fault(location, group, place, keys, CALLED if called else {})
         for location, group in islice(faults.items(), MOST_FAULTS)
     ]
     listed: set[str] = set()
@@ -98,22 +108,32 @@ def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
     return (*found, location[-1]) if kind == "missing" and not there else tuple(found)
 
 
+def _missing(
+    location: Location, names: list[str], place: Callable[[Location], Place]
+) -> InputError:
+    """The message about keys that one table lacks, the first of them at a location."""
+    table = location[:-1]
+    found = place((*table, ", ".join(names)))
+    if "keys" in found:
+        found["keys"] = tuple(key for name in names for key in place((*table, name))["keys"])
+    what = "this key is missing" if len(names) == 1 else "these keys are missing"
+    return InputError(what, **found)
+
+
 def _fault(
     location: Location,
-    group: list[ErrorDetails],
+    group: list[_Found],
     place: Callable[[Location], Place],
     keys: Callable[[Location], list[str]],
     own: dict[str, str],
 ) -> InputError:
     """The message of a fault; ``own`` are words for what is expected, before those of files."""
-    details = group[0]
+    _, details = group[0]
     context = details.get("ctx", {})
     if "key" in context:
         location = (*location, str(context["key"]))
     found = place(location)
     kind = details["type"]
-    if kind == "missing":
-        return InputError("this key is missing", **found)
     if kind == "extra_forbidden":
         close = difflib.get_close_matches(str(location[-1]), keys(location), n=1)
         return InputError(
@@ -125,13 +145,13 @@ def _fault(
     if kind == "source":
         return InputError(details["msg"], got=str(context.get("found", "")), **found)
     got = context.get("got", details["input"])
-    expected = " or ".join(dict.fromkeys(_expected(each, own) for each in group))
+    expected = " or ".join(dict.fromkeys(_expected(each, own, within) for within, each in group))
     return InputError(
         "this value does not fit",
         got=_shown(got),
         expected=expected,
         remedy=_remedy(kind, got),
-        whole=not WHOLE.isdisjoint(each["type"] for each in group),
+        whole=not WHOLE.isdisjoint(each["type"] for within, each in group if not within),
         **found,
     )
 
@@ -176,9 +196,11 @@ CALLED = {"model_type": "an instance of {class_name}, or a dictionary of its key
 """What is expected of arguments in other words than of keys in files."""
 
 
-def _expected(details: ErrorDetails, own: dict[str, str]) -> str:
+def _expected(details: ErrorDetails, own: dict[str, str], within: Location) -> str:
+    """What is expected; of an entry of a list that has other words in its place, of which list."""
     text = (_EXPECTED | own).get(details["type"])
-    return text.format(**details.get("ctx", {})) if text else details["msg"]
+    said = text.format(**details.get("ctx", {})) if text else details["msg"]
+    return f"a list, each entry {said}" if within and isinstance(within[0], int) else said
 
 
 def _shown(value: Any) -> str:

@@ -24,6 +24,7 @@ def skin_parts(skin: Skin, walls: Sequence[Wall]) -> tuple[CarriedPart, ...]:
     below, *between = skin.carried(walls)
     columns = range(skin.columns.start, skin.columns.stop)
     panels = [(row, k) for row in skin.parallel.tolist() for k in columns[:-1]]
+    called = [(row, k) for row in skin.names.tolist() for k in columns[:-1]]
     rows = sorted({wall.row + step for wall in walls for step in (0, 1)})
     lines = [_lines(below, each, wall, part=1) for each, wall in zip(between, walls, strict=True)]
     return (
@@ -31,7 +32,7 @@ def skin_parts(skin: Skin, walls: Sequence[Wall]) -> tuple[CarriedPart, ...]:
             strips=below,
             title="Second skin",
             kind="skin",
-            names=tuple(f"skin {row},{column}" for row, column in panels),
+            names=tuple(f"skin {row},{column}" for row, column in called),
             hung_on=tuple(panels),
             borne_at=np.array([(row, k) for row in rows for k in columns]),
             hung=None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import conversion
+from orishell.deployment import Deployment
 from orishell.design import PanelSpec
 from orishell.design.stiffeners import Stiffeners
 from orishell.families.tolerance import Tolerance
@@ -20,6 +21,22 @@ ONLY_WITH = (
     ("hinged", ("arm_modulus", "arm_strength"), "there are no arms that hinges stand on"),
 )
 """Constructions, the keys of [structure] that go with them alone, and what others lack."""
+
+
+FROM_PACK = 3
+"""Fewest states of a motion from the pack: it, the target and the flat sheet."""
+
+
+def require_frames(frames: int, deployment: Deployment) -> None:
+    """Refuse too few states for a motion from the pack."""
+    if deployment.start == "pack" and frames < FROM_PACK:
+        raise InputError(
+            "too few states for a motion from the pack over the target to the flat sheet",
+            keys=("motion.frames",),
+            got=str(frames),
+            expected=f"{FROM_PACK} to 1000",
+            remedy=f"frames = {FROM_PACK}, or more",
+        )
 
 
 def require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
@@ -70,18 +87,28 @@ def _require_room(structure: Structure, board: float, keys: tuple[str, ...]) -> 
         )
 
 
-def require_one_skin(asked: Stiffeners | None) -> None:
-    """Refuse a second skin, whose panels have no place in the model of a structure.
+def require_inner(given: bool, asked: Stiffeners | None) -> None:
+    """Refuse a curve of a second skin where there is none, or where it is asked to be moved.
 
-    Raises InputError if there is one.
+    given: Whether there is such a curve.
+
+    Raises InputError if it has no place.
     """
-    if asked is not None and asked.kind == "skin":
+    if not given:
+        return
+    if asked is None or asked.kind != "skin":
         raise InputError(
-            "a shell with a second skin is not analysed under loads",
-            keys=("stiffeners.kind", "structure"),
-            got='"skin"',
-            expected='"gussets" or "boxes" beside a table [structure]',
-            remedy="leave out one of both tables",
+            "a curve of a second skin needs one",
+            keys=("target.inner", "stiffeners.kind"),
+            expected='kind = "skin" in [stiffeners]',
+            remedy="add it, or remove [target.inner]",
+        )
+    if asked.gap != "auto":
+        raise InputError(
+            "a second skin follows a curve of its own, or is as far from the sheet as a gap",
+            keys=("stiffeners.gap", "target.inner"),
+            got=f"{asked.gap:g}, and [target.inner]",
+            remedy="remove one of both",
         )
 
 
@@ -91,12 +118,10 @@ def plates_of(
     """Plates that stiffen the shell: of a material of their own, if that is not the structure's.
 
     Raises InputError if there is no such material, it has no room for its core, or panels without a
-    thickness have no boards beside which such plates stand; or if a structure has a second skin.
+    thickness have no boards beside which such plates stand.
     """
     if asked is None:
         return None
-    if structure is not None:
-        require_one_skin(asked)
     name, keys = asked.material, ("stiffeners.thickness", "stiffeners.material")
     if name is not None and name not in materials():
         raise InputError(

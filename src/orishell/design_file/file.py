@@ -17,12 +17,14 @@ from orishell.conventions.table import placed
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design import MeshSurface, PanelSpec, PiecedSurface
+from orishell.design import PanelSpec, PiecedSurface
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import (
     plate_density,
     plates_of,
     require_boards,
+    require_frames,
+    require_inner,
     require_one_hinge_density,
 )
 from orishell.design_file.faults import explain
@@ -40,6 +42,7 @@ from orishell.design_file.tables import (
     weighed,
     with_values,
 )
+from orishell.design_file.targets import Known
 from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES, pattern_of
 from orishell.families.tolerance import Tolerance
@@ -47,14 +50,8 @@ from orishell.motion.drawing import Drawing
 from orishell.structure.settings import Structure
 from orishell.workshop import Workshop
 
-FROM_PACK = 3
-"""Fewest states of a motion from the pack: it, the target and the flat sheet."""
-
 CURVES = ("shell.unit", "target")
 """Where it is said what the target is."""
-Known = tuple[tuple[Curve, Curve] | None, PiecedSurface | None, Drawing | None]
-"""The target curves, or the surface or the drawn sheet in their place."""
-NOTHING: Known = (None, None, None)
 
 
 @record
@@ -87,6 +84,7 @@ class DesignFile:
     files: bool = True  # whether its curves and its surface may come from files
     # the surface in place of f and g, or None; the first that there is, where its turn is open
     surface: PiecedSurface | None = None
+    inner: Curve | None = None  # the curve of a second skin, drawn where f is; None if it has none
     # turns of the surface's rectangle to be tried (degrees); none if the file says how it is turned
     turns: tuple[float, ...] = ()
     # sizes that the built shell is to have; None if they are the target's
@@ -110,10 +108,12 @@ class DesignFile:
     @property
     def notes(self) -> tuple[str, ...]:
         """What is to be said of how the files of its target were read."""
-        if isinstance(self.surface, MeshSurface):
-            return self.surface.notes
-        curves = zip("fg", self.target or (), strict=False)
-        return tuple(f"{name}: {note}" for name, curve in curves for note in curve.notes)
+        return self._known.notes
+
+    @property
+    def _known(self) -> Known:
+        """What its target is."""
+        return Known(self.target, self.inner, self.surface, self.turns, self.drawing)
 
     def changed(self, values: Mapping[str, Any]) -> DesignFile:
         """The design file with other values at some keys, as if they had been typed in.
@@ -148,7 +148,7 @@ class DesignFile:
     def _with(self, values: Mapping[str, Any], keys: Asked) -> DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
-        known = (self.target, self.surface, self.drawing) if same else NOTHING
+        known = self._known if same else None
         return _checked(tables, self.path, files=self.files, known=known, keys=keys)
 
     @property
@@ -222,7 +222,7 @@ def _checked(
     path: Path,
     *,
     files: bool,
-    known: Known = NOTHING,
+    known: Known | None = None,
     keys: Asked | None = None,
 ) -> DesignFile:
     """A checked design file; a target that is known is not read again."""
@@ -234,13 +234,13 @@ def _checked(
     given = [key for key in placed(file, keys.asked) if key != "pattern"]  # the family's table
     family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     directory = path.parent if files else None
-    target, surface, drawing = known
-    if drawing is None and file.target is not None and file.target.pattern is not None:
+    drawn = None if file.target is None else file.target.pattern
+    if known is None and drawn is not None:  # it says how many rows there are
         try:
-            drawing = file.target.pattern.drawing(directory, file.shell.unit)
+            known = Known(drawing=drawn.drawing(directory, file.shell.unit))
         except InputError as error:
             raise error.in_file(path) from None
-    table = sized(path, file, drawing)
+    table = sized(path, file, None if known is None else known.drawing)
     try:
         pattern = family.model_validate(table)
     except ValidationError as error:
@@ -248,18 +248,10 @@ def _checked(
     given += placed(pattern, keys.asked, "pattern.")
     if first:
         keys.given = tuple(key for key in given if value_at(raw, key) is not None)
-    if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
-        raise InputError(
-            "too few states for a motion from the pack over the target to the flat sheet",
-            file=path,
-            keys=("motion.frames",),
-            got=str(file.motion.frames),
-            expected=f"{FROM_PACK} to 1000",
-            remedy=f"frames = {FROM_PACK}, or more",
-        )
     require_memory(path, pattern, file.motion.frames)
     panel = file.panel if file.panel.thickness else None
     try:
+        require_frames(file.motion.frames, file.deployment)
         unit = file.shell.unit
         structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
@@ -271,20 +263,20 @@ def _checked(
         density = plate_density(stiffeners, file.structure, panels, file.workshop, unit)
         if file.target is not None and file.target.fit is not None:
             file.target.fit.require_headroom(unit)
-        if known == NOTHING and drawing is None and file.target is not None:
-            if file.target.surface is not None:
-                surface = file.target.surface.surface(directory, unit)
-            else:
-                target = file.target.curves(directory, unit)
+        if known is None:
+            known = Known() if file.target is None else file.target.known(directory, unit)
+        require_inner(known.inner is not None, stiffeners)
     except InputError as error:
         raise error.in_file(path) from None
     return DesignFile(
         path=path,
         family=file.shell.family,
         unit=file.shell.unit,
-        target=target,
-        surface=surface,
-        drawing=drawing,
+        target=known.curves,
+        inner=known.inner,
+        surface=known.surface,
+        turns=known.turns,
+        drawing=known.drawing,
         fit=None if file.target is None else file.target.fit,
         pattern=pattern,
         tolerance=file.tolerance,
@@ -301,7 +293,4 @@ def _checked(
         tables=raw,
         files=files,
         keys=keys,
-        turns=()
-        if file.target is None or file.target.surface is None
-        else file.target.surface.open_turns,
     )

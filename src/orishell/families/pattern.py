@@ -9,7 +9,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, overload
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    ClassVar,
+    Final,
+    Literal,
+    Protocol,
+    Self,
+    overload,
+    runtime_checkable,
+)
 
 import numpy as np
 from pydantic import AfterValidator, Field
@@ -22,6 +33,7 @@ from orishell.design import Design, PiecedSurface, Surface, Turning
 from orishell.design.path import Path
 from orishell.families.tolerance import Tolerance, Variants
 from orishell.motion.drawing import Drawing
+from orishell.motion.lattice import InnerStaircase
 
 if TYPE_CHECKING:  # what Called is a kind of
     from pydantic._internal._model_construction import ModelMetaclass as Called
@@ -207,6 +219,20 @@ class Pattern(Table, metaclass=Called):
             If there is no such row.
         """
         return 0.0
+
+
+@runtime_checkable
+class TwoStaircases(Protocol):
+    """A pattern whose sheets can carry a second skin that follows a curve of its own."""
+
+    def inner_staircase(self, f: Curve, inner: Curve) -> InnerStaircase:
+        """The staircase of a second skin, on the lattice of the sheet.
+
+        Raises
+        ------
+        DesignError
+            If the curve has no staircase of the directions that the sheet has.
+        """
 
 
 def _undecided() -> InputError:

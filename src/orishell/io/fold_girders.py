@@ -3,7 +3,7 @@
 Strips of box girders, and walls below a second skin, hang on lines across panels. There a panel is
 two in FOLD, joined to one (assignment J), and the panel of the strip is the third at that edge.
 Ends of these lines are vertices on the sides of all panels there. Where lines of two girders cross
-on a panel, it is parted along the first alone.
+on a panel there is one more vertex, and the panel is parted along both.
 """
 
 from __future__ import annotations
@@ -18,15 +18,12 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design.hung import HungLines
 from orishell.document import Document, Part
+from orishell.io.line_crossings import Crossings, Lines, Side, parted, side_of, sides_of
 from orishell.numerics.arrays import Array, Integers
 
 TOGETHER = 1e-9
 """Ends of lines that are nearer to each other than this share of an edge are one."""
 NOWHERE = -1
-Side = tuple[int, int]
-"""Two vertices, the lower number first."""
-Lines = Sequence[tuple[int, Side]]
-"""Lines across panels: the panel of each, and its ends."""
 
 
 @record
@@ -35,6 +32,7 @@ class HungSheet:
 
     document: Document
     parts: tuple[Part, ...]  # those that hang on it, or on one another
+    crossings: Crossings  # where lines on its panels cross: vertices behind all of its parts
     kept: Integers  # which of all vertices (N,), the sheet's and then every part's, are its own
     faces: tuple[list[int], ...]  # vertices around its panels, those of the sheet first
     # letter of every edge, and the number of its fold angle among those of sheet and parts
@@ -58,7 +56,8 @@ class HungSheet:
     def state(self, number: int) -> dict[str, Any]:
         """Keys of a frame that are those of a state of the sheet."""
         states = [each.states[number] for each in (self.document, *self.parts)]
-        points = np.concatenate([each.positions for each in states])[self.kept]
+        points = np.concatenate([each.positions for each in states])
+        points = np.concatenate([points, self.crossings.places(points)])[self.kept]
         found: dict[str, Any] = {"vertices_coords": self.document.in_world(points)}
         angles = [each.fold_angles_deg for each in states if each.fold_angles_deg is not None]
         if len(angles) < len(states):
@@ -84,10 +83,13 @@ def hung_sheet(document: Document) -> HungSheet | None:
     panels = np.concatenate([f + each.mesh.faces for f, each in zip(firsts, every, strict=False)])
     lines = [*_lines(every, firsts)]
     number, points = _ends_on_edges(panels, lines, flat)
-    cuts: dict[int, list[Side]] = defaultdict(list)
-    for panel, ends in lines:
+    crossings = Crossings.of(lines, flat)
+    cuts: dict[int, list[list[int]]] = defaultdict(list)
+    for k, (panel, ends) in enumerate(lines):
         one, other = number[list(ends)].tolist()
-        cuts[panel].append(_side(one, other))
+        cuts[panel] += crossings.chains(k, (one, other))
+        if along := crossings.along(k):
+            points[side_of(one, other)] = along if one < other else along[::-1]
     loops = [
         number[np.add(loop, first)].tolist()
         for each, first in zip(every, firsts, strict=False)
@@ -96,22 +98,24 @@ def hung_sheet(document: Document) -> HungSheet | None:
     faces = [
         piece
         for panel, loop in enumerate(loops)
-        for piece in _parted(_with_points(loop, points), cuts[panel])
+        for piece in parted(_with_points(loop, points), cuts[panel])
     ]
-    times = Counter(side for piece in faces for side in _sides(piece))
-    joined = {each for mine in cuts.values() for each in mine if times[each] > 1}
+    times = Counter(side for piece in faces for side in sides_of(piece))
+    lengths = (side_of(*pair) for mine in cuts.values() for cut in mine for pair in pairwise(cut))
+    joined = {each for each in lengths if times[each] > 1}
     edges: dict[Side, tuple[str, int]] = dict.fromkeys(sorted(joined), ("J", NOWHERE))
     before = 0
     for each, first in zip(every, firsts, strict=False):
         for k, (one, other) in enumerate(number[each.mesh.edges + first].tolist()):
             for side in pairwise([one, *_between(one, other, points), other]):
-                edges.setdefault(_side(*side), (each.assignment[k], before + k))
+                edges.setdefault(side_of(*side), (each.assignment[k], before + k))
         before += len(each.mesh.edges)
     kept, places = np.unique(np.concatenate([*map(np.array, faces)]), return_inverse=True)
     new = dict(zip(np.concatenate(faces).tolist(), places.tolist(), strict=True))
     return HungSheet(
         document,
         parts,
+        crossings,
         kept,
         tuple([new[vertex] for vertex in face] for face in faces),
         {(new[one], new[other]): told for (one, other), told in edges.items()},
@@ -161,7 +165,7 @@ def _ends_on_edges(
     """
     found: dict[Side, dict[int, float]] = defaultdict(dict)
     for panel, ends in lines:
-        sides = [_side(*each) for each in _sides(panels[panel].tolist())]
+        sides = [side_of(*each) for each in sides_of(panels[panel].tolist())]
         begin, run = flat[[low for low, _ in sides]], flat[[high for _, high in sides]]
         run = run - begin
         for vertex in ends:
@@ -181,7 +185,7 @@ def _ends_on_edges(
 
 def _between(one: int, other: int, points: Mapping[Side, list[int]]) -> list[int]:
     """The vertices on an edge from a vertex to another."""
-    found = points.get(_side(one, other), [])
+    found = points.get(side_of(one, other), [])
     return found if one < other else found[::-1]
 
 
@@ -192,24 +196,3 @@ def _with_points(loop: list[int], points: Mapping[Side, list[int]]) -> list[int]
         for one, other in pairwise([*loop, loop[0]])
         for vertex in (one, *_between(one, other, points))
     ]
-
-
-def _parted(loop: list[int], cuts: Sequence[Side]) -> list[list[int]]:
-    """The parts of a panel between lines across it; a line that crosses another parts nothing."""
-    pieces = [loop]
-    for one, other in cuts:
-        mine = next((each for each in pieces if one in each and other in each), None)
-        if mine is not None and _side(one, other) not in _sides(mine):
-            begin, end = sorted((mine.index(one), mine.index(other)))
-            parts = mine[begin : end + 1], mine[end:] + mine[: begin + 1]
-            at = pieces.index(mine)
-            pieces[at : at + 1] = parts
-    return pieces
-
-
-def _sides(loop: list[int]) -> list[Side]:
-    return [_side(*each) for each in pairwise([*loop, loop[0]])]
-
-
-def _side(one: int, other: int) -> Side:
-    return (one, other) if one < other else (other, one)

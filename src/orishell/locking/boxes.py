@@ -10,6 +10,7 @@ proved from half of the target's drive on, where they are joined to the sheet.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded_down
@@ -18,11 +19,10 @@ from orishell.design import Design
 from orishell.design.boxes import Box
 from orishell.design.carried import CarriedPart
 from orishell.design.stiffeners import Stiffeners
-from orishell.locking.box_rows import box_columns, require_one_side
-from orishell.locking.carried import CarriedPath
+from orishell.locking.box_rows import require_one_side
+from orishell.locking.carrier import Carrier
 from orishell.locking.fold_rows import fold_rows
 from orishell.locking.result import BoxMotion, Lock
-from orishell.motion.convex import require_convex
 from orishell.motion.sleeves import Sleeve, SleeveForms
 from orishell.numerics.bisection import largest_below
 
@@ -34,32 +34,40 @@ SMALLEST, FINE = 0.1, 0.02
 """The smallest share of the largest that "auto" tries, and to which share it is found."""
 
 
-def with_boxes(
-    design: Design,
-    lock: Lock,
-    asked: Stiffeners | None,
-    tolerance: float,
-    *,
-    examined: bool = True,
-    progress: Progress = no_progress,
-) -> tuple[Design, Lock]:
-    """The design with the box girders that are asked for, and how its motion ends then.
+class BoxPlace(Carrier):
+    """A sheet whose rows are closed to box girders."""
 
-    lock: How the motion of the sheet ends, with its boards.
-    tolerance: Distance at which panels touch, relative to the flat sheet's diagonal.
-    examined: Whether contact is looked for.
+    what = strips = "box girders"
+    key = "stiffeners.share"
 
-    Raises InputError if there are no such rows, or panels are whole boards.
-    Raises DesignError if there is no room for them.
-    """
-    if asked is None or asked.kind != "boxes":
-        return design, lock
-    place = BoxPlace(design, lock, asked, tolerance, examined=examined)
-    narrow = place.narrowest()
-    most = narrow.largest(NARROWEST)
-    if asked.share == "auto":
-        share = place.widest(LARGEST, progress)
-    elif asked.share > most:
+    def __init__(
+        self, design: Design, lock: Lock, asked: Stiffeners, tolerance: float, **how: Any
+    ) -> None:
+        super().__init__(design, lock, asked, tolerance, **how)
+        mechanism = design.mechanism
+        self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
+        require_one_side(design, self.rows, self.columns)
+        self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
+
+    def carried(self, progress: Progress = no_progress) -> tuple[Design, Lock]:
+        """The design with its box girders, and how its motion ends then.
+
+        Raises DesignError if there is no room for them.
+        """
+        share = self._share(progress)
+        boxes, motion = self.moved(share, progress)
+        if motion.joined_from >= self.design.mechanism.target_drive:
+            raise self.refused(share, progress)
+        return replace(self.design, carried=boxes), replace(self.path.ended(motion), boxes=motion)
+
+    def _share(self, progress: Progress) -> float:
+        """The share that is asked for, or the largest that leaves the motion free."""
+        narrow, share = self.narrowest(), self.asked.share
+        if share == "auto":
+            return self.widest(LARGEST, progress)
+        most = narrow.largest(NARROWEST)
+        if share <= most:
+            return share
         raise DesignError(
             "strips of box girders would be narrower than they may be, as columns run together",
             place=f"at row {narrow.row}",
@@ -68,42 +76,7 @@ def with_boxes(
             candidates=[
                 Remedy({"stiffeners.share": each}) for each in (rounded_down(most), "auto")
             ],
-            excess=asked.share / most - 1,
-        )
-    else:
-        share = asked.share
-    boxes, motion = place.moved(share, progress)
-    if motion.joined_from >= design.mechanism.target_drive:
-        raise place.refused(share, progress)
-    return replace(design, carried=boxes), replace(place.path.ended(motion), boxes=motion)
-
-
-class BoxPlace:
-    """A sheet whose rows are closed to box girders."""
-
-    def __init__(
-        self,
-        design: Design,
-        lock: Lock,
-        asked: Stiffeners,
-        tolerance: float,
-        *,
-        examined: bool = True,
-    ) -> None:
-        self.design, self.lock, self.asked = design, lock, asked
-        mechanism = design.mechanism
-        self.columns = box_columns(design)
-        require_convex(mechanism, "box girders")
-        self.rows = fold_rows(mechanism, asked.rows, self.columns, "box girder")
-        require_one_side(design, self.rows, self.columns)
-        self.forms = [SleeveForms.of(mechanism, row, self.columns) for row in self.rows]
-        self.path = CarriedPath(
-            design,
-            lock,
-            tolerance,
-            examined=examined,
-            what="box girders",
-            key="stiffeners.share",
+            excess=share / most - 1,
         )
 
     def narrowest(self) -> SleeveForms:

@@ -100,12 +100,14 @@ class SkinMotion(CarriedMotion):
     """A second skin, its walls, and how far a shell moves with them."""
 
     REPORTED = (
-        *("gap", "largest_gap", "walls", "cells", "volume"),
+        *("gap", "largest_gap", "off", "walls", "cells", "volume"),
         *("joined_from", "closes_to", "opening", "closing", "proofs"),
     )
 
     gap: float  # smallest distance of panels of both skins at the target (length)
-    largest_gap: float  # largest distance of panels that face each other there (length)
+    largest_gap: float  # largest distance of panels that walls may be between there (length)
+    # distance of its staircase from the curve that it follows; None if it follows none (length)
+    off: float | None
     walls: tuple[int, ...]  # rows of panels of the sheet that walls hang on
     cells: int  # cavities between two walls, open at both ends
     volume: float  # what cavities hold at the target (length cubed)

@@ -1,13 +1,13 @@
 """A second skin under a sheet on a lattice: its walls, and how far the shell moves with it.
 
-Limit: only shells of the parallel repeating family have a second skin, below their sheet. It is not
-analysed under loads, and it is there from half of the target's drive on, where it is joined to the
-sheet.
+Limit: only shells of the parallel repeating family have a second skin, below their sheet. It is
+there from half of the target's drive on, where it is joined to the sheet.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -19,73 +19,103 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design.skin import skin_parts
 from orishell.design.stiffeners import Stiffeners
-from orishell.locking.box_rows import box_columns
-from orishell.locking.carried import CarriedPath
+from orishell.locking.carrier import Carrier
 from orishell.locking.result import CarriedMotion, Lock, SkinMotion
 from orishell.motion.complex import Complex
-from orishell.motion.convex import require_convex
 from orishell.motion.lattice import OnLattice
 from orishell.motion.layout import points_of
 from orishell.motion.skins import INNER, OUTER, Skin, Wall
 from orishell.numerics.bisection import largest_below
 
-WHAT = "walls of a second skin"
 SMALLEST, FINE = 1e-3, 0.01
 """The smallest gap that is offered, by what is asked for, and to which share it is found."""
 OTHERS = 0.75, 0.5, 0.25
 """Gaps that are offered where panels meet, by what is asked for."""
+MOVED = Remedy({"target.inner": None})
+"""A second skin whose staircase is that of the sheet, moved."""
 
 
-def with_skin(
-    design: Design,
-    lock: Lock,
-    asked: Stiffeners | None,
-    tolerance: float,
-    *,
-    examined: bool = True,
-    progress: Progress = no_progress,
-) -> tuple[Design, Lock]:
-    """The design with the second skin that is asked for, and how its motion ends then.
+class SkinPlace(Carrier):
+    """A sheet on a lattice with a second skin under it."""
 
-    lock: How the motion of the sheet ends, with its boards.
-    tolerance: Distance at which panels touch, relative to the flat sheet's diagonal.
-    examined: Whether contact is looked for.
+    what = "walls of a second skin"
+    strips = "a second skin and its walls"
+    key = "stiffeners.gap"
 
-    Raises InputError if the sheet is on no lattice, there are no such walls, or panels are whole
-    boards.
-    Raises DesignError if there is no room for it.
-    """
-    if asked is None or asked.kind != "skin":
-        return design, lock
-    if not isinstance(design.mechanism, OnLattice):
-        raise InputError(
-            "a second skin needs a sheet whose columns are staircases of two directions",
-            keys=("stiffeners.kind", "shell.family"),
-            expected='family = "parallel-repeating"',
-            remedy='that family, or kind = "boxes" without gap and walls',
+    def __init__(
+        self, design: Design, lock: Lock, asked: Stiffeners, tolerance: float, **how: Any
+    ) -> None:
+        if not isinstance(design.mechanism, OnLattice):
+            raise InputError(
+                "a second skin needs a sheet whose columns are staircases of two directions",
+                keys=("stiffeners.kind", "shell.family"),
+                expected='family = "parallel-repeating"',
+                remedy='that family, or kind = "boxes" without gap and walls',
+            )
+        super().__init__(design, lock, asked, tolerance, **how)
+        if self.inner is None:
+            gap = None if asked.gap == "auto" else asked.gap
+            self.skin = Skin.under(design.mechanism, self.columns, gap)
+        else:
+            self.skin = Skin.along(design.mechanism, self.columns, self.inner.places)
+            _require_below(self.skin)
+        self.walls = chosen_walls(self.skin, asked)
+
+    def carried(self, progress: Progress = no_progress) -> tuple[Design, Lock]:
+        """The design with its second skin, and how its motion ends then.
+
+        Raises DesignError if there is no room for it.
+        """
+        design, skin, path = self.design, self.skin, self.path
+        parts, motion = path.moved(skin_parts(skin, self.walls), progress)
+        if motion.joined_from >= design.mechanism.target_drive:
+            # Boards of walls meet those that go on beside them where flaps are shut.
+            bare = [Remedy({"pattern.flap": 0})] if design.mechanism.flap_columns else []
+            keys = ("stiffeners.gap", "stiffeners.walls")
+            if self.inner is not None:
+                raise path.refusal(motion, ("target.inner", keys[1]), [*bare, MOVED])
+            least, _ = skin.distances()
+            smaller = [Remedy({"stiffeners.gap": rounded_down(k * least)}) for k in OTHERS]
+            raise path.refusal(motion, keys, [*bare, *smaller])
+        made = replace(design, carried=parts)
+        return made, replace(path.ended(motion), skin=self._found(made, motion))
+
+    def _found(self, design: Design, motion: CarriedMotion) -> SkinMotion:
+        """What is said of a second skin at the target."""
+        skin = self.skin
+        points = skin.sheet.positions(skin.sheet.target_drive)
+        cells = [cell for part in design.carried for cell in part.strips.cells]
+        return SkinMotion(
+            motion.joined_from,
+            motion.closes_to,
+            motion.opening,
+            motion.closing,
+            motion.proofs,
+            gap=_apart(design, skin),
+            largest_gap=skin.distances()[1],
+            off=None if self.inner is None else self.inner.distance,
+            walls=tuple(wall.row for wall in self.walls),
+            cells=len(cells),
+            volume=float(sum(each.volumes(points).sum() for each in cells)),
         )
-    columns = box_columns(design, WHAT)
-    require_convex(design.mechanism, WHAT)
-    gap = None if asked.gap == "auto" else asked.gap
-    skin = Skin.under(design.mechanism, columns, gap)
-    walls = chosen_walls(skin, asked)
-    path = CarriedPath(
-        design,
-        lock,
-        tolerance,
-        examined=examined,
-        what="a second skin and its walls",
-        key="stiffeners.gap",
+
+
+def _require_below(skin: Skin) -> None:
+    """Refuse a curve whose staircase meets the sheet's, or is above it."""
+    if skin.shift > 0 and len(skin.parallel):
+        return
+    if not len(skin.parallel):
+        problem, size = "no part of the curve of a second skin is between the ends of f", ""
+    else:
+        problem = "the staircase of a second skin is not below that of f everywhere"
+        size = f"it is beyond it by {-skin.shift:.4g} along both directions of edges"
+    raise DesignError(
+        problem,
+        place="at its target",
+        keys=("target.inner",),
+        size=size,
+        candidates=[MOVED],
     )
-    parts, motion = path.moved(skin_parts(skin, walls), progress)
-    if motion.joined_from >= design.mechanism.target_drive:
-        least, _ = skin.distances()
-        smaller = [Remedy({"stiffeners.gap": rounded_down(k * least)}) for k in OTHERS]
-        # Boards of walls meet those that go on beside them where flaps are shut.
-        bare = [Remedy({"pattern.flap": 0})] if design.mechanism.flap_columns else []
-        raise path.refusal(motion, ("stiffeners.gap", "stiffeners.walls"), [*bare, *smaller])
-    made = replace(design, carried=parts)
-    return made, replace(path.ended(motion), skin=_found(made, skin, walls, motion))
 
 
 def chosen_walls(skin: Skin, asked: Stiffeners) -> tuple[Wall, ...]:
@@ -118,6 +148,13 @@ def _no_room(skin: Skin) -> DesignError:
     """Why no wall has room, and the largest gap at which one has."""
     sheet, columns = skin.sheet, skin.columns
     gap, _ = skin.distances()
+    if not skin.moved:
+        return DesignError(
+            "no panel of a second skin faces one of the sheet over a fifth of its edge",
+            place="between all rows of panels",
+            keys=("target.inner", "pattern.rows"),
+            candidates=[MOVED],
+        )
 
     def works(gap: float) -> bool:
         return bool(Skin.under(sheet, columns, gap).walls())
@@ -133,35 +170,19 @@ def _no_room(skin: Skin) -> DesignError:
     )
 
 
-def _found(
-    design: Design, skin: Skin, walls: tuple[Wall, ...], motion: CarriedMotion
-) -> SkinMotion:
-    """What is said of a second skin at the target."""
-    points = skin.sheet.positions(skin.sheet.target_drive)
-    cells = [cell for part in design.carried for cell in part.strips.cells]
-    return SkinMotion(
-        motion.joined_from,
-        motion.closes_to,
-        motion.opening,
-        motion.closing,
-        motion.proofs,
-        gap=_apart(design, skin),
-        largest_gap=skin.distances()[1],
-        walls=tuple(wall.row for wall in walls),
-        cells=len(cells),
-        volume=float(sum(each.volumes(points).sum() for each in cells)),
-    )
-
-
 def _apart(design: Design, skin: Skin) -> float:
     """The smallest distance of panels of both skins at the target, of flaps as well."""
     whole = design.moving
     assert isinstance(whole, Complex)
     points, faces = points_of(whole, whole.target_drive), whole.layout.faces
-    # Some are as near as panels that face each other are.
-    pairs = np.stack(near_panels(points, faces, 2 * skin.distances()[0]))
-    of = np.sort(whole.part_of[pairs], axis=0)
-    first, second = pairs[:, (of[0] == OUTER) & (of[1] == INNER)]
-    return float(
-        nearest(corners_of(points, faces[first]), corners_of(points, faces[second]))[0].min()
-    )
+    # At the target some are as near as panels that face each other are: these are looked at first.
+    reach = 2 * skin.distances()[0]
+    while True:
+        pairs = np.stack(near_panels(points, faces, reach))
+        of = np.sort(whole.part_of[pairs], axis=0)
+        first, second = pairs[:, (of[0] == OUTER) & (of[1] == INNER)]
+        corners = corners_of(points, faces[first]), corners_of(points, faces[second])
+        found = float(nearest(*corners)[0].min(initial=np.inf))
+        if found <= reach:
+            return found
+        reach = min(found, 2 * reach)

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
+from orishell.motion.flap_free import FlapFree
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.on_sheet import OnSheet
 from orishell.numerics.arrays import Array, Integers
@@ -79,7 +80,7 @@ class Hanging:
 
 
 @record
-class Carried(OnSheet):
+class Carried(FlapFree, OnSheet):
     """Strips of panels that a sheet carries: a folding sheet of their own."""
 
     lines: Lines  # of its vertices (K,)
@@ -102,16 +103,6 @@ class Carried(OnSheet):
     def grid(self) -> Grid:
         """The grid of its vertices."""
         return Grid(len(self.lines.rows), self.lines.shares.shape[-1])
-
-    @property
-    def inner_columns(self) -> slice:
-        """All of them."""
-        return slice(0, self.grid.columns)
-
-    @property
-    def flap_columns(self) -> tuple[int, ...]:
-        """None."""
-        return ()
 
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., K, n, 3) of its vertices."""

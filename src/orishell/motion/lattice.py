@@ -85,6 +85,14 @@ class Lattice:
         return np.stack([volume / each for each in areas], axis=-1)
 
 
+@record
+class InnerStaircase:
+    """A staircase that follows a curve of its own, on the lattice of a sheet."""
+
+    places: Array  # of its vertices (K, 2) (length)
+    distance: float  # from the curve (length)
+
+
 @runtime_checkable
 class OnLattice(Protocol):
     """A sheet whose columns share a lattice, and whose row creases between two are parallel.

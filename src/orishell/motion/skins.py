@@ -1,13 +1,13 @@
 """A second skin under a sheet on a lattice, and walls between both.
 
-The staircase of the sheet, moved by (-d, d) in coordinates of its lattice, is a staircase below it,
-which the sheet carries as it does its own panels. Two places, one on each, differ by d or more in
-one of both coordinates: so panels of both skins are nowhere nearer than parallel panels of d
-between them are, as far as what is between the planes of columns goes. A wall goes from the middle
-of what faces of two parallel panels, along the other direction of the lattice. All that is joined
-here are segments of a lattice, which have no place in common but where they are joined; its
-directions are never parallel before a crease is shut. So nothing meets between two columns, nor
-with what is on the other side of one.
+Any staircase along both directions of the lattice is carried by the sheet as its own panels are:
+its own, moved by (-d, d) in coordinates of the lattice, or that of another curve. If it is below,
+two places, one on each, differ by a d > 0 or more in one of both coordinates: so panels of both
+skins are nowhere nearer than parallel panels of d between them are, as far as what is between the
+planes of columns goes. A wall goes from the middle of what faces of two parallel panels, along the
+other direction of the lattice. All that is joined here are segments of a lattice, which have no
+place in common but where they are joined; its directions are never parallel before a crease is
+shut. So nothing meets between two columns, nor with what is on the other side of one.
 """
 
 from __future__ import annotations
@@ -41,6 +41,11 @@ class Wall:
     outer: Array  # its place (2,) on the sheet
     inner: Array  # and on the other skin
 
+    @property
+    def length(self) -> float:
+        """How long it is along the lattice (length)."""
+        return float(np.abs(self.outer - self.inner).max())
+
 
 @record
 class Skin:
@@ -49,9 +54,14 @@ class Skin:
     sheet: Mechanism
     lattice: Lattice
     columns: slice  # of vertices of the sheet
-    shift: float  # how far it is from the sheet's, along both directions (length)
+    # by how much places on it and on the sheet's differ in one coordinate at least, as far as it is
+    # below that; by less than nothing where it is not (length)
+    shift: float
     places: Array  # of its lines (K, 2); fewer than two where there is no room for any
     parallel: Integers  # rows (K-1,) of panels of the sheet that its strips are parallel to
+    # whether its staircase is that of the sheet, moved: walls are between rows and strips that were
+    # one then
+    moved: bool = True
 
     @classmethod
     def under(cls, sheet: Mechanism, columns: slice, gap: float | None) -> Skin:
@@ -75,32 +85,74 @@ class Skin:
             shift = gap / float(lattice.distances(points).min())
         places = lattice.places + np.array([-shift, shift])
         parallel = np.arange(len(places) - 1)
-        places, parallel = _begun(lattice.places, places, parallel, shift)
-        # Seen from the other end both coordinates change places.
-        other = _turned(lattice.places, lattice.places)
-        places, parallel = _begun(other, _turned(places, lattice.places), parallel[::-1], shift)
-        return cls(sheet, lattice, columns, shift, _turned(places, other), parallel[::-1])
+        return cls(sheet, lattice, columns, shift, *_between_ends(lattice, places, parallel, shift))
+
+    @classmethod
+    def along(cls, sheet: Mechanism, columns: slice, places: Array) -> Skin:
+        """The skin whose staircase has places (K, 2) on the lattice of a sheet.
+
+        It ends as one does that is moved.
+
+        Parameters
+        ----------
+        sheet
+            One on a lattice.
+        """
+        assert isinstance(sheet, OnLattice)
+        lattice = sheet.lattice()
+        kinds, middles = lattice.kinds, 0.5 * (lattice.places[1:] + lattice.places[:-1])
+        own = 0.5 * (places[1:] + places[:-1])
+        away = np.abs(own[:, None] - middles).sum(axis=-1)
+        other = np.diff(places, axis=0).argmax(axis=1)[:, None] != kinds
+        parallel = np.where(other, np.inf, away).argmin(axis=1)
+        slack = 0.5 * float(lattice.lengths.mean())
+        places, parallel = _between_ends(lattice, places, parallel, slack)
+        apart = _apart(lattice.places, places)
+        return cls(sheet, lattice, columns, apart, places, parallel, moved=False)
+
+    @property
+    def names(self) -> Integers:
+        """Numbers that its strips (K-1,) are called by: of the sheet's rows, if it is moved."""
+        return self.parallel if self.moved else np.arange(len(self.parallel))
 
     def walls(self) -> tuple[Wall, ...]:
-        """Where walls may stand, in the order of rows of panels."""
-        found = []
-        for strip, row in enumerate(self.parallel.tolist()):
-            kind = int(self.lattice.kinds[row])
-            outer, inner = self.lattice.places[row : row + 2], self.places[strip : strip + 2]
-            low, high = max(outer[0, kind], inner[0, kind]), min(outer[1, kind], inner[1, kind])
-            if high - low < ROOM * self.lattice.lengths[row]:
-                continue
-            ends = outer[0].copy(), inner[0].copy()
-            for each in ends:
-                each[kind] = 0.5 * (low + high)
-            found.append(Wall(row, strip, *ends))
+        """Where walls may stand, in the order of rows of panels; none crosses another one."""
+        found: list[Wall] = []
+        for row in range(len(self.lattice.lengths)):
+            wall = self._wall_of(row)
+            if wall is not None and not any(_cross(wall, each) for each in found):
+                found.append(wall)
         return tuple(found)
 
+    def _wall_of(self, row: int) -> Wall | None:
+        """Between a row of panels and the strip that it faces most; None if it faces none enough.
+
+        Both cross the line from its middle along the other direction nowhere else.
+        """
+        kind = int(self.lattice.kinds[row])
+        alike = self.parallel == row if self.moved else self.lattice.kinds[self.parallel] == kind
+        mine = np.flatnonzero(alike)
+        if not len(mine):
+            return None
+        outer, inner = self.lattice.places[row : row + 2], self.places
+        low = np.maximum(outer[0, kind], inner[mine, kind])
+        high = np.minimum(outer[1, kind], inner[mine + 1, kind])
+        most = int(np.argmax(high - low))
+        if (high - low)[most] < ROOM * self.lattice.lengths[row]:
+            return None
+        strip = int(mine[most])
+        ends = outer[0].copy(), inner[strip].copy()
+        for each in ends:
+            each[kind] = 0.5 * (low[most] + high[most])
+        return Wall(row, strip, *ends)
+
     def distances(self) -> tuple[float, float]:
-        """The smallest and the largest distance of panels that face each other at the target."""
+        """How far panels of both are apart at the target at least, and those at walls at most."""
         points = self.sheet.positions(self.sheet.target_drive)[:, self.columns]
-        found = self.shift * self.lattice.distances(points)
-        return float(found.min()), float(found.max())
+        found = self.lattice.distances(points)
+        most = [wall.length * found[:, 1 - self.lattice.kinds[wall.row]] for wall in self.walls()]
+        least = self.shift * float(found.min())
+        return least, float(np.max(most, initial=least))
 
     def carried(self, walls: Sequence[Wall]) -> tuple[Carried, ...]:
         """The second skin, and its walls."""
@@ -120,7 +172,7 @@ class Skin:
             self._hanging(wall, 0 if rising else 1, OUTER),
             self._hanging(wall, 1 if rising else 0, INNER),
         )
-        down = np.array([self.shift / self.lattice.lengths[parallel]])
+        down = np.array([wall.length / self.lattice.lengths[parallel]])
         cells = () if before is None else (self._cell(before, wall),)
         return self._strips(places, np.array([parallel]), down, hung, cells)
 
@@ -172,6 +224,35 @@ class Skin:
 def _turned(places: Array, of: Array) -> Array:
     """Places seen from the other end of a staircase, from there on."""
     return np.asarray((of[-1] - places)[::-1, ::-1])
+
+
+def _cross(first: Wall, second: Wall) -> bool:
+    """Whether two walls have a place in common."""
+    low = [np.minimum(each.outer, each.inner) for each in (first, second)]
+    high = [np.maximum(each.outer, each.inner) for each in (first, second)]
+    return bool((np.maximum(*low) <= np.minimum(*high)).all())
+
+
+def _apart(outer: Array, inner: Array) -> float:
+    """By how much places on two staircases (R, 2) and (K, 2) differ in one coordinate at least.
+
+    As far as the second is below the first; not above nothing where it is not.
+    """
+    first = outer[:-1, None, RISING] - inner[1:, RISING]
+    second = inner[:-1, FALLING] - outer[1:, None, FALLING]
+    return float(np.maximum(first, second).min(initial=np.inf))
+
+
+def _between_ends(
+    lattice: Lattice, places: Array, parallel: Integers, shift: float
+) -> tuple[Array, Integers]:
+    """A staircase (K, 2) that is cut off beyond both ends of a sheet's: see :func:`_begun`."""
+    sheet = lattice.places
+    places, parallel = _begun(sheet, places, parallel, shift)
+    # Seen from the other end both coordinates change places.
+    other = _turned(sheet, sheet)
+    places, parallel = _begun(other, _turned(places, sheet), parallel[::-1], shift)
+    return _turned(places, other), parallel[::-1]
 
 
 def _begun(sheet: Array, places: Array, parallel: Integers, shift: float) -> tuple[Array, Integers]:

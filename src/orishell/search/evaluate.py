@@ -55,15 +55,11 @@ class Job:
     figures: tuple[str, ...]  # what is read off the report
     files: bool = True  # whether curves may come from files
     require: Require | None = None  # raises InputError for a variant that is not to be made
-    must_carry: bool = False  # whether a variant is refused that is not known to carry its loads
 
 
 def job_of(problem: Problem, *, files: bool = True, require: Require | None = None) -> Job:
     """What a process needs to make variants for a search."""
-    limit = _limit_of_loads(problem)
-    must_carry = limit is not None and limit.most is not None and limit.most <= 1
-    figures = tuple(problem.figures)
-    return Job(problem.path, problem.tables, figures, files, require, must_carry)
+    return Job(problem.path, problem.tables, tuple(problem.figures), files, require)
 
 
 def evaluate(job: Job, variants: Sequence[Values]) -> list[Outcome]:
@@ -117,8 +113,9 @@ def _read(job: Job, values: Values, report: Report) -> Outcome:
     moving = _moving(report)
     if moving:
         return Outcome(values, {}, "nothing holds the shell under its loads", moving)
-    if job.must_carry and (open_ := _not_known(report)):
-        return Outcome(values, {}, NOT_KNOWN, open_)
+    structure = report.structure
+    if structure is not None and structure.used is None and "utilisation" in job.figures:
+        return Outcome(values, {}, NOT_KNOWN, structure.in_words())
     found = {name: figure(name).read(report) for name in job.figures}
     figures = {
         key: value for key, value in found.items() if value is not None and math.isfinite(value)
@@ -136,14 +133,6 @@ def _moving(report: Report) -> str:
         (f"under {each.name!r}: {each.in_words()}" for each in cases if each.equilibrium is None),
         "",
     )
-
-
-def _not_known(report: Report) -> str:
-    """Why it is not known whether it carries its loads, where no figure says so; else empty."""
-    found = report.structure
-    if found is None or found.carries is not None:
-        return ""
-    return "" if max(case.used for case in found.cases) > 1 else found.in_words()
 
 
 def violation(problem: Problem, outcome: Outcome) -> float:

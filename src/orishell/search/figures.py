@@ -80,8 +80,7 @@ def _deviation(report: Report) -> float | None:
 
 def _utilisation(report: Report) -> float | None:
     """Above 1 where a case does not carry its loads, or a figure leaves that open."""
-    found = report.structure
-    return None if found is None else max(case.used for case in found.cases)
+    return None if report.structure is None else report.structure.used
 
 
 def _packed_volume(report: Report) -> float | None:

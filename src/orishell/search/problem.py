@@ -28,7 +28,7 @@ WITHOUT_MEANING = ("motion.frames", "shell.unit", "search")
 """Keys that change nothing of a design, or the units of its figures."""
 PALETTE = "workshop.palette"
 FILE_KEYS = (
-    *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
+    *(f"target.{curve}.{key}" for curve in ("f", "g", "inner") for key in ("svg", "dxf", "points")),
     "target.surface.mesh",
     "target.pattern.file",
     PALETTE,

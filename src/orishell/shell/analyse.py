@@ -5,7 +5,6 @@ from __future__ import annotations
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design_file import DesignFile
-from orishell.design_file.constructions import require_one_skin
 from orishell.shell.make import Shell
 from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
@@ -52,7 +51,6 @@ def analyse_structure(
             remedy="add the table [structure], or pass a Structure",
         )
     try:
-        require_one_skin(shell.file.stiffeners)
         return analyse(shell.design, structure, shell.site, progress, built=shell.lock.built)
     except InputError as error:
         raise error.in_file(shell.file.path) from None

@@ -12,13 +12,14 @@ from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation.report import DeviationReport, describe_deviation
 from orishell.document.from_design import document_of_design
+from orishell.families.pattern import TwoStaircases
 from orishell.locking import Lock, end_motion, lock_without_clash, require_pack
 from orishell.locking.box_plates import with_box_plates
-from orishell.locking.boxes import with_boxes
+from orishell.locking.carry import with_carried
 from orishell.locking.gussets import with_gussets
-from orishell.locking.skins import with_skin
 from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
+from orishell.motion.lattice import InnerStaircase
 from orishell.shell.answers import Answers
 from orishell.shell.designed import designed
 from orishell.shell.steps import Work
@@ -53,15 +54,15 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":
         clock.lap("clash")
-    for carry in (with_boxes, with_skin):
-        design, lock = carry(
-            design,
-            lock,
-            file.stiffeners,
-            file.contact_tolerance,
-            examined=work.clash != "unexamined",
-            progress=work.progress,
-        )
+    design, lock = with_carried(
+        design,
+        lock,
+        file.stiffeners,
+        file.contact_tolerance,
+        examined=work.clash != "unexamined",
+        inner=_inner(file),
+        progress=work.progress,
+    )
     if file.deployment.start == "pack":
         require_pack(design, lock)
     feet = find_feet(design)
@@ -94,6 +95,13 @@ def prove(file: DesignFile, work: Work) -> Candidate:
         deviation=deviation,
         deployment=describe_deployment(design, lock, site, file.deployment.start, freedom),
     )
+
+
+def _inner(file: DesignFile) -> InnerStaircase | None:
+    """The staircase that its second skin follows; None if it is the sheet's own."""
+    if file.inner is None or not isinstance(file.pattern, TwoStaircases):
+        return None
+    return file.pattern.inner_staircase(file.f, file.inner)
 
 
 def ended(file: DesignFile, design: Design, work: Work) -> tuple[Design, Lock]:

@@ -24,13 +24,20 @@ from orishell.structure.crease_forces import (
 from orishell.structure.crease_lines import hinge_line, most_used_line, unknown_line
 from orishell.structure.feet import Foot
 from orishell.structure.grain_shares import GrainShares, grain_shares
-from orishell.structure.largest import CreaseMoment, Displacement, PairForce, Reaction, Stress
+from orishell.structure.largest import (
+    CreaseMoment,
+    Displacement,
+    PairForce,
+    Reaction,
+    Stress,
+    largest_displacement,
+    largest_stress,
+)
 from orishell.structure.load_path import LoadPath, Unfollowed
 from orishell.structure.loads import Vector, vector
 from orishell.structure.materials import Duration, materials
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.plate_edges import PlateEdges
-from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.stresses import PanelStresses
 from orishell.structure.model import Model
 from orishell.structure.plate_edges import JudgedEdges, judged_edges
@@ -125,15 +132,7 @@ class Equilibrium:
     @cached_property
     def displacement(self) -> Displacement:
         """The largest."""
-        sizes = np.linalg.norm(self.displacements, axis=1)
-        node = first_largest(sizes, SOLVED)
-        panel = _panel_of(self.model.mesh, node)
-        return Displacement(
-            size=float(sizes[node]),
-            vector=vector(self.displacements[node]),
-            panel=self.model.panel_at(panel),
-            share=float(sizes[node] / self.model.height),
-        )
+        return largest_displacement(self.model, self.displacements)
 
     @property
     def crept(self) -> float:
@@ -230,14 +229,7 @@ class Equilibrium:
     @cached_property
     def stress(self) -> Stress:
         """The largest."""
-        triangle, face = np.unravel_index(first_largest(self.stresses, SOLVED), self.stresses.shape)
-        return Stress(
-            size=float(self.stresses[triangle, face]),
-            panel=self.model.panel_at(int(self.model.mesh.panels[triangle])),
-            face="upper" if face else "lower",
-            largest=float(self.principal[:, 0].max()),
-            least=float(self.principal[:, 1].min()),
-        )
+        return largest_stress(self.model, self.stresses, self.principal)
 
     @cached_property
     def lines(self) -> AtCrease:
@@ -302,12 +294,3 @@ class Equilibrium:
         """The largest share of what is borne, and of a displacement that makes it another shell."""
         known = (share or 0.0 for share in self.utilisation.shares.values())
         return max(self.displacement.share / COLLAPSED, *known)
-
-
-def _panel_of(mesh: SheetMesh, node: int) -> int:
-    """The panel that has a point of the mesh; the nearest one where what stiffens them has it."""
-    own = ((mesh.seats == node) | (mesh.nodes == node)).any(axis=(1, 2))
-    if own.any():
-        return int(np.argmax(own))
-    away = np.linalg.norm(mesh.facets.points[mesh.seats] - mesh.facets.points[node], axis=-1)
-    return int(np.argmin(away.min(axis=(1, 2))))

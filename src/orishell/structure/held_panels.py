@@ -129,7 +129,10 @@ def _held(
     grid, restrained = model.grid, _restrained(model)
     edges = find_edge_forces(mesh, grid, own, turning, on_panels, supported=restrained)
     every = zip(model.plates, places, others, on_plates, strict=True)
-    plates = tuple(find_plate_edges(each.own, *rest) for each, *rest in every)
+    plates = tuple(
+        find_plate_edges(each.own, place, forces, weights, each.shared)
+        for each, place, forces, weights in every
+    )
     missing = max(edges.missing, *(each.missing for each in plates), 0.0)
     residual = missing / scale if scale else 0.0
     if missing > UNBALANCED * scale + rounded:

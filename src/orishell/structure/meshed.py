@@ -21,10 +21,11 @@ from orishell.structure.flaps import between_flaps
 from orishell.structure.grain import grain_turns
 from orishell.structure.mesh.boards import LEAST_CELLS, HingedPlates, mesh_boards
 from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.lines import centres
 from orishell.structure.mesh.parts import Plates
 from orishell.structure.mesh.plane import strains_along
 from orishell.structure.mesh.sections import Section, panel_sections
-from orishell.structure.mesh.sheet import SheetMesh, centres
+from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.stresses import turns_in_panels
 from orishell.structure.settings import Structure
 from orishell.structure.stiffened import Stiffened
@@ -95,9 +96,14 @@ class MeshedShell:
         sheet = self.grid, self.before, self.positions, self.cells
         return Stiffened(self.design, self.structure, self.site, *sheet)
 
+    @property
+    def has_skin(self) -> bool:
+        """Whether the sheet carries a second skin."""
+        return bool(self.design.carried and not self.design.boxes)
+
     @cached_property
     def plates(self) -> tuple[Plates, ...]:
-        """What stiffens the sheet: all gussets, or strips of box girders and plates across."""
+        """What stiffens the sheet: all gussets, or strips that it carries and plates across."""
         return () if self.stiffened.is_bare else self.stiffened.joined[1]
 
     @property

@@ -134,8 +134,8 @@ class Model(MeshedShell):
         """The mesh as loads see it."""
         asked, count = self.structure.rail, len(self.mesh.facets.points)
         hung = rail_masses(asked, self.rails, count, self.site.unit)
-        if self.design.boxes:
-            hung += self.stiffened.hung(count)
+        if self.design.carried:
+            hung += self.stiffened.hung_masses(count)
         return expose(self.design, self.site, self.mesh, (self.sheet, self.before), hung)
 
     @cached_property

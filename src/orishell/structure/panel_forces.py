@@ -20,7 +20,7 @@ from orishell.structure.model import Model
 LEAST = 1e-10
 """Forces below this share of the largest one are rounding, and moments of that with a panel's size
 as their arm."""
-OUTSIDE = ("support", "rail", "gusset", "box girder")
+OUTSIDE = ("support", "rail", "gusset", "box girder", "second skin")
 """What holds nodes from outside the panels, and is no tie and no flap."""
 NAMES = np.array(
     ["remainder"]
@@ -107,7 +107,8 @@ def _held(model: Model) -> Integers:
     for rail in model.rails:
         found[rail.nodes] |= 2
     for each in model.plates:
-        found[each.nodes[each.nodes < len(found)]] |= 4 if model.design.plates else 8
+        own = 4 if model.design.plates else 16 if model.has_skin else 8
+        found[each.nodes[each.nodes < len(found)]] |= own
     return found
 
 

@@ -15,10 +15,11 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design.boxes import STRIPS, Box
+from orishell.design.carried import CarriedPart
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, first_largest
-from orishell.structure.boxes import plates_across
+from orishell.structure.carried import plates_across
 from orishell.structure.crease_lines import by_direction
 from orishell.structure.hinge_lines import UNKNOWN
 from orishell.structure.mesh.edge_forces import spread_over
@@ -100,6 +101,13 @@ def _forces(
 def _joined(model: Model) -> list[_Joined]:
     """Of every mesh of ``Model.plates``."""
     design = model.design
+    if design.carried and not design.boxes:
+        skin, *walls = design.carried
+        whole = [
+            (skin.names, _of_skin(skin)),
+            *((each.names, _of_wall(each, skin)) for each in walls),
+        ]
+        return [_Joined(True, model.thickness, *each) for each in whole]
     if design.boxes:
         strips = [
             _Joined(True, model.thickness, names, beside)
@@ -134,6 +142,26 @@ def _of_strips(box: Box) -> list[tuple[Sequence[str], Sequence[Sequence[str]]]]:
         aside = ["", *own, ""]
         found.append((own, list(zip(aside, below, aside[2:], above, strict=False))))
     return found
+
+
+def _of_skin(skin: CarriedPart) -> list[tuple[str, str, str, str]]:
+    """What is beside each panel of a second skin."""
+    grid, names = skin.strips.grid, skin.names
+    every = np.full((grid.rows + 1, grid.columns + 1), "", np.object_)
+    every[1:-1, 1:-1] = np.array(names, np.object_).reshape(grid.rows - 1, -1)
+    sides = every[1:-1, :-2], every[2:, 1:-1], every[1:-1, 2:], every[:-2, 1:-1]
+    return list(zip(*(each.ravel().tolist() for each in sides), strict=True))
+
+
+def _of_wall(wall: CarriedPart, skin: CarriedPart) -> list[tuple[str, str, str, str]]:
+    """What is beside each panel of a wall: others of it, and what it hangs on."""
+    on = {}
+    for each in wall.strips.hung:
+        own = skin.names[each.panels * len(wall.names) :][: len(wall.names)]
+        panels = [f"panel {row},{column}" for row, column in wall.hung_on]
+        on[each.line] = own if each.part else panels
+    aside = ["", *wall.names, ""]
+    return list(zip(aside, on[1], aside[2:], on[0], strict=False))
 
 
 def _across(box: Box, design: Design) -> tuple[Sequence[str], Sequence[Sequence[str]]]:

@@ -15,7 +15,7 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Vertex
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import SOLVED, first_largest
-from orishell.structure.boxes import names_of
+from orishell.structure.carried import names_of
 from orishell.structure.materials import Duration
 from orishell.structure.mesh.corotational import Corotational
 from orishell.structure.mesh.geometric import geometric_stiffness
@@ -89,7 +89,7 @@ def most_stressed(model: Model, stresses: Sequence[PanelStresses]) -> PlateStres
 
 def most_stressed_box(model: Model, stresses: Sequence[PanelStresses]) -> BoxStress | None:
     """The panel or plate of box girders with the largest stress; None if there are none."""
-    if not model.design.boxes or not stresses:
+    if not model.design.carried or not stresses:
         return None
     size, number = _largest(stresses)
     return BoxStress(size, names_of(model.design)[number])

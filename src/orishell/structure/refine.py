@@ -123,7 +123,7 @@ def memory(model: Model, cells: int) -> float:
 
 def _freedoms(model: Model, cells: int) -> int:
     """About how many degrees of freedom there are with so many cells, no less."""
-    grids = [model.grid, *(each.sleeve.grid for each in model.design.boxes)]
+    grids = [model.grid, *(each.strips.grid for each in model.design.carried)]
     return sum(count_freedoms(grid, cells) for grid in grids)
 
 

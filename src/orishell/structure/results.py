@@ -23,7 +23,7 @@ from orishell.structure.loaded import loaded_shell
 from orishell.structure.model import Model
 from orishell.structure.plausibility import doubts_of_shell
 from orishell.structure.stiffness import creases_in_words
-from orishell.structure.utilisation import GOVERNING
+from orishell.structure.utilisation import governing
 from orishell.structure.verdict import CARRIES, misleads
 from orishell.structure.whole_boards import arm_warnings
 
@@ -87,9 +87,9 @@ CLIPPED_IN = (
     "shear and wrinkling of faces"
 )
 HUNG_ON = (
-    "wind and snow on box girders: only their weight counts; what single screws of their hinges, "
-    "or clips of plates across them, do to boards, and how far off panels their boards stand; "
-    "springs in their hinges, which turn freely, whatever the creases of the sheet do"
+    "wind and snow on what the sheet carries: only its weight counts; what single screws of its "
+    "hinges, or clips of plates across, do to boards, and how far off panels its boards stand; "
+    "springs in its hinges, which turn freely, whatever the creases of the sheet do"
 )
 IMPERFECT = "imperfections of shape and fit, and play of hinges"
 IMPERFECT_BUT_SOFT = (
@@ -125,7 +125,7 @@ class Analysis:
         thinned = ECCENTRIC if self.model.bevelled else ""
         bare = FOLDED if self.model.design.panel is None else ""
         clipped = CLIPPED_IN if self.model.design.plates else ""
-        hung = HUNG_ON if self.model.design.boxes else ""
+        hung = HUNG_ON if self.model.design.carried else ""
         off = any(found.path is not None and found.path.imperfection for found, _ in self.balanced)
         known = IMPERFECT_BUT_SOFT if off else IMPERFECT
         built = IMPERFECT_FIT if asked.imperfection else known
@@ -171,6 +171,17 @@ class Analysis:
         """Whether it carries all cases; None if that is not known."""
         return CARRIES[self.sign]
 
+    @property
+    def used(self) -> float | None:
+        """The largest share of what is borne, above 1 where a case fails; None if it is not known.
+
+        It is not where nothing fails, but a part is loaded whose strength is not given.
+        """
+        open_ = (each.excess is None for case in self.cases for each in case.findings)
+        if self.carries is None and any(open_):
+            return None
+        return max(case.used for case in self.cases)
+
     @cached_property
     def governs(self) -> Governing | None:
         """What is nearest to the end of what it bears; None if that of nothing is known."""
@@ -209,7 +220,8 @@ class Analysis:
             borne = f"under {plain(1 / share, 3)} times the loads of"
         else:
             borne = f"{plain(100 * share, 3)} % of what can be borne, under"
-        return f"{GOVERNING[governs.part]} governs, {borne} {self.name_of(governs)}"
+        what = governing(governs.part, skin=self.model.has_skin)
+        return f"{what} governs, {borne} {self.name_of(governs)}"
 
     @cached_property
     def envelopes(self) -> tuple[Envelope, ...]:

@@ -1,8 +1,8 @@
 """A sheet with what stiffens it: one mesh of both, and what it is made of and weighs.
 
 Gussets are plates on edges of columns, box girders strips that hang on panels and plates across
-them. All of them are hinged on the sheet: they share nodes with it, and have rotations of their
-own.
+them, a second skin a sheet on walls that hang on panels. All of them are hinged on the sheet: they
+share nodes with it, and have rotations of their own.
 """
 
 from __future__ import annotations
@@ -15,17 +15,18 @@ from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
 from orishell.design.part import Part
+from orishell.motion.carried import Carried
 from orishell.motion.grid import Grid
-from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
-from orishell.structure.boxes import (
+from orishell.structure.carried import (
+    between_flaps,
     parts_of,
     plates_across,
-    sleeves_between_flaps,
+    stops_of,
     strip_masses,
     strip_sections,
+    strips_of,
 )
-from orishell.structure.mesh.girders import stops_of_sleeves
 from orishell.structure.mesh.parts import MeshedPart, Plates, join_parts
 from orishell.structure.mesh.plate_edges import at_edges
 from orishell.structure.mesh.plates import LEAST_STANDING, mesh_plates
@@ -50,7 +51,7 @@ class Stiffened:
     @property
     def is_bare(self) -> bool:
         """Whether nothing stiffens it."""
-        return not (self.design.plates or self.design.boxes)
+        return not (self.design.plates or self.design.carried)
 
     @property
     def has_plates(self) -> bool:
@@ -70,8 +71,8 @@ class Stiffened:
     @property
     def stops(self) -> Stops | None:
         """Where plates that stiffen the sheet end, or strips hang on it; None without any."""
-        if self.design.boxes:
-            return stops_of_sleeves(self.grid, self.sleeves)
+        if self.carried:
+            return stops_of(self.grid, self.carried)
         plates = [part.plate for part in self.design.plates if part.plate is not None]
         if not plates:
             return None
@@ -80,9 +81,9 @@ class Stiffened:
         return Stops.of_plates(self.grid, rows, plates[0].share)
 
     @property
-    def sleeves(self) -> tuple[Sleeve, ...]:
-        """The sleeves of its box girders, over the sheet without its flaps."""
-        return sleeves_between_flaps(self.design.boxes, self.before)
+    def carried(self) -> tuple[Carried, ...]:
+        """What the sheet carries, over the sheet without its flaps."""
+        return between_flaps(self.design.carried, self.before)
 
     @cached_property
     def sheet(self) -> SheetMesh:
@@ -90,16 +91,16 @@ class Stiffened:
         return mesh_sheet(self.positions, self.grid, self.cells, stops=self.stops)
 
     @cached_property
-    def girders(self) -> tuple[MeshedPart, ...]:
-        """Its box girders: the upper and the lower strip of each, then plates across them."""
+    def hung(self) -> tuple[MeshedPart, ...]:
+        """What it carries: strips, as ``strips_of`` has them, then plates across box girders."""
         at, _ = plates_across(self.design, self.before)
-        return parts_of(self.sheet, self.grid, self.sleeves, self.positions, at)
+        return parts_of(self.sheet, self.grid, self.carried, self.positions, at)
 
     @cached_property
     def joined(self) -> tuple[SheetMesh, tuple[Plates, ...]]:
-        """The mesh of all, and in it all gussets, or strips of box girders and plates across."""
-        if self.design.boxes:
-            return join_parts(self.sheet, self.girders)
+        """The mesh of all, and in it all gussets, or strips that it carries and plates across."""
+        if self.design.carried:
+            return join_parts(self.sheet, self.hung)
         plates = [part.plate for part in self.design.plates if part.plate is not None]
         if not plates:
             return self.sheet, ()
@@ -116,9 +117,9 @@ class Stiffened:
     @cached_property
     def sections(self) -> tuple[Section, ...]:
         """Sections of what stiffens the sheet, as ``joined`` has it."""
-        if self.design.boxes:
-            made = self.structure, self.design.panel, self.design.boxes
-            return strip_sections(*made, self.girders)
+        if self.design.carried:
+            made = self.structure, self.design.panel, strips_of(self.design)
+            return strip_sections(*made, self.hung)
         return tuple(whole_section(self.of_plates, each.panel) for each in self.design.plates[:1])
 
     @cached_property
@@ -133,17 +134,18 @@ class Stiffened:
         found, first = [*strips], 0
         for each in every[len(strips) :]:
             count = len(each.own.nodes)
-            share = at_edges(each.own, fixed=(0, 1, 2, 3) if self.design.boxes else (0, 3))
+            share = at_edges(each.own, fixed=(0, 1, 2, 3) if self.design.carried else (0, 3))
             found.append((mass[first : first + count, None] * share).ravel())
             first += count
         return tuple(found)
 
     @cached_property
     def strip_masses(self) -> tuple[Array, ...]:
-        """Mass of every strip of box girders by nodes of its panels' own (kg)."""
-        return strip_masses(self.design.boxes, self.joined[1], self.design.panel, self.site)
+        """Mass of every mesh of strips by nodes of its panels' own (kg)."""
+        strips = strips_of(self.design)
+        return strip_masses(strips, self.joined[1], self.design.panel, self.site)
 
-    def hung(self, count: int) -> Array:
+    def hung_masses(self, count: int) -> Array:
         """Mass of strips at so many nodes (count,) (kg); plates are borne at vertices."""
         found = np.zeros(count)
         for strip, masses in zip(self.joined[1], self.strip_masses, strict=False):

@@ -57,6 +57,23 @@ NAMED: Mapping[Limiting, str] = {
     "wrinkling": "faces of panels against wrinkling",
 }
 """What bears, where its name is not the word for it."""
+OF_SKIN: Mapping[Limiting, tuple[str, str]] = {
+    "boxes": ("the stress in the second skin", "second skin"),
+    "box_lines": ("the force along a hinge of the second skin", "hinges of the second skin"),
+}
+"""The words of both for what a sheet carries, where that is a second skin and its walls."""
+
+
+def governing(part: Limiting, *, skin: bool) -> str:
+    """What governs, in words; ``skin``: whether the sheet carries a second skin."""
+    return OF_SKIN[part][0] if skin and part in OF_SKIN else GOVERNING[part]
+
+
+def named(part: Limiting, *, skin: bool) -> str:
+    """What bears, in words, likewise."""
+    return OF_SKIN[part][1] if skin and part in OF_SKIN else NAMED.get(part, part)
+
+
 NOT_EVERYWHERE: frozenset[Limiting] = frozenset(
     {"panel_shear", "rolling_shear", "core_shear", "wrinkling", "rail", "buckling"}
 )

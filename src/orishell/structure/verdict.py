@@ -21,7 +21,7 @@ from orishell.structure.equilibrium import COLLAPSED, Equilibrium
 from orishell.structure.free_motion import FreeMotion
 from orishell.structure.load_path import UNFOLLOWED
 from orishell.structure.plate_edges import JudgedEdges
-from orishell.structure.utilisation import NAMED, Limiting
+from orishell.structure.utilisation import Limiting, named
 
 Kind = Literal[
     "moves",
@@ -116,7 +116,7 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     used = found.utilisation
     for name, part in used.shares.items():
         if name != "buckling" and part is not None and part > 1:
-            of = f"strength of its {NAMED.get(name, name)}"
+            of = f"strength of its {named(name, skin=found.model.has_skin)}"
             place = {"lines": found.used_line, "panels": found.worst_crease}.get(name)
             at = "" if place is None else f" at the crease between {_beside(place)}"
             edges = _edges(found).get(name)
@@ -144,7 +144,7 @@ def _not_known(found: Equilibrium) -> Iterator[Finding]:
     said = Quantities(model.site.unit)
     unknown = found.unknown
     if unknown:
-        names = [NAMED.get(part, part) for part in unknown]
+        names = [named(part, skin=model.has_skin) for part in unknown]
         text = f"is loaded in {' and '.join(names)}, whose strength is not given"
         places = [
             f"{said.per_length(each.unknown.size)} {each.unknown.in_words()}"

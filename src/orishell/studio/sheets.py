@@ -10,7 +10,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.design_file import DesignFile
-from orishell.design_file.file import FROM_PACK
+from orishell.design_file.constructions import FROM_PACK
 from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
 from orishell.io.output import scratch

@@ -16,7 +16,7 @@ from orishell.families.drawn.drive import Drive
 from orishell.families.drawn.rates import fold_rates
 from orishell.families.shared import folding
 from orishell.families.shared.chains import Chains
-from orishell.families.shared.flap_free import FlapFree
+from orishell.motion.flap_free import FlapFree
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array

@@ -17,8 +17,8 @@ from orishell.conventions.record import record
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.net import Sheet
 from orishell.families.shared.chains import Chains, Rates
-from orishell.families.shared.flap_free import FlapFree
 from orishell.families.shared.folding import HalfFolds, fold, turned
+from orishell.motion.flap_free import FlapFree
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array

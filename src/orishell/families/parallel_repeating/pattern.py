@@ -33,6 +33,7 @@ from orishell.families.parallel_repeating.profile import (
     Row,
     approach,
     fit_profile,
+    inner_staircase,
     widest_xi,
 )
 from orishell.families.parallel_repeating.sheet import (
@@ -59,6 +60,7 @@ from orishell.families.shared.sweep_fit import SweepLimits
 from orishell.families.shared.sweeps import design_sweep
 from orishell.families.tolerance import Tolerance, Variants, placement_variants
 from orishell.motion import require_resolution
+from orishell.motion.lattice import InnerStaircase
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -138,6 +140,10 @@ class ParallelRepeatingPattern(Pattern):
     def profile(self, f: Curve) -> Profile:
         """The staircase that column 1 follows, and f turned to it."""
         return fit_profile(f, self.rows + 1, in_radians(self.xi_deg), in_radians(self.theta_deg))
+
+    def inner_staircase(self, f: Curve, inner: Curve) -> InnerStaircase:
+        """The staircase of a second skin that follows a curve of its own."""
+        return inner_staircase(self.profile(f), inner)
 
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
         """Vertices of g in the best ways, and angles xi up to the widest that f admits."""

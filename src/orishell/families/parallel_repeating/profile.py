@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -16,6 +17,7 @@ from orishell.design import Approached, Path, Surface, Turning
 from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import angles, does_not_cross
 from orishell.families.shared.staircases import Followed
+from orishell.motion.lattice import InnerStaircase
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers
 from orishell.numerics.equals import first_largest
@@ -47,6 +49,8 @@ F = Followed(
     axis="the axis",
     instead=ORTHODIAGONAL,
 )
+INNER = replace(F, name="inner", instead=Remedy({"target.inner": None}))
+"""That of a second skin."""
 
 
 @record
@@ -70,6 +74,24 @@ def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> 
     trace = trace.rotated(theta)
     staircase = F.fit(trace, theta, angle, edges)
     return Profile(trace, theta, staircase, measure_closeness(trace, staircase.vertices))
+
+
+def inner_staircase(profile: Profile, inner: Curve) -> InnerStaircase:
+    """A staircase of the same angle and directions along another curve, drawn where f was.
+
+    Its edges are about as long as those of column 1, in pairs that rise and fall.
+    """
+    trace = trace_curve(inner, "inner").in_own_frame()
+    trace = run_along_axis(trace, profile.theta).rotated(profile.theta)
+    outer = profile.staircase
+    pairs = max(1, round(0.5 * trace.length / profile.trace.length * len(outer.lengths)))
+    found = INNER.fit(trace, profile.theta, outer.xi, 2 * pairs)
+    begin = found.vertices[0] + trace.origin - profile.trace.origin - outer.vertices[0]
+    rising = np.arange(2 * pairs) % 2 == (0 if found.first > 0 else 1)
+    x, y = begin / np.array([np.sin(outer.xi / 2), np.cos(outer.xi / 2)])
+    steps = found.lengths[:, None] * np.stack([rising, ~rising], axis=-1)
+    first = 0.5 * np.array([[x + y, x - y]])
+    return InnerStaircase(np.cumsum(np.concatenate([first, steps]), axis=0), found.distance)
 
 
 def widest_xi(f: Curve, theta: float | Auto) -> float:

@@ -15,7 +15,7 @@ from orishell.numerics.arrays import Array
 from orishell.structure.load_settings import Person, Side, WorstPlace
 from orishell.structure.loads.cases import Effect, Scale, load
 from orishell.structure.loads.exposure import UP, Exposure
-from orishell.structure.mesh.sheet import triangle_corners
+from orishell.structure.mesh.lines import triangle_corners
 
 if TYPE_CHECKING:
     from orishell.motion.grid import Panel

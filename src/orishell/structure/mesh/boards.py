@@ -14,8 +14,9 @@ from orishell.design.fittings import TRIMMED
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.edge_forces import crease_sides
+from orishell.structure.mesh.lines import triangle_corners
 from orishell.structure.mesh.sections import Section
-from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places, triangle_corners
+from orishell.structure.mesh.sheet import Offsets, SheetMesh, crease_places
 from orishell.structure.mesh.triangle import Facets
 
 ON_LINE = 1e-9

@@ -17,8 +17,9 @@ import numpy as np
 from orishell.motion.grid import Grid
 from orishell.motion.sleeves import Q, R, Sleeve, W
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.mesh.lines import centres_of, triangle_corners
 from orishell.structure.mesh.parts import MeshedPart, number_nodes
-from orishell.structure.mesh.sheet import SheetMesh, centres_of, mesh_panels, triangle_corners
+from orishell.structure.mesh.sheet import SheetMesh, mesh_panels
 from orishell.structure.mesh.stops import Stops
 from orishell.structure.mesh.triangle import Facets
 
@@ -46,14 +47,14 @@ def mesh_strips(
     columns = np.arange(sleeve.columns.start, sleeve.columns.stop - 1)
     above = sheet.nodes[(sleeve.row - 1) * (grid.columns - 1) + columns]
     below = sheet.nodes[sleeve.row * (grid.columns - 1) + columns]
-    upper_line = _line_at(points[above[:, :, 0]], places[Q, :-1])
-    lower_line = _line_at(points[below[:, :, 0]], places[R, :-1])
+    upper_line = line_at(points[above[:, :, 0]], places[Q, :-1])
+    lower_line = line_at(points[below[:, :, 0]], places[R, :-1])
     hung, hung_below = above[:, upper_line], below[:, lower_line]
-    right = _shares(points[hung])
+    right = shares_along(points[hung])
 
     # Down a strip there are the shares of the edges that it is parallel to.
     down = [
-        _shares(np.concatenate([points[each[:, part, 0]], points[each[-1:, part, -1]]]))
+        shares_along(np.concatenate([points[each[:, part, 0]], points[each[-1:, part, -1]]]))
         for each, part in ((below, np.s_[: lower_line + 1]), (above, np.s_[upper_line:]))
     ]
     strips = [
@@ -129,13 +130,13 @@ def _column(strip: MeshedPart, columns: Integers) -> Integers:
     return np.asarray(nodes[columns - last, :, np.where(last, -1, 0)])
 
 
-def _line_at(edges: Array, ends: Array) -> int:
+def line_at(edges: Array, ends: Array) -> int:
     """The line of nodes of edges (n, cells+1, 3) that is where points (n, 3) of these are."""
     away = np.linalg.norm(edges - ends[:, None], axis=-1).max(axis=0)
     return int(np.argmin(away))
 
 
-def _shares(lines: Array) -> Array:
+def shares_along(lines: Array) -> Array:
     """Where points (k, n, 3) of straight lines are, as shares of these (k, n)."""
     away = np.linalg.norm(lines - lines[:, :1], axis=-1)
     return np.asarray(away / away[:, -1:])

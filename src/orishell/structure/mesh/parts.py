@@ -12,7 +12,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import SheetMesh
@@ -45,6 +45,8 @@ class Plates:
     dofs: Integers  # dofs (D',) in the whole, of those of its own mesh
     beside: Integers  # the triangle (T',) of a panel that each of its triangles is beside
     first: int = 0  # how many rotations of others are before its own, behind those of panels
+    # which nodes of its own mesh (M',) others have as well
+    shared: Booleans = field(default_factory=lambda: np.zeros(0, np.bool_))
     # nodes of its own mesh where a corner of a plate is a straight angle
     straight: Integers = field(default_factory=_none)
 
@@ -89,7 +91,7 @@ def join_parts(
     every += [each.own.facets.points for each in parts]
     numbers += [each.nodes for each in parts]
     number, place = np.concatenate(numbers), np.concatenate(every)
-    _, first = np.unique(number, return_index=True)
+    _, first, many = np.unique(number, return_index=True, return_counts=True)
     turns = np.array([each.own.nodes.size for each in parts])
     whole = replace(
         sheet,
@@ -109,6 +111,7 @@ def join_parts(
                 beside=each.beside,
                 first=int(behind),
                 straight=each.straight,
+                shared=many[each.nodes] > 1,
             )
         )
     return whole, tuple(plates)

@@ -37,10 +37,13 @@ class PlateEdges:
     missing: float
 
 
-def find_plate_edges(own: SheetMesh, places: Array, forces: Array, weights: Array) -> PlateEdges:
+def find_plate_edges(
+    own: SheetMesh, places: Array, forces: Array, weights: Array, shared: Booleans
+) -> PlateEdges:
     """What holds every plate at its edges.
 
     own: The mesh of the plates alone.
+    shared: Which of its nodes (M',) others have as well, within plates where these hang on them.
     places: Where its nodes are (M', 3), as they are moved if displacements are large.
     forces: With which triangles hold their nodes (T', 18).
     weights: Loads of plates (places, 3) by their own nodes (N).
@@ -59,10 +62,10 @@ def find_plate_edges(own: SheetMesh, places: Array, forces: Array, weights: Arra
         axis=1,
     )
     weight = np.concatenate([weights, np.zeros_like(weights)], axis=1).reshape(count, -1, 6)
-    at_edges = _at_edges(own.nodes.shape)
+    held_there = _at_edges(own.nodes.shape) | shared[own.nodes].reshape(count, -1)
     middle = corners.mean(axis=1, keepdims=True)
     at = places[own.nodes.reshape(count, -1)] - middle
-    acting = weight + np.where(at_edges[:, None], held.reshape(count, -1, 6), 0.0)
+    acting = weight + np.where(held_there[..., None], held.reshape(count, -1, 6), 0.0)
     force = acting[..., :3].sum(axis=1)
     moment = (acting[..., 3:] + np.cross(at, acting[..., :3])).sum(axis=1)
     size = np.linalg.norm(np.ptp(at, axis=1), axis=-1)

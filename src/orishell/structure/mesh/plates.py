@@ -12,8 +12,9 @@ import numpy as np
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Integers
+from orishell.structure.mesh.lines import triangle_corners
 from orishell.structure.mesh.parts import MeshedPart, number_nodes
-from orishell.structure.mesh.sheet import SheetMesh, triangle_corners
+from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.triangle import Facets
 
 LEAST_STANDING = 3

@@ -11,7 +11,7 @@ from orishell.structure.combinations import STRENGTH
 from orishell.structure.crease_forces import AtCrease
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.largest import CreaseMoment, PairForce
-from orishell.structure.utilisation import NAMED, NOT_EVERYWHERE
+from orishell.structure.utilisation import NOT_EVERYWHERE, named
 
 NEGLIGIBLE_COMPONENT = 1e-6
 """Components of a displacement below this share of it are none."""
@@ -107,16 +107,17 @@ def _buckles(case: CaseResult, found: Equilibrium, said: Quantities) -> str:
 
 def _stiffeners(found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
     """The largest stress in what stiffens the sheet."""
+    carried = "the second skin" if found.model.has_skin else "a box girder"
     if found.gussets is not None:
         where = f"by von Mises, in gusset {vertex(found.gussets.at)}, averaged over part of it"
         yield "Largest stress of a gusset", f"{said.stress(found.gussets.size)} {where}"
     if found.boxes is not None:
         where = f"by von Mises, in {found.boxes.part}, averaged over part of it"
-        yield "Largest stress of a box girder", f"{said.stress(found.boxes.size)} {where}"
+        yield f"Largest stress of {carried}", f"{said.stress(found.boxes.size)} {where}"
     if found.box_lines is not None:
         most = found.box_lines.largest
         yield (
-            "Largest force along a hinge of a box girder",
+            f"Largest force along a hinge of {carried}",
             f"{said.per_length(most.size)} in any direction, {most.in_words()}",
         )
     if found.plate_edges is not None:
@@ -140,7 +141,7 @@ def _shares(found: Equilibrium) -> str:
     }
     words, unknown = [], []
     for part, share in found.utilisation.shares.items():
-        name = NAMED.get(part, part)
+        name = named(part, skin=found.model.has_skin)
         if share is not None:
             words.append(f"{name} {percent(share)}")
         elif there.get(part, found) is not None:

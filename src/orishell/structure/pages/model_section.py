@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
-from orishell.structure.boxes import plates_across
+from orishell.structure.carried import plates_across
 from orishell.structure.changes import STOPPED
 from orishell.structure.grain import BOTH_WAYS
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
@@ -109,6 +109,8 @@ def _stiffeners(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         yield "Gussets", _plates_in_words(model, said)
     if model.design.boxes:
         yield "Box girders", _boxes_in_words(model)
+    if model.has_skin:
+        yield "Second skin", _skin_in_words(model)
 
 
 def _boxes_in_words(model: Model) -> str:
@@ -119,6 +121,16 @@ def _boxes_in_words(model: Model) -> str:
     plates = len(plates_across(model.design, 0)[1])
     across = f", {plates} plate{'s' * (plates > 1)} across" if plates else ""
     return f"{of}: {strips} panels{across}, made as those of the sheet, on hinges that turn freely"
+
+
+def _skin_in_words(model: Model) -> str:
+    """How many panels a second skin and its walls have."""
+    skin, *walls = model.design.carried
+    panels = sum(len(each.names) for each in walls)
+    on = f"{len(walls)} wall{'s' * (len(walls) > 1)} of {panels}"
+    return (
+        f"{len(skin.names)} panels on {on}, made as those of the sheet, on hinges that turn freely"
+    )
 
 
 def _plates_in_words(model: Model, said: Quantities) -> str:

@@ -1,4 +1,4 @@
-"""Box girders of a design as parts of a structure: their meshes, their sections and masses.
+"""What a sheet carries as parts of a structure: meshes, sections and masses of strips and plates.
 
 Hinges of strips turn freely, whatever the stiffness of the sheet's creases: on its lines, at its
 own crease and between its panels a strip is never held more than it may be.
@@ -11,44 +11,61 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
+from orishell.design.carried import CarriedPart
 from orishell.motion.boards import Boards
+from orishell.motion.carried import Carried
 from orishell.motion.grid import Grid, Vertex
+from orishell.motion.skins import OUTER
 from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
-from orishell.structure.mesh.girders import mesh_across, mesh_strips
+from orishell.structure.mesh.girders import mesh_across, mesh_strips, stops_of_sleeves
 from orishell.structure.mesh.parts import MeshedPart, Plates, number_nodes
 from orishell.structure.mesh.sections import Section, panel_sections, whole_section
 from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.skins import mesh_skin, stops_of_walls
+from orishell.structure.mesh.stops import Stops
 from orishell.structure.settings import Structure
 
 
-def sleeves_between_flaps(boxes: tuple[Box, ...], before: int) -> tuple[Sleeve, ...]:
-    """Sleeves whose columns are counted without the columns of flaps before the first."""
+def between_flaps(carried: tuple[CarriedPart, ...], before: int) -> tuple[Carried, ...]:
+    """Strips whose columns are counted without the columns of flaps before the first."""
     found = []
-    for each in boxes:
-        lines, columns = each.sleeve.lines, each.sleeve.columns
+    for each in carried:
+        lines, columns = each.strips.lines, each.strips.columns
         shifted = slice(columns.start - before, columns.stop - before)
-        found.append(replace(each.sleeve, lines=replace(lines, columns=shifted)))
+        found.append(replace(each.strips, lines=replace(lines, columns=shifted)))
     return tuple(found)
+
+
+def stops_of(grid: Grid, strips: tuple[Carried, ...]) -> Stops:
+    """Where strips hang on the sheet, by columns of this grid."""
+    sleeves = tuple(each for each in strips if isinstance(each, Sleeve))
+    return stops_of_sleeves(grid, sleeves) if sleeves else stops_of_walls(grid, strips[1:], OUTER)
 
 
 def parts_of(
     sheet: SheetMesh,
     grid: Grid,
-    sleeves: tuple[Sleeve, ...],
+    carried: tuple[Carried, ...],
     positions: Array,
     plates: Sequence[Vertex],
 ) -> tuple[MeshedPart, ...]:
     """The upper and the lower strip of each sleeve, then the plates across each that has some.
 
+    Or a second skin and its walls.
+
     sheet: The mesh of the sheet, with lines of nodes where strips hang.
-    sleeves: Whose columns are those of this grid.
+    carried: Strips whose columns are those of this grid.
     positions: Vertices (rows, columns, 3) of the sheet.
     plates: The vertices that plates go from.
     """
+    sleeves = [each for each in carried if isinstance(each, Sleeve)]
+    if not sleeves:
+        return mesh_skin(sheet, grid, carried, positions)
     strips: list[MeshedPart] = []
     across: list[MeshedPart] = []
     first = sheet.node_count
@@ -76,14 +93,49 @@ def plates_across(design: Design, before: int) -> tuple[tuple[Vertex, ...], tupl
 
 def names_of(design: Design) -> tuple[str, ...]:
     """What panels of strips, and plates, are called: in the order of their meshes."""
-    strips = [name for box in design.boxes for name in box.names]
+    strips = [name for part in design.carried for name in part.names]
     return (*strips, *plates_across(design, 0)[1])
+
+
+@record
+class Strips:
+    """What one mesh has of a part that the sheet carries."""
+
+    part: CarriedPart
+    first: int  # the first of its panels
+    count: int  # and how many
+
+    @property
+    def boards(self) -> Boards | None:
+        """Its boards, as panels of it alone; None if panels have no thickness."""
+        boards = self.part.boards
+        if boards is None:
+            return None
+        last = self.first + self.count
+        own = boards.chosen((boards.panels >= self.first) & (boards.panels < last))
+        return replace(own, panels=own.panels - self.first)
+
+    @property
+    def flat(self) -> Array:
+        """Corners (F, 4, 2) of its panels in the flat sheet, counter-clockwise."""
+        faces = self.part.strips.grid.faces_vertices()[self.first : self.first + self.count]
+        return self.part.strips.positions(0.0).reshape(-1, 3)[faces, :2]
+
+
+def strips_of(design: Design) -> tuple[Strips, ...]:
+    """What meshes of strips have: those of a sleeve are meshed one by one, others together."""
+    found = []
+    for part in design.carried:
+        count = len(part.names)
+        size = count // 2 if isinstance(part, Box) else count
+        found += [Strips(part, first, size) for first in range(0, count, size)]
+    return tuple(found)
 
 
 def strip_sections(
     structure: Structure,
     build: PanelSpec | None,
-    boxes: tuple[Box, ...],
+    strips: tuple[Strips, ...],
     parts: tuple[MeshedPart, ...],
 ) -> tuple[Section, ...]:
     """Sections of the triangles of every strip, and of plates across them.
@@ -91,43 +143,28 @@ def strip_sections(
     build: What panels are made of; None if they are of ``structure.thickness``.
     """
     found = []
-    for number, strip in enumerate(parts):
-        if strip.middles is None:
-            found.append(whole_section(structure, build))
-            continue
-        box, lower = boxes[number // 2], number % 2
-        count = len(strip.own.nodes)
-        own = lower * count + np.arange(count)
-        faces = box.sleeve.grid.faces_vertices()[own]
-        flat = box.sleeve.positions(0.0).reshape(-1, 3)[faces, :2]
-        boards = None if box.boards is None else _of_strip(box.boards, lower * count, count)
-        found.append(panel_sections(structure, build, boards, flat, strip.middles))
-    return tuple(found)
-
-
-def _of_strip(boards: Boards, first: int, count: int) -> Boards:
-    """Boards of one strip, as panels of that alone."""
-    own = boards.chosen((boards.panels >= first) & (boards.panels < first + count))
-    return replace(own, panels=own.panels - first)
+    for own, part in zip(strips, parts, strict=False):
+        assert part.middles is not None
+        found.append(panel_sections(structure, build, own.boards, own.flat, part.middles))
+    across = parts[len(strips) :]
+    return (*found, *(whole_section(structure, build) for _ in across))
 
 
 def strip_masses(
-    boxes: tuple[Box, ...], plates: tuple[Plates, ...], build: PanelSpec | None, site: Site
+    strips: tuple[Strips, ...], plates: tuple[Plates, ...], build: PanelSpec | None, site: Site
 ) -> tuple[Array, ...]:
-    """Mass of each strip by nodes of its panels' own (places,) (kg).
+    """Mass of each mesh of strips by nodes of its panels' own (places,) (kg).
 
     Of its boards if their density is known, or by that of its area.
     """
     found = []
-    for number, strip in enumerate(plates[: 2 * len(boxes)]):
-        boards, panels = boxes[number // 2].boards, strip.own.panels
+    for own, strip in zip(strips, plates, strict=False):
+        boards, panels = own.boards, strip.own.panels
         areas = strip.own.facets.areas()
         whole = np.bincount(panels, areas)
         mass = site.areal_mass * whole
         if boards is not None and build is not None and build.density:
-            first = (number % 2) * len(whole)
-            own = _of_strip(boards, first, len(whole))
-            volume = np.bincount(own.panels, own.volumes(), len(whole))
+            volume = np.bincount(boards.panels, boards.volumes(), len(whole))
             mass = build.density * site.metres**3 * volume
         third = (mass / whole)[panels] * areas / 3
         found.append(np.zeros(strip.own.nodes.size))
