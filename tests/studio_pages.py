@@ -86,6 +86,14 @@ def choose(page: Page, family: str) -> None:
     assert page.evaluate("window.__orishell.report.family") == family
 
 
+def take_family(page: Page, family: str) -> None:
+    """Choose another family for the design that is open."""
+    card = page.locator(f"label:has([data-testid=family-{family}])")
+    if not card.is_visible():
+        page.get_by_test_id("families-more").click()
+    card.click()
+
+
 def all_formats(page: Page) -> None:
     """In the window of files: every format, whatever it is for."""
     page.locator("label:has([data-testid=task-all])").click()

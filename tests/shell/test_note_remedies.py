@@ -8,11 +8,13 @@ from typing import Any
 
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import no_progress
-from orishell.conventions.row import Note
+from orishell.conventions.row import ORDER, Note
 from orishell.design_file import DesignFile, check_design
 from orishell.shell.make import make_shell
-from orishell.shell.note_remedies import find_mends
+from orishell.shell.note_remedies import find_mend, find_mendable
+from samples import thorough
 
 ARCH: dict[str, Any] = {
     "shell": {"family": "orthodiagonal", "unit": "m"},
@@ -23,7 +25,7 @@ ARCH: dict[str, Any] = {
     "pattern": {"rows": 5, "columns": 5, "flap": 0, "depth": 0.12, "heading_deg": 90},
 }
 """An arch without flaps, larger than any board, which its own weight opens."""
-STRAIGHT = {
+STRAIGHT: dict[str, Any] = {
     "shell": {"family": "parallel-repeating", "unit": "m"},
     "target": {
         "f": {"formula": "0.4*(1-x**2)", "range": [-1, 1]},
@@ -32,7 +34,7 @@ STRAIGHT = {
     "pattern": {"rows": 5, "columns": 5},
 }
 """A barrel, most of whose columns stay unfolded."""
-LOADED = {
+LOADED: dict[str, Any] = {
     "structure": {
         "modulus": 9e9,
         "strength": 40e6,
@@ -49,6 +51,23 @@ def read(design: dict[str, Any]) -> DesignFile:
     return check_design(deepcopy(design), Path("shell.toml"), files=False)
 
 
+SOLID = {
+    "pattern": {**ARCH["pattern"], "depth": 0.3},
+    "panel": {"construction": "bevel", "thickness": 0.02, "gap": 0.002},
+}
+PULLED: dict[str, Any] = {
+    **LOADED,
+    "load_case": [
+        {
+            "name": "wind",
+            "wind": {"speed": 30.0, "terrain": "II", "direction_deg": 0},
+            "self_weight": True,
+        }
+    ],
+    "workshop": {"areal_density": 5.0},
+}
+
+
 @pytest.mark.parametrize(
     ("design", "about", "changes"),
     [
@@ -56,33 +75,40 @@ def read(design: dict[str, Any]) -> DesignFile:
         (ARCH, "opens", {"deployment.ties": "feet"}),
         (ARCH, "board", {"workshop.stock": [2.5, 1.25]}),
         (STRAIGHT, "columns", {"pattern.columns": 2}),
+        ({**ARCH, "shell": {**ARCH["shell"], "unit": "mm"}}, "unit", {"shell.unit": "cm"}),
+        ({**ARCH, "workshop": {"stock": [2500, 1250]}}, "stock", {"workshop.stock": [2.5, 1.25]}),
+        ({**ARCH, **SOLID}, "chamfers", None),
+        pytest.param({**ARCH, **PULLED}, "cells", None, marks=thorough),
+        ({**ARCH, **PULLED}, "pulled", None),
     ],
 )
 def test_what_a_note_offers_does_away_with_it(
-    design: dict[str, Any], about: str, changes: dict[str, Any]
+    design: dict[str, Any], about: str, changes: dict[str, Any] | None
 ) -> None:
     file = read(design)
-    notes = make_shell(file).report.warnings
-    (note,) = (each for each in notes if isinstance(each, Note) and each.about == about)
-    (mend,) = find_mends(file, [note], no_progress)
-    assert (mend.note, mend.changes) == (note, changes)
-    after = make_shell(file.changed(changes)).report
+    before = make_shell(file).report
+    (note,) = (each for each in before.warnings if getattr(each, "about", None) == about)
+    (asked,) = find_mendable(file, [note], before.structure)
+    assert (asked.note, asked.about, asked.slow) == (note, about, False)
+    mend = find_mend(file, about, no_progress, before)
+    assert mend is not None
+    assert changes is None or mend.changes == changes
+    after = make_shell(file.changed(mend.changes)).report
     assert about not in [getattr(note, "about", None) for note in after.warnings]
+    if before.structure is not None:
+        assert after.structure is not None
+        assert ORDER.index(after.structure.sign) >= ORDER.index(before.structure.sign)
 
 
 def test_a_load_case_without_own_weight_is_given_it() -> None:
     file = read({**ARCH, **LOADED, "workshop": {"areal_density": 20.0}})
-    shell = make_shell(file)
-    mends = find_mends(file, shell.report.warnings, no_progress, shell.analysis)
-    (mend,) = (each for each in mends if "own weight is left out" in each.note)
+    mend = find_mend(file, "weight", no_progress)
+    assert mend is not None
     assert mend.changes == {"load_case.0.self_weight": True}
     after = make_shell(file.changed(mend.changes)).report.warnings
     assert not any("own weight is left out" in note for note in after)
     # Without a density nobody knows what it weighs: then it is not offered.
-    file = read({**ARCH, **LOADED})
-    shell = make_shell(file)
-    mends = find_mends(file, shell.report.warnings, no_progress, shell.analysis)
-    assert not any("load_case" in key for each in mends for key in each.changes)
+    assert find_mend(read({**ARCH, **LOADED}), "weight", no_progress) is None
 
 
 def test_what_is_not_known_to_do_it_is_not_offered() -> None:
@@ -96,7 +122,17 @@ def test_what_is_not_known_to_do_it_is_not_offered() -> None:
     file = read(wide)
     notes = make_shell(file).report.warnings
     assert "board" in [getattr(note, "about", None) for note in notes]
-    assert all("boards" not in mend.text for mend in find_mends(file, notes, no_progress))
+    assert find_mend(file, "board", no_progress) is None
+
+
+def test_nothing_is_tried_before_somebody_asks() -> None:
+    # A search for sizes would be one for each change: that is said, and takes a word.
+    file = read({**ARCH, "tolerance": {"surface": 0.05}, "pattern": {"flap": 0}})
+    notes = [Note("without flaps", "no flaps"), Note("of nobody's business"), "a plain sentence"]
+    (asked,) = find_mendable(file, notes)
+    assert (asked.about, asked.slow) == ("no flaps", True)
+    with pytest.raises(InputError, match="no note is about that"):
+        find_mend(file, "weather", no_progress)
 
 
 def test_a_kind_of_hinge_is_offered_where_nobody_knows_what_one_bears() -> None:

@@ -95,9 +95,16 @@ def test_verify_reports_progress_and_the_whole_report(client: httpx.Client) -> N
         lines = [json.loads(line) for line in answer.iter_lines()]
     advances = [line for line in lines[:-1] if "progress" in line]
     assert all(set(line) == {"progress", "what"} for line in advances)
-    # All but what mends its notes is told before that is looked for.
-    (found,) = (line["found"] for line in lines[:-1] if "found" in line)
-    assert found == {**lines[-1]["result"], "mends": []}
+    # What mends its notes is tried when somebody asks.
+    mendable = lines[-1]["result"]["mendable"]
+    asked = [(each["about"], each["slow"]) for each in mendable]
+    assert ("board", False) in asked
+    body = {"design": design, "about": "board"}
+    *_, last = client.post("/api/mend", json=body).text.splitlines()
+    (changes,) = (json.loads(last)["result"]["mend"]["changes"],)
+    assert [*changes] == ["workshop.stock"]
+    refused = client.post("/api/mend", json={**body, "about": "weather"}).text.splitlines()[-1]
+    assert "no note is about that" in json.loads(refused)["error"]["message"]
     assert len(lines) > 2
     result = lines[-1]["result"]
     assert result["report"]["lock"]["cause"] == "flaps"

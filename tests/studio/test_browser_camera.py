@@ -122,7 +122,6 @@ class Visit:
         """A pattern in pixels, or a shell of some millimetres."""
         if self.chance.random() < 0.5:
             drop_file(self.page, "own.svg", svg_of(miura()))
-            self.page.get_by_test_id("drop-as-pattern").click()
             name = "own"
         else:
             text = starter_file("orthodiagonal").replace('unit = "m"', 'unit = "mm"')

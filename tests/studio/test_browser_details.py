@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from node_tools import PACKAGES, lacking
-from studio_pages import drawn, drop_file, in_bar, opened, settle
+from studio_pages import drawn, drop_file, in_bar, opened, settle, take_family
 from surface_files import obj
 from viewer_pages import await_frames, wait_until
 
@@ -181,7 +181,7 @@ def test_automatic_waits_for_curves(page: Page) -> None:
     in_bar(page, "new").click()
     page.get_by_test_id("sketch-cancel").click()
     page.evaluate(f"{STORE}.redo()")
-    page.locator("label:has([data-testid=family-auto])").click()
+    take_family(page, "auto")
     await_frames(page)
     assert page.get_by_test_id("blank").is_visible()
     assert not page.get_by_text("was stopped").is_visible()
@@ -233,4 +233,43 @@ def test_a_warning_names_the_window_of_its_settings(page: Page) -> None:
     assert "under Workshop" not in said
     in_bar(page, "export").click()
     assert page.locator("[data-key=stock]").is_visible()
+    page.keyboard.press("Escape")
+
+
+def test_what_is_seldom_asked_for_is_folded_away(page: Page) -> None:
+    load_example(page, "shelter")
+    # Families: the chosen one, and the others when they are asked for.
+    cards = page.locator(".family:visible")
+    assert cards.count() == 1
+    more = page.get_by_test_id("families-more")
+    more.click()
+    assert cards.count() > 4
+    more.click()
+    assert cards.count() == 1
+    page.get_by_test_id("family-orthodiagonal").focus()
+    page.keyboard.press("ArrowUp")
+    assert cards.count() > 4
+    page.keyboard.press("ArrowDown")
+    settle(page)
+    page.keyboard.press("Enter")
+    assert cards.count() == 1
+    assert page.evaluate(f"{STORE}.design.value.shell.family") == "orthodiagonal"
+    # An end at pi is called so, and stays the number that it was.
+    end = page.get_by_test_id("range-f-high")
+    before = page.evaluate(f"{STORE}.design.value.target.f.range")
+    assert end.input_value() == "pi"
+    page.get_by_test_id("range-f-low").fill("0.1")
+    page.keyboard.press("Tab")
+    drawn(page)
+    assert page.evaluate(f"{STORE}.design.value.target.f.range") == [0.1, before[1]]
+    page.get_by_test_id("undo").click()
+    # A row says what was found, and not to how many digits.
+    settle(page)
+    assert "e-1" not in (page.get_by_test_id("verify-status").text_content() or "")
+    in_bar(page, "export").click()
+    page.locator("label:has([data-testid=task-kit])").click()
+    hinges = page.locator("[data-key=row_hinge]")
+    assert hinges.is_hidden()
+    page.get_by_test_id("workshop-seldom").locator("summary").click()
+    assert hinges.is_visible()
     page.keyboard.press("Escape")

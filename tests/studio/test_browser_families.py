@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from orishell.families.registry import TRIED
 from samples import thorough
-from studio_pages import choose, drawn, settle
+from studio_pages import choose, drawn, settle, take_family
 from viewer_pages import wait_until
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def state(page: Page, of: str) -> Any:
 def any_family(page: Page) -> None:
     choose(page, "parallel-repeating")
     page.evaluate(VAULT)
-    page.locator("label:has([data-testid=family-auto])").click()
+    take_family(page, "auto")
     settle(page)
 
 

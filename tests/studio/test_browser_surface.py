@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from samples import thorough
-from studio_pages import choose, drag, drawn, settle, type_into
+from studio_pages import choose, drag, drawn, settle, take_family, type_into
 from surface_files import obj
 from viewer_pages import keep_picture, pixels, wait_until
 
@@ -40,7 +40,7 @@ def at_a_surface(page: Page) -> None:
 def begin(page: Page) -> None:
     choose(page, "parallel-repeating")
     aim(page, "surface")
-    page.locator("label:has([data-testid=family-flat-foldable])").click()
+    take_family(page, "flat-foldable")
 
 
 @thorough  # a dropped mesh goes the same way
@@ -103,7 +103,7 @@ def test_a_fit_can_be_stopped_and_begun_again(page: Page) -> None:
 @thorough  # the same curves are written: tests/shell/test_families
 def test_a_family_that_sweeps_gives_its_curves(page: Page) -> None:
     at_a_surface(page)
-    page.locator("label:has([data-testid=family-parallel-repeating])").click()
+    take_family(page, "parallel-repeating")
     settle(page)
     before = state(page, "report.value.sheet.area")
     page.get_by_test_id("by-curves").click()

@@ -1,6 +1,7 @@
-"""Three tasks from nothing to a file, as a person does them: with mouse, keyboard and files.
+"""Five tasks from nothing to a file, as a person does them: with mouse, keyboard and files.
 
-How long each step takes is printed with the tests, not limited.
+How long each step takes, and with how many clicks and keys, is printed with the tests; of clicks
+from a drawn arch to a shell that carries there are eight at most.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from viewer_pages import await_frames, wait_until
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+PATTERN = Path(__file__).parents[2] / "examples" / "arch_pattern.svg"
 SHEETS = "document.querySelector('[data-testid=sheet-preview]').dataset.state === 'shown'"
 TRADEOFF = "document.querySelector('[data-testid=tradeoff]').dataset.state === 'found'"
 DROP = """([content, name]) => {
@@ -37,24 +39,44 @@ DROP = """([content, name]) => {
     const drop = new DragEvent("drop", { dataTransfer: brought, bubbles: true, cancelable: true });
     document.querySelector("[data-curve=f] .plot").dispatchEvent(drop);
 }"""
+COUNT = """() => {
+    window.done = { clicks: 0, keys: 0 };
+    // A choice in a list is opened and taken.
+    const lists = ({ target }) => target instanceof HTMLSelectElement && (window.done.clicks += 2);
+    const listen = (name, act) => addEventListener(name, act, { capture: true });
+    listen("pointerdown", () => window.done.clicks++);
+    listen("change", lists);
+    listen("keydown", () => window.done.keys++);
+}"""
+"""Counts clicks and strokes of a pointer, and keys that are pressed; text that is typed is none."""
 Places = list[tuple[float, float]]
 
 
 class Steps:
-    """Takes the time of the steps of a task."""
+    """Takes the time of the steps of a task, and counts what was clicked and pressed."""
 
     def __init__(self) -> None:
         self.steps: dict[str, float] = {}
+        self.page: Page | None = None
+        self.done = {"clicks": 0, "keys": 0}
+
+    def watch(self, page: Page) -> None:
+        """Count from now on."""
+        self.page = page
+        page.evaluate(COUNT)
 
     @contextmanager
     def step(self, what: str) -> Iterator[None]:
         begin = time.perf_counter()
         yield
         self.steps[what] = time.perf_counter() - begin
+        if self.page is not None:
+            self.done = self.page.evaluate("window.done")
 
     def __str__(self) -> str:
         said = ", ".join(f"{what} {seconds:.1f} s" for what, seconds in self.steps.items())
-        return f"{said}; {sum(self.steps.values()):.0f} s in all"
+        pressed = f"{self.done['clicks']} clicks, {self.done['keys']} keys"
+        return f"{said}; {sum(self.steps.values()):.0f} s in all, {pressed}"
 
 
 @pytest.fixture
@@ -131,6 +153,7 @@ def test_a_shelter_from_a_drawn_profile_to_cut_files(
 ) -> None:
     """3 x 6 m, cut from boards of 2.5 x 1.25 m."""
     with opened(browser, address) as page:
+        steps.watch(page)
         with steps.step("draw"):
             draw(page, [(0.1, 0.5), (0.9, 0.5)])
         with steps.step("size"):
@@ -168,6 +191,7 @@ def test_a_canopy_from_a_dropped_drawing_with_a_tolerance(
     drawing.saveas(tmp_path / "canopy.dxf")
     content = base64.b64encode((tmp_path / "canopy.dxf").read_bytes()).decode()
     with opened(browser, address) as page:
+        steps.watch(page)
         with steps.step("drop"):
             choose(page, "orthodiagonal")
             page.evaluate(DROP, [content, "canopy.dxf"])
@@ -194,6 +218,7 @@ def test_a_lampshade_of_card_with_its_printed_model(
 ) -> None:
     """In millimetres, of card 2 mm thick, with flaps that are clipped on."""
     with opened(browser, address) as page:
+        steps.watch(page)
         with steps.step("draw"):
             page.get_by_test_id("unit").select_option("mm")
             draw(page, [(0.1, 0.6), (0.5, 0.5), (0.9, 0.6)])
@@ -220,3 +245,88 @@ def test_a_lampshade_of_card_with_its_printed_model(
     assert root.get("unit") == "millimeter"
     space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
     assert len(root.findall(f".//{space}object")) >= 6 * 5  # of every panel a board
+
+
+CARRIES = "window.__orishell.store.report.value?.structure?.carries"
+FOUND = "['found', 'failed'].includes(document.querySelector('[data-testid=carry]').dataset.state)"
+CLICKS = 8
+"""From the drawn arch to a shell that is said to carry."""
+SEARCH = 300.0
+"""Seconds in which designs that carry are found."""
+
+
+def by_keys(page: Page, test_id: str, most: int = 80) -> None:
+    """Press Tab until something has the focus."""
+    focused = "document.activeElement?.dataset.testid"
+    for _ in range(most):
+        if page.evaluate(focused) == test_id:
+            return
+        page.keyboard.press("Tab")
+    raise AssertionError(f"{test_id} is not reached: {page.evaluate(focused)} is")
+
+
+def await_verdict(page: Page) -> None:
+    settle(page)
+    wait_until(page, f"{CARRIES} !== undefined")
+
+
+@thorough  # a search of minutes
+@pytest.mark.parametrize("by", ["mouse", "keys"])
+def test_a_drawn_arch_carries_snow_and_wind(
+    browser: Browser, address: str, steps: Steps, by: str
+) -> None:
+    with opened(browser, address) as page:
+        draw(page, [(0.1, 0.5), (0.3, 0.56), (0.5, 0.44), (0.7, 0.56), (0.9, 0.5)])
+        fill(page, "span-f", "3")
+        fill(page, "length-g", "6")
+        settle(page)
+        page.evaluate("document.activeElement.blur(); scrollTo(0, 0)")
+        steps.watch(page)
+        with steps.step("loads"):
+            if by == "mouse":
+                page.get_by_test_id("structure-begin").click()
+            else:
+                page.locator(".skip", has_text="To the loads").focus()
+                page.keyboard.press("Enter")
+                page.keyboard.press("Enter")
+            await_verdict(page)
+        assert page.evaluate(CARRIES) is False
+        with steps.step("search"):
+            if by == "mouse":
+                page.get_by_test_id("make-it-carry").click()
+            else:
+                by_keys(page, "make-it-carry")
+                page.keyboard.press("Enter")
+            wait_until(page, FOUND, SEARCH)
+        with steps.step("open"):
+            if by == "mouse":
+                page.get_by_test_id("carry-open-0").click()
+            else:
+                assert page.evaluate("document.activeElement.dataset.testid") == "carry-open-0"
+                page.keyboard.press("Enter")
+            await_verdict(page)
+        assert page.evaluate(CARRIES) is True
+        assert page.get_by_test_id("structure-verdict").get_attribute("data-tone") == "holds"
+    assert steps.done["clicks"] <= (CLICKS if by == "mouse" else 0)
+
+
+def test_a_pattern_of_another_program_is_folded_and_shared(page: Page, steps: Steps) -> None:
+    """An SVG in pixels, as wide as somebody says, as one file for a friend."""
+    steps.watch(page)
+    with steps.step("open"):
+        with page.expect_file_chooser() as chooser:
+            page.get_by_test_id("open").click()
+        chooser.value.set_files(PATTERN)
+        wait_until(page, "window.__orishell.store.name.value === 'arch_pattern'")
+    with steps.step("size"):
+        # The question has the focus.
+        page.keyboard.insert_text("2.4 m")
+        settle(page)
+        assert page.evaluate("window.__orishell.report.sheet.width") == pytest.approx(2.4)
+    with steps.step("share"):
+        with page.expect_download(timeout=60_000) as download:
+            page.get_by_test_id("share").click()
+        text = download.value.path().read_text("utf-8")
+    assert download.value.suggested_filename == "arch_pattern-viewer.html"
+    assert page.url.partition("?")[0] not in text
+    assert steps.done["clicks"] <= 2

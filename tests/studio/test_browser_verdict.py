@@ -77,7 +77,7 @@ def test_a_shell_that_nothing_holds_and_that_breaks_has_no_tick_for_it(page: Pag
     await_frames(page)
     assert {sign for _, sign in page.evaluate(SIGNS)} == {"pending"}
     assert "40 %" in card.inner_text()
-    page.evaluate(f"{store}.proof.set({{ state: 'done', refusal: null }})")
+    page.evaluate(f"{store}.proof.set({{ state: 'done', refusal: null, mendable: [] }})")
     await_frames(page)
     assert locks.evaluate(is_open)
     # What mends it has been tried, and is a button.
@@ -140,4 +140,23 @@ def test_a_note_has_the_button_that_does_it(page: Page) -> None:
     settle(page)
     assert page.evaluate("window.__orishell.store.design.value.deployment") == {"ties": "feet"}
     assert opens.count() == 0
-    assert notes.get_by_role("button", name="Boards of 2.5 x 1.25 m").count() == 1
+    # Notes that are open stay so, and what mends them is tried again.
+    notes.get_by_role("button", name="Boards of 2.5 x 1.25 m").wait_for()
+
+
+def test_what_takes_long_to_mend_is_tried_at_a_word(page: Page) -> None:
+    design = {key: table for key, table in SNOW.items() if key in ("shell", "target", "pattern")}
+    design |= {"tolerance": {"surface": 0.2}, "pattern": {"flap": 0, "depth": 0.12}}
+    page.evaluate("design => window.__orishell.store.change(design, 'arch')", design)
+    page.get_by_test_id("choose").click()
+    settle(page)
+    notes = page.get_by_test_id("verify-status").locator("[data-row=notes]")
+    if notes.locator("details").get_attribute("open") is None:
+        notes.get_by_test_id("verdict-notes").click()
+    slot = notes.get_by_test_id("mend-no-flaps")
+    look = slot.get_by_test_id("look-for-mend")
+    look.wait_for()
+    assert slot.get_by_test_id("mend").count() == 0
+    look.click()
+    slot.get_by_role("button", name="Flaps as wide as they may be").click(timeout=120_000)
+    assert page.evaluate("window.__orishell.store.design.value.pattern.flap") == "auto"

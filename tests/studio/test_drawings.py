@@ -108,7 +108,11 @@ def test_lines_that_do_not_meet_are_joined_by_what_the_refusal_offers(
         for ((a, b), (c, d)), letter in zip(lines.tolist(), torn["edges_assignment"], strict=True)
     )
     text = f'<svg xmlns="http://www.w3.org/2000/svg">{drawn}</svg>'
-    error = refused(dropped(client, "torn.svg", text))
+    answer = dropped(client, "torn.svg", text)
+    assert fits(answer.json(), api.Refusal)
+    # Both ends of every line that lies apart.
+    assert len(answer.json()["drawing"]["marks"]) > 10
+    error = refused(answer)
     (remedy,) = error["remedies"]
     assert error["where"].startswith("torn.svg:")
     assert list(remedy["changes"]) == ["weld"]
@@ -119,9 +123,42 @@ def test_lines_that_do_not_meet_are_joined_by_what_the_refusal_offers(
 
 
 def test_panels_that_make_no_grid_are_refused_by_place(client: httpx.Client) -> None:
-    error = refused(dropped(client, "bomb.fold", json.dumps(fold_of(waterbomb()))))
+    answer = dropped(client, "bomb.fold", json.dumps(fold_of(waterbomb())))
+    assert fits(answer.json(), api.Refusal)
+    drawing = answer.json()["drawing"]
+    assert len(drawing["lines"]) == len(drawing["letters"]) == len(waterbomb().edges)
+    assert {each["what"] for each in drawing["marks"]} == {"a panel of 3 vertices"}
+    error = refused(answer)
     assert error["where"].startswith("bomb.fold: at (")
     assert "a panel of 3 vertices" in error["got"]
+
+
+def test_a_sheet_that_does_not_fold_is_shown_with_its_vertices(client: httpx.Client) -> None:
+    pattern = miura()
+    drawn = dropped(client, "mine.svg", svg_of(pattern)).json()["table"]
+    letters = drawn["row_creases"][1]
+    drawn["row_creases"][1] = letters[0] + "VM"[letters[1] == "V"] + letters[2:]
+    answer = client.post("/api/design", json={"design": design_of(drawn)})
+    assert fits(answer.json(), api.Refusal)
+    marks = answer.json()["drawing"]["marks"]
+    ends = [drawn["vertices"][2][column] for column in (1, 2)]
+    assert [[each["x"], each["y"]] for each in marks] == ends
+
+
+def test_red_blue_and_black_lines_are_a_pattern(client: httpx.Client) -> None:
+    def looks(name: str, text: str) -> bool:
+        content = base64.b64encode(text.encode()).decode()
+        answer = client.post("/api/look", json={"name": name, "content": content, "unit": "m"})
+        assert fits(answer.json(), api.DrawingLook)
+        return bool(answer.json()["pattern"])
+
+    assert looks("mine.svg", svg_of(miura()))
+    assert looks("mine.dxf", dxf_of(miura()))
+    assert not looks("mine.svg", svg_of(miura()).replace("#0000ff", "#ff0000"))
+    assert not looks(
+        "curve.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/></svg>'
+    )
+    assert not looks("broken.dxf", "0")
 
 
 def test_names_of_files_do_no_harm(client: httpx.Client) -> None:

@@ -529,6 +529,12 @@ export interface Distances {
   grid_spacing: number;
 }
 
+/** What a drawing that was dropped onto the page is, as far as its lines tell. */
+export interface DrawingLook {
+  /** Whether it has mountains, valleys and a border. */
+  pattern: boolean;
+}
+
 /** One drawing for the workshop. */
 export interface DrawnSheet {
   /** The name of the file that it is exported to, without its ending. */
@@ -1142,6 +1148,15 @@ export interface Lock {
   path: ProofRecord | null;
 }
 
+/** A place in a flat sheet, and what is wrong there. */
+export interface Mark {
+  /** Where. */
+  x: number;
+  y: number;
+  /** In a few words. */
+  what: string;
+}
+
 /** What panels may be made of. */
 export interface MaterialFacts {
   name: string;
@@ -1173,14 +1188,24 @@ export interface MeetingReport {
   largest_turn_deg: number;
 }
 
-/** A change of the design that does what a note says. */
-export interface Mend {
+/** The last line of the answer: what does away with a note. */
+export interface MendResult {
+  result: Mended;
+}
+
+/** A note that a change of the design may mend, which nobody has tried yet. */
+export interface Mendable {
   /** Which. */
   note: string;
-  /** What is done. */
-  text: string;
-  /** Values of keys of the design file; None removes a key. */
-  changes: Record<string, unknown>;
+  /** What it is about. */
+  about: "columns" | "idle columns" | "depth" | "board" | "unit" | "stock" | "reach" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
+  /** Whether to try takes long. */
+  slow: boolean;
+}
+
+/** What does what the notes on a matter say; null where nothing that was tried does. */
+export interface Mended {
+  mend: Remedy | null;
 }
 
 /** What is analysed. */
@@ -1606,6 +1631,17 @@ export interface Reaction {
 export interface Refusal {
   error: Fault;
   curves?: Curves;
+  /** Of a drawn sheet. */
+  drawing?: RefusedDrawing;
+}
+
+/** A drawn sheet that is refused, to be shown with what is wrong with it. */
+export interface RefusedDrawing {
+  /** From x, y to x, y. */
+  lines: [number, number, number, number][];
+  /** What each is, as in FOLD. */
+  letters: string;
+  marks: Mark[];
 }
 
 /** A change of the design that was tried and works. */
@@ -2056,8 +2092,8 @@ export interface Verified {
   distance: string;
   /** Why the design is refused although its shell can be shown: panels meet before it locks. */
   refusal: Fault | null;
-  /** Changes that do what notes say, which have been tried. */
-  mends: Mend[];
+  /** Notes that a change may mend, which nobody has tried. */
+  mendable: Mendable[];
   sizes: BuiltSizes;
   /** A view in base64 that takes the place of the one shown; null: that one stays. */
   view: string | null;

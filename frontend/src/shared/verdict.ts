@@ -1,7 +1,7 @@
 // The verdict on a shell: independent rows, worst first, as terminal and report have them. A row says
 // its sign and subject, and its finding when it is opened.
 
-import type { Mend, Row } from "./api-types.ts";
+import type { Row } from "./api-types.ts";
 import type { Known } from "./view.ts";
 import { capital, sentence } from "./words.ts";
 
@@ -42,18 +42,20 @@ export class Verdict {
   /** By their subjects, the rows that were opened or closed. */
   private readonly chosen = new Map<string, boolean>();
 
-  /** `said` puts texts into the page's words; `mend` makes a button of what mends a row. */
+  /** `said` puts texts into the page's words; `mend` makes a button of what mends a row; `beside` has what
+   * stands below a note. */
   constructor(
     private readonly said = (text: string): string => text,
-    private readonly mend = (_: Pick<Mend, "changes"> & { text?: string }): HTMLElement | null => null,
+    private readonly mend = (_: Pick<Row, "changes">): HTMLElement | null => null,
+    private readonly beside = (_note: string): HTMLElement | null => null,
   ) {
     this.element.className = "orishell-verdict";
     this.element.setAttribute("aria-label", "Verdict");
   }
 
   /** `missing`: what is said of rows that nobody has looked at so far, if more is to come; `found`: whether
-   * the others are known; `mends`: what does what notes say. */
-  show(report: Known | null, missing: Missing | null = null, found = false, mends: readonly Mend[] = []): void {
+   * the others are known. */
+  show(report: Known | null, missing: Missing | null = null, found = false): void {
     const rows = judged(report);
     if (missing && !found) {
       const subjects = rows.map(({ subject }) => subject).filter((each) => each !== UNCHECKED);
@@ -63,16 +65,15 @@ export class Verdict {
     if (missing) {
       const [open, known] = [rows.filter((row) => !row.known && row.subject !== UNCHECKED), rows.filter((row) => row.known || row.subject === UNCHECKED)];
       const subjects = open.length || !missing.sign ? open.map(({ subject }) => subject) : ["remedies"];
-      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)), ...this.notesOf(report, mends));
+      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)), ...this.notesOf(report));
       return;
     }
-    this.element.replaceChildren(...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")), ...this.notesOf(report, mends));
+    this.element.replaceChildren(...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")), ...this.notesOf(report));
   }
 
   /** The row of all notes, if there are any. */
-  private notesOf(report: Known | null, mends: readonly Mend[]): HTMLElement[] {
-    const notes = new Map([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])].map((text) => [text, [] as Mend[]]));
-    for (const mend of mends) notes.get(mend.note)?.push(mend);
+  private notesOf(report: Known | null): HTMLElement[] {
+    const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])]);
     return notes.size ? [this.notes(notes)] : [];
   }
 
@@ -106,13 +107,13 @@ export class Verdict {
     });
   }
 
-  private notes(notes: ReadonlyMap<string, readonly Mend[]>): HTMLElement {
+  private notes(notes: ReadonlySet<string>): HTMLElement {
     const item = this.item("warns", notes.size === 1 ? "1 note" : `${notes.size} notes`, false, "", "notes");
-    for (const [text, mends] of notes) {
+    for (const text of notes) {
       const line = document.createElement("p");
       line.className = "orishell-warning";
       line.textContent = sentence(this.said(text));
-      item.firstElementChild!.append(line, ...mends.flatMap((each) => this.mend(each) ?? []));
+      item.firstElementChild!.append(line, ...[this.beside(text) ?? []].flat());
     }
     return item;
   }

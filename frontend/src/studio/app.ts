@@ -33,6 +33,7 @@ import { announceTheme } from "./parts/theme.ts";
 import { aimOf } from "./state/aims.ts";
 import { DrawingForm, PATTERNS } from "./surface/drawing-form.ts";
 import { fitBar } from "./surface/fit-bar.ts";
+import { refusedCover } from "./surface/refused-drawing.ts";
 import { Sketch } from "./curves/sketch.ts";
 import { SurfaceEditor } from "./surface/surface-editor.ts";
 import { keepSurfaceDrawn } from "./surface/keep-drawn.ts";
@@ -84,6 +85,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
+    share: () => void files.share(),
     help: () => help.tour(),
     examples: () => examples.open(),
   });
@@ -92,10 +94,11 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     curve: (name, file) => void (name === "f" ? f : g).read(file),
     surface: (file) => void surface.read(file),
     pattern: (file) => void drawing.read(file),
+    looksLikePattern: (file) => drawing.looksRight(file),
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
-  stage.frame.append(blankCover(store, (names) => sketch.begin(names)), fitBar(store, live));
+  stage.frame.append(blankCover(store, (names) => sketch.begin(names)), fitBar(store, live), refusedCover(store));
   stage.element.append(sketch.element, saidElement(store));
   linkHover(stage, results);
   addInspection(store, stage, results);

@@ -11,6 +11,7 @@ import "./curves/curves.css";
 import "./curves/drawing.css";
 import "./curves/sketch.css";
 import "./surface/surface.css";
+import "./surface/refused-drawing.css";
 import "./design/parameters.css";
 import "./structure/structure.css";
 import "./shell/stage.css";

@@ -21,7 +21,27 @@ def worst(signs: Iterable[Sign]) -> Sign:
     return min(signs, key=ORDER.index, default="holds")
 
 
-About = Literal["columns", "board", "reach", "no flaps", "opens", "points", "weight"]
+About = Literal[
+    "columns",
+    "idle columns",
+    "depth",
+    "board",
+    "unit",
+    "stock",
+    "reach",
+    "no flaps",
+    "closes",
+    "uneven",
+    "opens",
+    "chamfers",
+    "play",
+    "points",
+    "patch",
+    "pulled",
+    "weight",
+    "cells",
+    "linear",
+]
 """What a note is about that a change of the design may mend."""
 
 

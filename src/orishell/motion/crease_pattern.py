@@ -24,6 +24,15 @@ SENSE = {"V": 1.0, "M": -1.0, "F": 0.0, "J": 0.0}
 
 
 @record
+class Mark:
+    """A place in a flat sheet, and what is wrong there."""
+
+    x: float  # where
+    y: float
+    what: str  # in a few words
+
+
+@record
 class CreasePattern:
     """Vertices, edges and panels of a flat sheet; all panels go counter-clockwise seen from +z."""
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import rounded
-from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.crease_pattern import CreasePattern, Mark
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Integers
 from orishell.numerics.equals import first_largest
@@ -27,7 +29,8 @@ def find_grid(pattern: CreasePattern) -> Integers:
     InputError
         If the panels are not those of a grid: where.
     """
-    _require_regular(pattern)
+    for mark in find_irregular(pattern):
+        raise _no_grid("the panels do not make a grid", mark.what, mark.x, mark.y)
     faces, twins = pattern.faces[:, :4], _twins(pattern)
     # A corner of the sheet: both sides of its panel that meet there belong to no other panel.
     panels, starts = np.nonzero((twins < 0) & (np.roll(twins, 1, axis=1) < 0))
@@ -94,25 +97,30 @@ def grid_creases(pattern: CreasePattern, numbers: Integers) -> tuple[Integers, I
     return row.reshape(rows, columns - 1)[1:-1], column.reshape(rows - 1, columns)[:, 1:-1]
 
 
-def _require_regular(pattern: CreasePattern) -> None:
-    """Panels have four corners; four of them meet at inner vertices, one or two at the border."""
+def find_irregular(pattern: CreasePattern) -> Iterator[Mark]:
+    """What keeps the panels of a pattern from making a grid, place by place.
+
+    Panels have four corners; four of them meet at inner vertices, one or two at the border.
+
+    Parameters
+    ----------
+    pattern
+        The pattern.
+    """
     counts = (pattern.faces >= 0).sum(axis=1)
     if (counts != 4).any():
-        panel = int(np.argmax(counts != 4))
-        at = pattern.vertices[pattern.faces[panel, : counts[panel]]].mean(axis=0)
-        raise _no_grid("the panels do not make a grid", f"a panel of {counts[panel]} vertices", *at)
+        for panel in np.flatnonzero(counts != 4).tolist():
+            at = pattern.vertices[pattern.faces[panel, : counts[panel]]].mean(axis=0)
+            yield Mark(float(at[0]), float(at[1]), f"a panel of {counts[panel]} vertices")
+        return
     met = np.bincount(pattern.faces[:, :4].ravel(), minlength=len(pattern.vertices))
     inner = np.zeros(len(met), dtype=np.bool_)
     inner[pattern.inner] = True
     wrong = np.where(inner, met != 4, met > 2)
-    if wrong.any():
-        vertex = int(np.argmax(wrong))
+    for vertex in np.flatnonzero(wrong).tolist():
         kind = "inside the sheet" if inner[vertex] else "at a border"
-        raise _no_grid(
-            "the panels do not make a grid",
-            f"{met[vertex]} panels at a vertex {kind}",
-            *pattern.vertices[vertex],
-        )
+        x, y = pattern.vertices[vertex].tolist()
+        yield Mark(x, y, f"{met[vertex]} panels at a vertex {kind}")
 
 
 def _no_grid(what: str, got: str, *at: float) -> InputError:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from orishell.conventions.quantities import plain
+from orishell.conventions.row import Note
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import diagonal
@@ -69,9 +70,10 @@ def _of_chamfers(lock: Lock) -> Iterator[str]:
     angles = np.concatenate([chamfer_angles(boards) for boards in each])
     steep = int((angles > SAW).sum())
     if steep:
-        yield (
+        yield Note(
             f"{steep} of {len(angles)} chamfers lean by more than {SAW} degrees from a square "
             f"cut, up to {angles.max():.3g}: table saws tilt no further (track saws to "
             f"{TRACK_SAW}), nor does a V-bit of {2 * SAW} degrees; mill them on five axes or print "
-            'the panels, or make boards that are cut square (construction = "sandwich")'
+            'the panels, or make boards that are cut square (construction = "sandwich")',
+            "chamfers",
         )

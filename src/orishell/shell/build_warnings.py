@@ -72,16 +72,18 @@ def _of_unit(design: Design, shell: Array, unit: str, workshop: Workshop) -> Ite
     size = max(extents(shell))
     if not SMALLEST_SHELL <= size * metres <= LARGEST_SHELL:
         drawn = ", and unit in [target.f] and [target.g] says it of a drawing"
-        yield (
+        yield Note(
             f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its "
             f"{'curves' if design.targets else 'lengths'}? unit in [shell] says so"
-            f"{drawn if design.targets else ''}"
+            f"{drawn if design.targets else ''}",
+            "unit",
         )
     if workshop.stock is not None and max(workshop.stock) * metres > LONGEST_STOCK:
         stock = " x ".join(plain(side) for side in workshop.stock)
-        yield (
+        yield Note(
             f"sheets of {stock} {unit} are larger than any that is sold: lengths in [workshop] "
-            f"are in the unit of [shell], {unit}"
+            f"are in the unit of [shell], {unit}",
+            "stock",
         )
 
 
@@ -141,15 +143,18 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     f = design.targets.get("f")
     gap = 0.0 if f is None else float(np.ptp(f[[0, -1], 2]))
     remedy = "trim the last panels at the ground, or build the ground up to them"
+    about: About | None = None
     if gap > 0.5 * feet.uneven:
         remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
     elif _level_on_corners(design):
         remedy = 'it can stand on its four corners, at one height (ground = "corners" in [pattern])'
+        about = "uneven"
     elif design.levelled_by:
         remedy = f"{design.levelled_by} may level them; else {remedy}"
-    yield (
+    yield Note(
         f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
-        f"{plain(feet.uneven, 3)} {unit} in height: {remedy}"
+        f"{plain(feet.uneven, 3)} {unit} in height: {remedy}",
+        about,
     )
 
 
@@ -197,9 +202,10 @@ def _of_unfolded_columns(design: Design) -> Iterator[str]:
     beside[1:-1] = unfolded
     idle = int((unfolded & (beside[:-2] | beside[2:])).sum())
     if idle:
-        yield (
+        yield Note(
             f"{idle} of {count} columns stay unfolded because g is straight there: fewer columns "
-            "suffice, unless panels have to be shorter"
+            "suffice, unless panels have to be shorter",
+            "idle columns",
         )
 
 
@@ -234,7 +240,8 @@ def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[
     depth = lock.corrugation_depth
     if design.swept is not None and depth > DEEP * height:
         seen = "curve f" if design.targets else "surface"
-        yield (
+        yield Note(
             f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
-            f"high: one sees them rather than the {seen}; more rows make them shallower"
+            f"high: one sees them rather than the {seen}; more rows make them shallower",
+            "depth",
         )

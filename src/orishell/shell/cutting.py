@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import plain, size
+from orishell.conventions.row import Note
 from orishell.deployment.cutting import CuttingReport, can_measure, measure_cutting
 from orishell.deployment.feet import Feet
 from orishell.design import Design
@@ -71,8 +72,9 @@ def warn_of_cutting(design: Design, found: CuttingReport | None, unit: str) -> I
         )
     elif design.panel.gap < found.play.largest:
         gap = f"{found.play.largest * UP:.3g}"
-        yield (
+        yield Note(
             f"as they are cut, boards need up to {play} of play at their hinges (in 95 % of "
             f"shells), more than the gap between them, {plain(design.panel.gap)} {unit}: cut more "
-            f"exactly, or leave at least {gap} {unit} there, if panels have the room"
+            f"exactly, or leave at least {gap} {unit} there, if panels have the room",
+            "play",
         )

@@ -109,8 +109,10 @@ def _of_weight(design: Design, report: DeploymentReport, weight: OwnWeight) -> I
             "opens",
         )
     if weight.at_feet < 0 and report.closing is None:
-        remedy = "block a hinge, for all fold together" if design.hinges.beside else "give it flaps"
-        yield (
+        beside = design.hinges.beside
+        remedy = "block a hinge, for all fold together" if beside else "give it flaps"
+        yield Note(
             f"the shell closes under its own weight with {force}, and nothing but its supports "
-            f"holds it: {remedy}"
+            f"holds it: {remedy}",
+            None if beside else "closes",
         )

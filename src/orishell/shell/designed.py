@@ -130,7 +130,7 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
         raise DesignError(
             "whole boards on hinges cannot have flaps: a flap folds flat before the sheet does",
             keys=("pattern.flap", "panel.construction"),
-            candidates=[Remedy({"pattern.flap": 0.0}), _on_membrane(panel)],
+            candidates=[Remedy({"pattern.flap": 0.0}), on_membrane(panel)],
         )
     if isinstance(mechanism, Straightened):
         mechanism = mechanism.straightened()
@@ -141,7 +141,7 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
         hinges = find_hinges(mechanism, panel)
     except DesignError as error:
         if error.keys == ("panel.construction",):
-            other = _on_membrane(panel)
+            other = on_membrane(panel)
             error.candidates = [other] if closing is None else [closing, other]
         raise
     design = replace(design, mechanism=mechanism, panel=panel, grounded=None)
@@ -174,8 +174,14 @@ MEMBRANE = 0.1
 """Thickness of a membrane that is offered, in thicknesses of panels."""
 
 
-def _on_membrane(panel: PanelSpec) -> Remedy:
-    """The change from whole boards to boards on a membrane."""
+def on_membrane(panel: PanelSpec) -> Remedy:
+    """The change from other panels to boards on a membrane, cut square.
+
+    Parameters
+    ----------
+    panel
+        What panels are made of.
+    """
     changes: dict[str, Value | None] = {
         "panel.construction": "sandwich",
         "panel.membrane": rounded(MEMBRANE * panel.thickness),

@@ -16,7 +16,16 @@ from orishell.motion.layout import SlitFlaps
 from orishell.shell.candidate import Candidate
 from orishell.shell.cutting import asks_for_cutting, find_cutting
 from orishell.shell.rail_order import rail_order
-from orishell.shell.steps import CONTACT, CUTTING, STOCK, STRUCTURE, Work
+from orishell.shell.steps import (
+    CONTACT,
+    CUTTING,
+    FLAPS_PLACED,
+    GUSSETS_PLACED,
+    PLATES_PLACED,
+    STOCK,
+    STRUCTURE,
+    Work,
+)
 from orishell.structure.analyse import analyse
 from orishell.structure.anchors import with_anchors
 from orishell.structure.results import Analysis
@@ -80,9 +89,9 @@ def measure(found: Candidate, work: Work) -> Facts:
     unknown = {
         "whether panels stay rigid": residuals is None,
         CONTACT: work.clash == "unexamined",
-        "how clipped flaps are brought to their place": design.clipped is not None,
-        "how gussets are brought to their place": bool(design.plates),
-        "how plates are brought into boxes": any(part.kind == "plate" for part in design.attached),
+        FLAPS_PLACED: design.clipped is not None,
+        GUSSETS_PLACED: bool(design.plates),
+        PLATES_PLACED: any(part.kind == "plate" for part in design.attached),
         "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),

@@ -48,6 +48,12 @@ CONTACT, STOCK, STRUCTURE, CUTTING = (
     "the play that errors of cutting ask for",
 )
 """What may be left out on request, of which a row says that it is not known."""
+FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED = (
+    "how clipped flaps are brought to their place",
+    "how gussets are brought to their place",
+    "how plates are brought into boxes",
+)
+"""What is never examined, and has no row: the booklet says so to those who do it."""
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """If panels collide before the target: refuse the shell, allow it and say so, or do not check, for

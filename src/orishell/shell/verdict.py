@@ -19,11 +19,19 @@ from orishell.shell.drives import degrees_below
 from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
-from orishell.shell.steps import CONTACT, STOCK, STRUCTURE
+from orishell.shell.steps import (
+    CONTACT,
+    FLAPS_PLACED,
+    GUSSETS_PLACED,
+    PLATES_PLACED,
+    STOCK,
+    STRUCTURE,
+)
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order import order_in_words
 
-SAID = {CONTACT, STOCK, STRUCTURE}
+SAID = {CONTACT, STOCK, STRUCTURE, FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED}
+"""What other rows say, or the booklet."""
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
 SLIM = 0.03
@@ -96,12 +104,6 @@ def _stands(report: Report, stronger: Remedy) -> Iterator[Row]:
 def _way(report: Report) -> Iterator[Row]:
     """Whether panels meet before the shell stands at its target, and what is proved beyond."""
     lock, aim = report.lock, "stage" if report.deviation is None else "target"
-    exact = ""
-    if report.residuals is not None:
-        exact = (
-            f"; panel lengths to {report.residuals.panel_length:.1e}, fold angles to "
-            f"{report.residuals.fold_angle_rad:.1e} rad"
-        )
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and contact.apart is not None:
@@ -110,27 +112,27 @@ def _way(report: Report) -> Iterator[Row]:
             degrees_below(lock.target_drive),
         )
         said = not_proved(lock, contact, angles, (_panels_of(contact), aim), report.unit)
-        yield Row("warns", "folds", f"{said}{proved}{exact}")
+        yield Row("warns", "folds", f"{said}{proved}")
         return
     if report.feasible is None:
         said = "not known: nobody looked whether panels meet on the way"
-        yield Row("warns", "folds", f"{said}{exact}", known=False)
+        yield Row("warns", "folds", said, known=False)
         return
     if contact is not None and lock.cause in ("clash", "boards"):
         angle = degrees_below(contact.drive, lock.target_drive)
         meets = f"{_panels_of(contact)} meet at {angle} ({contact.kind})"
         if contact.drive < lock.target_drive:
             short = f"short of the {aim} at {degrees_below(lock.target_drive, contact.drive)}"
-            yield Row("fails", "folds", f"no: {meets}, {short}{exact}")
+            yield Row("fails", "folds", f"no: {meets}, {short}")
         else:
             there = contact.drive <= lock.target_drive * (1 + SAME)
             beyond = "" if there else f", beyond the {aim}"
-            yield Row("holds", "folds", f"nothing touches before {meets}{beyond}{proved}{exact}")
+            yield Row("holds", "folds", f"nothing touches before {meets}{beyond}{proved}")
     elif lock.path is not None:
         end = degrees_below(report.deployment.end_drive)
-        yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}{exact}")
+        yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}")
     else:
-        yield Row("holds", "folds", f"no contact to look for{exact}")
+        yield Row("holds", "folds", "no contact to look for")
 
 
 def _panels_of(contact: Contact) -> str:

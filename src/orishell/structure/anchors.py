@@ -19,6 +19,7 @@ import numpy as np
 
 from orishell.conventions.quantities import GRAVITY, plain
 from orishell.conventions.record import record
+from orishell.conventions.row import Note
 from orishell.deployment.report import DeploymentReport
 from orishell.motion.grid import Vertex
 from orishell.numerics.equals import SOLVED, first_largest, largest_of
@@ -172,10 +173,11 @@ def ground_warnings(
     pulled = [each for each in anchors if each.pull.force and each.at in restrained]
     if pulled:
         most = largest_of(pulled, lambda each: each.pull.force, SOLVED)
-        yield (
+        yield Note(
             f"{_number(len(pulled), 'support is', 'supports are')} pulled up, by "
             f"{plain(most.pull.force)} N at most at {_at(most)} under {most.pull.case}: anchors or "
-            "ballast must hold them down"
+            "ballast must hold them down",
+            "pulled",
         )
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
+from orishell.conventions.row import Note
 
 Stop = Literal["work", "memory", "cells"]
 """Why cells are no finer: an analysis with finer ones would take too long, or too much memory, or
@@ -104,9 +105,10 @@ def refinement_warnings(change: Changes, stopped: Stop | None) -> Iterator[str]:
             f"mesh they changed by {most} % at most" + (f": {said}" if said else "")
         )
     elif said:
-        yield (
+        yield Note(
             f"figures change with the mesh, from the next coarser one {said}. Use finer cells "
-            "(cells, or refine, in [structure])"
+            "(cells, or refine, in [structure])",
+            "cells",
         )
 
 

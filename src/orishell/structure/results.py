@@ -39,9 +39,10 @@ FAR = 10.0
 def warn_of_points(model: Model, cases: Sequence[CaseResult]) -> Iterator[str]:
     """What supports that are points, or next to points, do to buckling."""
     for patch in model.supports.lost:
-        yield (
+        yield Note(
             f"a patch of {plain(patch, 3)} {model.site.unit} is smaller than the cells around it: "
-            "only vertices are held (patch in supports, or cells, in [structure])"
+            "only vertices are held (patch in supports, or cells, in [structure])",
+            "patch",
         )
     names = dict.fromkeys(
         case.name
@@ -245,9 +246,10 @@ class Analysis:
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
             text = f"linear theory may mislead under {few(far)}"
-            if self.model.mesh.offsets is None:  # of whole boards they are not
+            followed = self.model.mesh.offsets is None  # of whole boards they are not
+            if followed:
                 text += ": follow large displacements (nonlinear = true in [structure])"
-            yield text
+            yield Note(text, "linear" if followed else None)
         yield from doubts_of_shell(self.model)
         said: dict[str, dict[str, None]] = {}
         for case in self.cases:

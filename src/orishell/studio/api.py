@@ -10,9 +10,10 @@ from typing import Any, Literal, NotRequired, TypedDict
 from orishell.conventions.row import Row
 from orishell.document import FirstContact
 from orishell.io.view import Curves
+from orishell.motion.crease_pattern import Mark
 from orishell.shell.carry_found import CarrySearch
 from orishell.shell.family_choice import FamilyChoice, FamilyTrial
-from orishell.shell.note_remedies import Mend
+from orishell.shell.note_remedies import Mendable
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
 from orishell.workshop.palettes import Layer
@@ -51,11 +52,20 @@ class Fault(TypedDict):
     remedies: list[Remedy]  # what was tried and works, the nearest first
 
 
+class RefusedDrawing(TypedDict):
+    """A drawn sheet that is refused, to be shown with what is wrong with it."""
+
+    lines: list[tuple[float, float, float, float]]  # from x, y to x, y
+    letters: str  # what each is, as in FOLD
+    marks: list[Mark]
+
+
 class Refusal(TypedDict):
     """The answer to a request that failed; of a design, with the curves that can be drawn."""
 
     error: Fault
     curves: NotRequired[Curves]
+    drawing: NotRequired[RefusedDrawing]  # of a drawn sheet
 
 
 class Range(TypedDict):
@@ -129,6 +139,12 @@ class DroppedTarget(TypedDict):
     note: str
 
 
+class DrawingLook(TypedDict):
+    """What a drawing that was dropped onto the page is, as far as its lines tell."""
+
+    pattern: bool  # whether it has mountains, valleys and a border
+
+
 class DrawnSheetFacts(TypedDict):
     """What is known of a drawn sheet before a shell is made of it."""
 
@@ -153,7 +169,7 @@ class Verified(TypedDict):
     distance: str
     # why the design is refused although its shell can be shown: panels meet before it locks
     refusal: Fault | None
-    mends: list[Mend]  # changes that do what notes say, which have been tried
+    mendable: list[Mendable]  # notes that a change may mend, which nobody has tried
     sizes: BuiltSizes
     view: str | None  # A view in base64 that takes the place of the one shown; null: that one stays
 
@@ -211,6 +227,18 @@ class Advance(TypedDict):
 
     progress: float
     what: str
+
+
+class Mended(TypedDict):
+    """What does what the notes on a matter say; null where nothing that was tried does."""
+
+    mend: Remedy | None
+
+
+class MendResult(TypedDict):
+    """The last line of the answer: what does away with a note."""
+
+    result: Mended
 
 
 class Result(TypedDict):

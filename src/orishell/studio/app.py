@@ -128,11 +128,12 @@ def make_app(
 
     for task in ("families", "fit", "tradeoff", "sheets", "booklet"):
         _add_stream(app, task, slow, kept)
-    _add_stream(app, "verify", slow, kept, patient=search)
+    for task in ("verify", "mend"):
+        _add_stream(app, task, slow, kept, patient=search)
     _add_stream(app, "search", search, Kept(most=0))
     _add_stream(app, "carry", search, kept)
     _add_task(app, "ranges", slow)
-    for task in ("parse", "format", "curve", "surface", "mesh", "pattern", "drawing"):
+    for task in ("parse", "format", "curve", "surface", "mesh", "pattern", "drawing", "look"):
         _add_task(app, task, quick)
 
     if PAGES.is_dir():

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import as_table
 from orishell.conventions.row import Row
 from orishell.design_file.drawing import read_drawing, table_of
+from orishell.families.drawn.faults import find_faults
 from orishell.families.recognised import recognise
-from orishell.io.patterns.read import ENDINGS
+from orishell.io.patterns.graph import GapError
+from orishell.io.patterns.read import ENDINGS, read_lines, read_pattern
+from orishell.motion.crease_pattern import CreasePattern, Mark
 from orishell.motion.drawing import Drawing
-from orishell.studio.api import DroppedTarget
+from orishell.motion.gridding import find_irregular
+from orishell.numerics.arrays import Array
+from orishell.studio.api import DroppedTarget, RefusedDrawing
 from orishell.studio.dropped import dropped_file
+from orishell.studio.refusals import RefusalError, describe_error
 
+MOST_LINES, MOST_MARKS = 20_000, 200
+"""Of a drawing that is refused, so many lines are shown, and so many places."""
 LIKE = 1e-3
 """A family is named that sectors miss by less, and by how much (radians)."""
 
@@ -21,16 +32,75 @@ LIKE = 1e-3
 def read_dropped_pattern(name: str, content: str, unit: str, weld: object) -> DroppedTarget:
     """The table of a drawn sheet in the file of a crease pattern, and notes on how it was read.
 
-    The content is in base64. Raises InputError if it holds no grid of panels; with ``changes`` to
-    ``weld`` where that helps.
+    The content is in base64. Raises InputError if it is no such file, and RefusalError, which has
+    the drawing, if it holds no grid of panels; with changes to ``weld`` where that helps.
     """
     if weld is not None and (isinstance(weld, bool) or not isinstance(weld, int | float)):
         raise InputError("weld is no number above 0", got=repr(weld)[:40])
-    with dropped_file(name, content, ENDINGS, "a crease pattern") as path:
-        drawing, own = read_drawing(path, None, weld)
+    refused: RefusedDrawing | None = None
+    try:
+        with dropped_file(name, content, ENDINGS, "a crease pattern") as path:
+            try:
+                drawing, own = read_drawing(path, None, weld)
+            except InputError as error:
+                refused = _refused_file(path, weld, error)
+                raise
+    except InputError as error:
+        if refused is None:
+            raise
+        raise RefusalError({**describe_error(error), "drawing": refused}) from None
     table = table_of(drawing) | ({} if own is None else {"unit": own})
     said = (f"read from {name}, in {own or unit}", *drawing.notes)
     return {"table": table, "note": "; ".join(said)}
+
+
+def looks_like_pattern(name: str, content: str) -> bool:
+    """Whether a file draws mountains, valleys and a border: then it is no curve.
+
+    The content is in base64.
+    """
+    try:
+        with dropped_file(name, content, ENDINGS, "a crease pattern") as path:
+            lines = read_lines(path)
+    except InputError:
+        return False
+    return lines is None or {"M", "V", "B"} <= {*lines.letters.tolist()}
+
+
+def refused_sheet(drawing: Drawing) -> RefusedDrawing | None:
+    """A drawn sheet that does not fold, and where."""
+    return _shown(drawing.pattern, find_faults(drawing))
+
+
+def _refused_file(path: Path, weld: float | None, error: InputError) -> RefusedDrawing | None:
+    """What is drawn in a file that holds no grid, and where it is wrong; None if nothing is."""
+    try:
+        found = read_pattern(path, weld=weld).flat
+    except InputError:
+        found = None
+    if found is not None:
+        return _shown(found, tuple(find_irregular(found)))
+    try:
+        lines = read_lines(path)
+    except InputError:
+        return None
+    if lines is None:
+        return None
+    marks = error.marks if isinstance(error, GapError) else ()
+    return _drawn(lines.ends, "".join(lines.letters.tolist()), marks)
+
+
+def _shown(pattern: CreasePattern, marks: tuple[Mark, ...]) -> RefusedDrawing | None:
+    ends = pattern.vertices[pattern.edges]
+    return _drawn(ends, "".join(pattern.letters.tolist()), marks)
+
+
+def _drawn(ends: Array, letters: str, marks: tuple[Mark, ...]) -> RefusedDrawing | None:
+    """Lines (N, 2, 2) with their letters; None of more than a page draws."""
+    if not 0 < len(ends) <= MOST_LINES:
+        return None
+    lines = [(a, b, c, d) for (a, b), (c, d) in ends.tolist()]
+    return {"lines": lines, "letters": letters, "marks": as_table(marks[:MOST_MARKS])}
 
 
 def describe_drawing(drawing: Drawing, unit: str) -> tuple[Row, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import contextlib
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -27,7 +27,7 @@ from orishell.shell.carry import find_carrying
 from orishell.shell.designed import design_of
 from orishell.shell.family_choice import FamilyTrial
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.note_remedies import Mend, find_mends
+from orishell.shell.note_remedies import find_mend, find_mendable
 from orishell.shell.open_questions import compare_families
 from orishell.shell.pictures import lay_surface
 from orishell.shell.steps import STEPS
@@ -35,20 +35,28 @@ from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
     Booklet,
+    DrawingLook,
     DrawnSheetFacts,
     DrawnSurface,
     DroppedCurve,
     DroppedTarget,
     Fault,
+    Mended,
     Parsed,
     Ranges,
+    Refusal,
     SearchState,
     Sheets,
     Tables,
     Verified,
     Written,
 )
-from orishell.studio.drawings import describe_drawing, read_dropped_pattern
+from orishell.studio.drawings import (
+    describe_drawing,
+    looks_like_pattern,
+    read_dropped_pattern,
+    refused_sheet,
+)
 from orishell.studio.dropped import read_dropped, sampled
 from orishell.studio.exports import export_shell, preview_booklet, require_exported
 from orishell.studio.pages import design_name
@@ -127,7 +135,11 @@ class Task:
             shown = file.changed({"motion.frames": states})
             shell = make_shell(shown, progress, clash="unexamined", skip=STEPS)
         except OrishellError as error:
-            raise RefusalError({**describe_error(error), "curves": curves}) from None
+            body: Refusal = {**describe_error(error), "curves": curves}
+            drawing = None if file.drawing is None else refused_sheet(file.drawing)
+            if drawing is not None:
+                body["drawing"] = drawing
+            raise RefusalError(body) from None
         document = lay_surface(shell.document, shell.design, measured=False)
         return dump_view(document, curves)
 
@@ -149,11 +161,17 @@ class Task:
             told = partial(tell, refusal=refusal)
             shell = make_shell(file, self.progress, clash="allowed", told=told)
         LATEST.keep(self._key(), shell)
-        tell(shell, refusal)
-        mends: Sequence[Mend] = ()
-        if refusal is None:
-            mends = find_mends(file, shell.report.warnings, self.progress, shell.analysis)
-        return {**self._verified(file, shell, refusal), "mends": as_table(mends)}
+        return self._verified(file, shell, refusal)
+
+    def mend(self) -> Mended:
+        """A change of a design that does what its notes on a matter say, tried."""
+        file, about = self._design(), str(self.payload.get("about"))
+        shell, patient = LATEST.find(self._key()), bool(self.payload.get("patient"))
+        report = None if shell is None else shell.report
+        remedy = find_mend(file, about, self.progress, report, patient=patient)
+        if remedy is None:
+            return {"mend": None}
+        return {"mend": {"text": str(remedy), "changes": dict(remedy.changes)}}
 
     def _verified(self, file: DesignFile, shell: Shell, refusal: Fault | None) -> Verified:
         """What pages are told of a shell; ``refusal`` says why its design is refused."""
@@ -165,12 +183,14 @@ class Task:
         met = file.deployment.start == "pack" and shell.lock.cause in {"clash", "unproved"}
         built = document.boards is not None or document.loaded is not None
         other = file.pattern.flap == "auto" or met or built
+        notes = () if refusal is not None else shell.report.warnings
+        mendable = find_mendable(file, notes, shell.analysis)
         return {
             "report": as_table(shell.report),
             "contact": document.contact,
             "distance": _text(distances.astype("<f4").tobytes()),
             "refusal": refusal,
-            "mends": [],
+            "mendable": as_table(mendable),
             "sizes": measure_sizes(shell, head_of(file)),
             "view": _text(dump_view(document)) if other else None,
         }
@@ -215,6 +235,11 @@ class Task:
     def read_pattern(self) -> DroppedTarget:
         """The table of a drawn sheet in the file of a pattern that was dropped onto the page."""
         return read_dropped_pattern(*self._dropped(), self.payload.get("weld"))
+
+    def look_at_drawing(self) -> DrawingLook:
+        """Whether a drawing that was dropped onto the page is a crease pattern by its looks."""
+        name, content, _ = self._dropped()
+        return {"pattern": looks_like_pattern(name, content)}
 
     def describe_drawing(self) -> DrawnSheetFacts:
         """What is known of a drawn sheet, before a shell is made of it."""
@@ -339,7 +364,9 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "mesh": Task.read_mesh,
     "pattern": Task.read_pattern,
     "drawing": Task.describe_drawing,
+    "look": Task.look_at_drawing,
     "verify": Task.verify,
+    "mend": Task.mend,
     "ranges": Task.find_ranges,
     "parse": Task.parse,
     "format": Task.format,

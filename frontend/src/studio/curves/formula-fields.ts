@@ -2,7 +2,7 @@
 
 import { segmented } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
-import { TypedLines, bound, put, shown } from "../parts/typed.ts";
+import { TypedLines, boundAfter, put, shown } from "../parts/typed.ts";
 import type { CurveName, CurveTable } from "../state/types.ts";
 
 type Form = "single" | "pair";
@@ -87,8 +87,9 @@ export class FormulaFields {
   }
 
   private publish(gesture: string): void {
-    const low = bound(this.low.value);
-    const high = bound(this.high.value);
+    const [from, to] = this.table.range ?? [0, 1];
+    const low = boundAfter(this.low.value, from);
+    const high = boundAfter(this.high.value, to);
     if (low === "" || high === "") return;
     const formula: CurveTable["formula"] = this.xLine.hidden
       ? this.y.value

@@ -15,6 +15,7 @@ export interface DropEvents {
   curve(name: CurveName, file: File): void;
   surface(file: File): void;
   pattern(file: File): void;
+  looksLikePattern(file: File): Promise<boolean>;
   /** Said of a file that is none of these. */
   refused(words: string): void;
 }
@@ -66,17 +67,19 @@ export class Drop {
       const file = event.dataTransfer?.files[0];
       if (!file) return;
       event.preventDefault();
-      this.take(file);
+      void this.take(file);
     });
   }
 
-  private take(file: File): void {
+  private async take(file: File): Promise<void> {
     if (/\.toml$/i.test(file.name)) return this.events.design(file);
     if (MESH.test(file.name)) return this.events.surface(file);
     if (PATTERN.test(file.name)) return this.events.pattern(file);
     if (!DRAWING.test(file.name)) {
       return this.events.refused(`${file.name} is no design file (TOML), drawing (CSV, SVG, DXF), crease pattern (FOLD) or mesh (OBJ, STL, PLY, glTF)`);
     }
+    // Red, blue and black lines are no curve.
+    if (EITHER.test(file.name) && (await this.events.looksLikePattern(file))) return this.events.pattern(file);
     this.file = file;
     this.question.textContent = `What is ${file.name}?`;
     this.pattern.hidden = !EITHER.test(file.name);

@@ -1,9 +1,10 @@
 // Design files: open, save, examples.
 
-import { formatDesign, parseDesign } from "../server/api.ts";
+import { exportDesign, formatDesign, parseDesign } from "../server/api.ts";
 import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
+import { settled } from "../state/sizing.ts";
 import { ofFile } from "../state/stale.ts";
 import { hasEnding } from "../parts/file-target.ts";
 import type { Store } from "../state/store.ts";
@@ -50,6 +51,29 @@ export class Files {
       });
       download(new Blob([text], { type: "application/toml" }), `${named.name}.toml`);
       this.store.save(named);
+    });
+  }
+
+  /** Hand over the shell in one file, which folds in any browser; nobody needs the studio for it. */
+  async share(): Promise<void> {
+    const { store } = this;
+    if (store.freshness.value !== "current") return store.said.set("There is no shell to share yet");
+    store.said.set("Writing the shell into one file\u2026");
+    await this.guarded(async () => {
+      const design = settled(store.info, store.design.value, store.report.value);
+      const { name, blob } = await exportDesign(design, "html", "target", store.name.value).catch((error: unknown) => {
+        store.said.set("");
+        throw error;
+      });
+      const file = new File([blob], name, { type: "text/html" });
+      // Phones hand it to a message; where that is not possible, or not wanted, it is a file.
+      if (matchMedia("(pointer: coarse)").matches && navigator.canShare?.({ files: [file] })) {
+        store.said.set("");
+        await navigator.share({ files: [file], title: store.name.value }).catch(() => undefined);
+        return;
+      }
+      download(blob, name);
+      store.said.set(`${name}: the shell in one file, which folds in any browser`);
     });
   }
 

@@ -8,6 +8,9 @@ import type { Store } from "../state/store.ts";
 import type { Parameter, Value } from "../state/types.ts";
 import { isIdle } from "./workshop-words.ts";
 
+/** Settings that stand behind a word. */
+const SELDOM = /hinge|^tie_|_price$/;
+
 type Show = (value: Value | null) => void;
 interface Control {
   element: HTMLElement;
@@ -18,11 +21,13 @@ export class WorkshopSettings {
   readonly element: HTMLElement;
   private readonly rows: { parameter: Parameter; element: HTMLElement; show: Show }[];
   private keys: readonly string[] = [];
+  /** What is not asked of everybody. */
+  private readonly seldom = h("details", { class: "workshop-seldom", "data-testid": "workshop-seldom" }, h("summary", {}, "Hinges, ties and prices"));
   private readonly units: [HTMLElement, Parameter][] = [];
 
   constructor(private readonly store: Store) {
     this.rows = store.info.workshop.map((parameter) => this.row(parameter));
-    this.element = h("div", { class: "workshop-settings", role: "group", "aria-label": "Workshop" }, ...this.rows.map(({ element }) => element));
+    this.element = h("div", { class: "workshop-settings", role: "group", "aria-label": "Workshop" }, ...this.rows.map(({ element }) => element), this.seldom);
     store.design.bind(() => this.show());
   }
 
@@ -31,7 +36,9 @@ export class WorkshopSettings {
     // What is put in anew loses the focus.
     if (keys === this.keys) return;
     this.keys = keys;
-    this.element.append(...keys.map((key) => this.rows.find(({ parameter }) => parameter.key === key)!.element));
+    const row = (key: string): HTMLElement => this.rows.find(({ parameter }) => parameter.key === key)!.element;
+    this.element.append(...keys.filter((key) => !SELDOM.test(key)).map(row), this.seldom);
+    this.seldom.append(...keys.filter((key) => SELDOM.test(key)).map(row));
     this.show();
   }
 
@@ -140,6 +147,7 @@ export class WorkshopSettings {
       show(this.value(parameter.key));
       element.hidden = !this.keys.includes(parameter.key) || isIdle(parameter.key, (key) => this.value(key));
     }
+    this.seldom.hidden = this.rows.every(({ element }) => element.hidden || !this.seldom.contains(element));
     const { unit } = this.store.design.value.shell;
     for (const [element, parameter] of this.units) {
       element.textContent = parameter.unit === "length" ? unit : parameter.unit;

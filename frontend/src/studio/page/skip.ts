@@ -6,6 +6,7 @@ import { h } from "../parts/dom.ts";
 const PLACES: [words: string, selector: string][] = [
   ["To the shell", ".scene canvas"],
   ["To the curves", "[data-testid=curve-f]"],
+  ["To the loads", ".structure > button:not([hidden]), .structure select"],
   ["To the figures", ".figures-frame"],
 ];
 

@@ -12,6 +12,7 @@ export interface ToolbarEvents {
   open(): void;
   save(): void;
   link(): void;
+  share(): void;
   help(): void;
   examples(): void;
 }
@@ -47,12 +48,13 @@ export class Toolbar {
         button({ label: "New design, to be drawn", icon: "blank", text: "New", testid: "new", act: events.blank }),
         button({ label: "Open a design file, or a crease pattern", icon: "open", text: "Open", keys: "Ctrl+O", testid: "open", act: events.open }),
         button({ label: "Save the design file", icon: "save", text: "Save", keys: "Ctrl+S", testid: "save", act: events.save }),
-        button({ label: "Copy link, which holds the whole design", icon: "link", text: "Copy link", class: QUIET, testid: "link", act: events.link }),
+        button({ label: "Copy link, which holds the whole design; it opens where this studio runs", icon: "link", text: "Copy link", class: QUIET, testid: "link", act: events.link }),
         this.units(),
         h("span", { class: "spacer" }),
         this.themeButton(),
         button({ label: "Help: a short tour, keys and gestures", icon: "help", text: "Help", class: QUIET, keys: "?", testid: "help", act: events.help }),
       ),
+      button({ label: "Share: the shell to turn and fold in one file, for any browser", icon: "share", text: "Share", testid: "share", act: events.share }),
       exportMenu,
       this.more,
     );

@@ -95,6 +95,11 @@ export async function readPattern(file: File, unit: string, asked: Record<string
   return json("pattern", { ...asked, name: file.name, content: await base64(file), unit });
 }
 
+/** Whether the lines of a drawing are those of a crease pattern: mountains, valleys and a border. */
+export async function looksLikePattern(file: File): Promise<boolean> {
+  return (await json<Api.DrawingLook>("look", { name: file.name, content: await base64(file), unit: "m" })).pattern;
+}
+
 /** What is known of the drawn sheet of a design. */
 export function describeDrawing(design: Design): Promise<Api.DrawnSheetFacts> {
   return json("drawing", { design });
@@ -139,6 +144,12 @@ export type Progressed = (share: number, what: string) => void;
  * `patient`: it may take as long as a search. */
 export function verify(design: Design, signal: AbortSignal, progressed: Progressed, found?: (known: Verified) => void, patient = false): Promise<Verified> {
   return streamed("verify", { design, patient }, signal, progressed, found);
+}
+
+/** A change of a design that does what its notes on a matter say, tried; null if none does. Aborting stops the trials.
+ * `patient`: they may take as long as a search. */
+export async function findMend(design: Design, about: string, signal: AbortSignal, progressed: Progressed, patient = false): Promise<Api.Remedy | null> {
+  return (await streamed<Api.Mended>("mend", { design, about, patient }, signal, progressed)).mend;
 }
 
 /** What fewer panels cost, and how near a sheet of the size given comes; aborting stops the search. */

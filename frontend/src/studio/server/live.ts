@@ -255,6 +255,7 @@ export class Live {
     store.freshness.set("outdated");
     if (error instanceof ServerFault && error.curves) store.curves.set(error.curves);
     const fault = faultOf(error);
+    store.refused.set(error instanceof ServerFault ? error.drawing : null);
     store.fault.set(fault);
     // What would be admissible is worth knowing just then.
     if (fault.kind === "design") this.restLater(null);
@@ -381,8 +382,8 @@ export class Live {
       if (signal.aborted) return;
       await this.show(result);
       if (signal.aborted) return;
-      const { refusal, sizes, mends } = result;
-      store.proof.set({ state: "done", sizes, mends, refusal: refusal && { ...refusal, searching: false } });
+      const { refusal, sizes, mendable } = result;
+      store.proof.set({ state: "done", sizes, mendable, refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
       const fault = faultOf(error);

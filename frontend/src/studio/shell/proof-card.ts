@@ -7,6 +7,7 @@ import { h, keepFocus } from "../parts/dom.ts";
 import { wordsOfRemedies } from "../state/faults.ts";
 import { changeButton, remedyButton } from "../parts/remedy-button.ts";
 import { isFound, type Proof, type Store } from "../state/store.ts";
+import { NoteMends } from "./note-mends.ts";
 import type { Fault } from "../state/types.ts";
 
 export class ProofCard {
@@ -16,6 +17,7 @@ export class ProofCard {
   private readonly refusal = h("div", { class: "proof-refusal", "data-testid": "refusal", hidden: true });
   private readonly bar = h("progress", { max: 1, "aria-label": "Verification" });
   private readonly verdict: Verdict;
+  private readonly mends: NoteMends;
 
   constructor(
     private readonly store: Store,
@@ -23,10 +25,14 @@ export class ProofCard {
     private readonly again: () => void,
   ) {
     const { labels } = store;
+    this.mends = new NoteMends(store);
     this.verdict = new Verdict(
       (text) => labels.said(text),
-      ({ changes, text }) => (Object.keys(changes).length ? changeButton(store, changes, { text }) : null),
+      ({ changes }) => (Object.keys(changes).length ? changeButton(store, changes) : null),
+      (note) => this.mends.beside(note),
     );
+    // "toggle" does not bubble.
+    this.verdict.element.addEventListener("toggle", ({ target }) => this.opened(target as HTMLDetailsElement), { capture: true });
     this.element = h(
       "section",
       { class: "proof", "data-testid": "verify-status", "aria-labelledby": "verdict-title" },
@@ -49,12 +55,17 @@ export class ProofCard {
     this.element.dataset["tone"] = tone ?? "quiet";
     this.mark.replaceChildren(...(tone ? [signOf(tone)] : []));
     keepFocus(() => {
-      this.verdict.show(proof.state === "failed" ? null : report, this.missing(proof), isFound(proof), proof.state === "done" ? proof.mends : []);
+      this.verdict.show(proof.state === "failed" ? null : report, this.missing(proof), isFound(proof));
       this.refuse(proof.state === "done" ? proof.refusal : proof.state === "failed" ? proof.fault : null);
     });
     this.bar.hidden = proof.state !== "running";
     if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
     else this.bar.removeAttribute("value");
+  }
+
+  /** Of notes that are read it is looked for what mends them. */
+  private opened(row: HTMLDetailsElement): void {
+    if (row.open && row.closest("[data-row=notes]")) this.mends.look();
   }
 
   /** What is said of rows that are not known. */

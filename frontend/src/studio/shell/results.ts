@@ -9,6 +9,7 @@ import { button } from "../parts/controls.ts";
 import { h, keepFocus, scrolledByKeys } from "../parts/dom.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
+import { refusedSheet } from "../surface/refused-drawing.ts";
 
 export class Results {
   readonly element: HTMLElement;
@@ -42,6 +43,7 @@ export class Results {
       this.said,
     );
     this.pattern = new Pattern2D(sheet, { label: "Crease pattern" });
+    sheet.append(refusedSheet(store));
     store.view.bind((view) => (this.element.dataset["empty"] = String(!view)));
     store.freshness.bind((freshness) => (this.element.dataset["freshness"] = freshness));
     store.proof.watch((proof) => {

@@ -1,6 +1,6 @@
 // Errors of the server: what they say, which control they are about, and what would mend them.
 
-import type { Refusal } from "../../shared/api-types.ts";
+import type { Refusal, RefusedDrawing } from "../../shared/api-types.ts";
 import type { CurveName, Curves, Fault, Remedy } from "./types.ts";
 
 /** An answer that is not what was asked for. */
@@ -9,14 +9,15 @@ export class ServerFault extends Error {
     readonly fault: Fault,
     /** Of a design that is refused, what can be drawn all the same. */
     readonly curves: Curves | null = null,
+    readonly drawing: RefusedDrawing | null = null,
   ) {
     super(fault.message);
   }
 }
 
 /** What the server refuses. */
-export function refusalOf({ error, curves }: Refusal): ServerFault {
-  return new ServerFault({ ...error, searching: false }, curves ?? null);
+export function refusalOf({ error, curves, drawing }: Refusal): ServerFault {
+  return new ServerFault({ ...error, searching: false }, curves ?? null, drawing ?? null);
 }
 
 /** What the page finds wrong itself. */

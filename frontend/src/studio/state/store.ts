@@ -1,6 +1,6 @@
 // The state of the studio: the design with its history, and what is known of it.
 
-import type { BuiltSizes, FamilyTrial, Mend } from "../../shared/api-types.ts";
+import type { BuiltSizes, FamilyTrial, Mendable, RefusedDrawing } from "../../shared/api-types.ts";
 import type { View } from "../../shared/view.ts";
 import type { DrawnSurface } from "../surface/drawn-surface.ts";
 import { Left } from "./aims.ts";
@@ -18,7 +18,7 @@ export type Proof =
   /** `found`: whether the report has what was proved so far. */
   | { state: "running"; share: number; what: string; found: boolean }
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
-  | { state: "done"; refusal: Fault | null; sizes: BuiltSizes; mends: readonly Mend[] }
+  | { state: "done"; refusal: Fault | null; sizes: BuiltSizes; mendable: readonly Mendable[] }
   | { state: "failed"; fault: Fault }
   /** Its time was over: `what` was being done; `found` as above. */
   | { state: "late"; fault: Fault; what: string; found: boolean }
@@ -47,6 +47,8 @@ export class Store {
   readonly curves = new Signal<Curves | null>(null);
   readonly ranges = new Signal<Ranges>({});
   readonly fault = new Signal<Fault | null>(null);
+  /** The drawn sheet that the fault is of. */
+  readonly refused = new Signal<RefusedDrawing | null>(null);
   readonly proof = new Signal<Proof>({ state: "none" });
   readonly freshness = new Signal<Freshness>("computing");
   /** The target surface as it is drawn, and the table that it was drawn of. */
@@ -85,6 +87,7 @@ export class Store {
     this.name = new Signal(first.name);
     this.left = new Left(this.design);
     this.labels = new Labels(info.families, info.tables, () => this.design.value.shell);
+    this.fault.watch((fault) => void (fault || this.refused.set(null)));
   }
 
   get named(): Work {

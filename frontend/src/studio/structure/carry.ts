@@ -56,8 +56,11 @@ export class CarryCard {
     this.found = [];
     this.table.replaceChildren();
     this.say([]);
+    const held = document.activeElement === this.go;
     this.show("running");
     this.work.begin("analysing the file");
+    // The button that had the focus is gone: what came in its place has it.
+    if (held) this.work.element.querySelector("button")?.focus();
     try {
       const found = await makeItCarry(
         design.value,
@@ -80,6 +83,7 @@ export class CarryCard {
 
   private tell({ carries, found, tried, near, ended }: CarrySearch): void {
     const { labels } = this.store;
+    const held = this.work.element.contains(document.activeElement);
     const head = h("thead", {}, h("tr", {}, ...FIGURES.map(([name, title]) => h("th", { scope: "col", title }, name))));
     if (found.length) this.table.replaceChildren(head, ...found.map((each, number) => this.rows(each, number)));
     const none = carries ? "It carries as it is: nothing is to be changed." : `No design was found that carries. ${near ? `Nearest came ${labels.said(near)}.` : ""}`;
@@ -87,6 +91,7 @@ export class CarryCard {
     this.say(tried);
     this.found = found;
     this.show("found", ended && !found.length ? `${words} More would have taken too long.` : words);
+    if (held) this.table.querySelector("button")?.focus();
   }
 
   /** A design: what is changed over its numbers. */

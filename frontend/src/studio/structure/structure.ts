@@ -12,7 +12,7 @@ import { isFound, type Store } from "../state/store.ts";
 import { CarryCard } from "./carry.ts";
 import { RailControls } from "./rail.ts";
 import { box, choice, named, row } from "./rows.ts";
-import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
+import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, underSnowAndWind, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
 
 const NONE = "", OWN = "own";
 const FREE = "free", RIGID = "rigid", BOTH = "both";
@@ -31,6 +31,8 @@ export class StructureControls {
   private readonly roof: HTMLSelectElement;
   private readonly terrain: HTMLSelectElement;
   private readonly rows: Record<"thickness" | "friction" | "ballast" | "grain" | "roof" | "terrain" | "direction", HTMLElement>;
+  /** The first step, from a shell without loads. */
+  private readonly begin: HTMLButtonElement;
   private readonly rest: HTMLElement;
   private readonly listed = h("p", { class: "note" });
   private readonly work: WorkBar;
@@ -82,6 +84,8 @@ export class StructureControls {
       terrain: row("terrain", wind["terrain"]!, this.terrain),
       direction: row("direction", wind["direction_deg"]!, this.boxes.direction, "\u00b0"),
     };
+    const text = "Does it carry snow and wind?";
+    this.begin = button({ label: text, text, class: "button primary", testid: "structure-begin", act: () => this.beginLoads() });
     this.work = new WorkBar("Analysis", act.stop, "structure-work");
     this.again = button({ label: "Analyse", text: "Analyse", testid: "structure-again", act: act.again });
     this.rest = h(
@@ -114,6 +118,7 @@ export class StructureControls {
       "section",
       { class: "structure", "aria-labelledby": "structure-title" },
       h("h2", { id: "structure-title" }, info.tables["structure"]!.label),
+      this.begin,
       row("material", material!, this.material),
       this.rest,
     );
@@ -123,6 +128,13 @@ export class StructureControls {
 
   private change(changes: Changes, what: string, gesture = ""): void {
     this.store.set(changes, what, gesture);
+  }
+
+  /** With loads that are changed where they stand. */
+  private beginLoads(): void {
+    const { design, info } = this.store;
+    this.change(underSnowAndWind(design.value, info.materials), "snow and wind");
+    this.boxes.snow.focus();
   }
 
   private load(load: Load, key: string, value: unknown): void {
@@ -137,6 +149,7 @@ export class StructureControls {
   private show(): void {
     const design = this.store.design.value;
     const table = structureOf(design), support = supportOf(design), cases = casesOf(design);
+    this.begin.hidden = Boolean(table);
     this.rest.hidden = !table;
     const { material, thickness, combinations = "none", crease_stiffness: creases } = table ?? {};
     this.material.value = !table ? NONE : String(material ?? OWN);

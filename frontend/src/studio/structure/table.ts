@@ -16,6 +16,8 @@ const THICKNESS = 15;
 const FRICTION = 0.5;
 /** A new base rail: a hollow section (mm). */
 const RAIL = { width: 60, height: 60, wall: 3 };
+/** Snow on the ground (kN/m2) and wind (m/s) of many places in lowlands. */
+const SNOW = 1, WIND = 25;
 /** Where a new wind blows. */
 const OPEN = { terrain: "II", direction_deg: 0 };
 const NAMES: Record<Load, string> = { self_weight: "own weight", snow: "snow", wind: "wind", person: "person" };
@@ -70,6 +72,16 @@ export function withMaterial(design: Design, material: string | null, materials:
     structure: { material, ...thickness, supports: [{ at: "feet", kind: "pinned" }] },
     load_case: casesOf(design).length ? design.load_case : [{ name: NAMES.self_weight, self_weight: true }],
   };
+}
+
+/** The material that is sold for it first, and loads as there are in many places: to be set to those of one's own. */
+export function underSnowAndWind(design: Design, materials: readonly MaterialFacts[]): Changes {
+  const loads: Table[] = [
+    { name: NAMES.self_weight, self_weight: true },
+    { name: NAMES.snow, snow: { ground: SNOW * kilonewtons(design) }, self_weight: true },
+    { name: NAMES.wind, wind: { speed: WIND, ...OPEN }, self_weight: true },
+  ];
+  return { ...withMaterial(design, materials[0]!.name, materials), load_case: loads };
 }
 
 /** The one support of all feet or ends; null where the file lists others. */

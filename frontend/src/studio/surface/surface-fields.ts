@@ -1,8 +1,8 @@
 // A surface by its formulas: z(x, y), or x, y and z of u and v, and the ranges of both variables.
 
 import { h } from "../parts/dom.ts";
-import { TypedLines, bound, put, shown } from "../parts/typed.ts";
-import type { Ends, SurfaceTable } from "../state/types.ts";
+import { TypedLines, boundAfter, put, shown } from "../parts/typed.ts";
+import type { Bound, Ends, SurfaceTable } from "../state/types.ts";
 
 const FORMS = {
   height: { formulas: ["z(x, y)"], variables: ["x", "y"] },
@@ -87,7 +87,8 @@ class Form {
   }
 
   private publish(gesture: string): void {
-    const ends = this.ends.map((input) => bound(input.value));
+    const before = FORMS[this.form].variables.flatMap((name): Bound[] => this.table[name] ?? [0, 1]);
+    const ends = this.ends.map((input, k) => boundAfter(input.value, before[k]!));
     if (ends.includes("")) return;
     const formulas = this.formulas.map((input) => input.value);
     const [first, second] = FORMS[this.form].variables;

@@ -5,6 +5,8 @@ Not in the paper: docs/theory/vertex.md.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from orishell.conventions.errors import DesignError
@@ -15,6 +17,8 @@ from orishell.families.drawn.vertex import Vertices
 from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array, Booleans
 
+ONE_OF_FOUR = "three creases of a vertex must have one sign and the fourth the other"
+TOGETHER = "mountains and valleys at a vertex cannot fold together"
 SURE = 1e-6
 """A sine of a sector or an angle is not 0 if it is larger: then it says which way creases fold."""
 
@@ -58,14 +62,10 @@ def find_cross(flat: Array, signs: CreaseValues) -> Cross:
     Raises DesignError if they cannot fold.
     """
     row, column = _whole_lines(signs.row, "row"), _whole_lines(signs.column.T, "column")
-    mode = _modes(row, column)
+    mode, amiss = _modes(row, column)
+    _require(~amiss, ONE_OF_FOUR)
     vertices = Vertices.of(flat, mode[..., None])
-    first = mode > 0
-    own = np.where(first, column[:, :-1].T, row[:, :-1])
-    seen = np.where(first, row[:, :-1], column[:, :-1].T)
-    factor = np.where(first, vertices.A[..., 0], vertices.C[..., 0])
-    wrong = (own * seen * factor > 0) & (np.abs(factor) > SURE)
-    _require(~wrong, "mountains and valleys at a vertex cannot fold together")
+    _require(~_opposed(vertices, mode, row, column), TOGETHER)
     return Cross(
         vertices,
         proportions(vertices.beyond_row, row[..., None]),
@@ -85,18 +85,40 @@ def _whole_lines(signs: Array, name: str) -> Array:
     return signs
 
 
-def _modes(row: Array, column: Array) -> Array:
+def vertices_amiss(flat: Array, signs: CreaseValues) -> Iterator[tuple[str, Booleans]]:
+    """At which vertices (R, C) mountains and valleys cannot be as they are, by what is wrong.
+
+    Parameters
+    ----------
+    flat
+        The flat sheet (2, rows, columns, 1).
+    signs
+        Of its creases, NaN where nothing is said: such vertices are in no list.
+    """
+    row, column = signs.row, signs.column.T
+    mode, amiss = _modes(row, column)
+    yield ONE_OF_FOUR, amiss
+    yield TOGETHER, ~amiss & _opposed(Vertices.of(flat, mode[..., None]), mode, row, column)
+
+
+def _modes(row: Array, column: Array) -> tuple[Array, Booleans]:
     """Modes (R, C) of vertices: 1 where row creases have one sign, -1 where column creases have.
 
-    Refused where both pairs have, or neither.
+    And where both pairs have, or neither: none of these is right there.
     """
     alike, across = row[:, :-1] * row[:, 1:], (column[:, :-1] * column[:, 1:]).T
     flat = (alike == 0) & (across == 0)
-    _require(
-        flat | ((alike > 0) != (across > 0)),
-        "three creases of a vertex must have one sign and the fourth the other",
-    )
-    return np.where(across > 0, -1.0, 1.0)
+    known = ~(np.isnan(alike) | np.isnan(across))
+    return np.where(across > 0, -1.0, 1.0), known & ~flat & ((alike > 0) == (across > 0))
+
+
+def _opposed(vertices: Vertices, mode: Array, row: Array, column: Array) -> Booleans:
+    """Where creases (R, C) that have one sign, and what they take with them, have the wrong one."""
+    first = mode > 0
+    own = np.where(first, column[:, :-1].T, row[:, :-1])
+    seen = np.where(first, row[:, :-1], column[:, :-1].T)
+    factor = np.where(first, vertices.A[..., 0], vertices.C[..., 0])
+    return np.asarray((own * seen * factor > 0) & (np.abs(factor) > SURE))
 
 
 def _require(holds: Booleans, condition: str) -> None:

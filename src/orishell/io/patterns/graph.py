@@ -11,6 +11,7 @@ from orishell.conventions.record import record
 from orishell.io.patterns.crossings import Split
 from orishell.io.patterns.lines import Lines
 from orishell.io.patterns.rings import find_rings
+from orishell.motion.crease_pattern import Mark
 from orishell.motion.panel_sides import pair_keys
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.components import find_components
@@ -26,6 +27,7 @@ class GapError(InputError):
     """Lines that do not meet; they might with a larger tolerance."""
 
     gap: float = np.inf  # the tolerance with which they might
+    marks: tuple[Mark, ...] = ()  # where, as far as that is known
 
 
 @record
@@ -103,6 +105,9 @@ def _contradiction(split: Split, lines: Lines, edge: Integers, both: Booleans) -
         remedy="remove one of them",
     )
     error.gap = float(lengths[longest])
+    first = np.unique(edge[which], return_index=True)[1]
+    places = split.points[split.pairs[which[first]]].mean(axis=1)
+    error.marks = tuple(Mark(x, y, "a mountain and a valley") for x, y in places.tolist())
     return error
 
 
@@ -209,6 +214,10 @@ def _gap(graph: Graph, lines: Lines) -> GapError:
         else "draw on to the next line, or the rest of the border, or remove what ends there",
     )
     error.gap = float(gaps.max())
+    error.marks = tuple(
+        Mark(x, y, f"ends {gap:.3g} from the next line" if np.isfinite(gap) else "ends alone")
+        for (x, y), gap in zip(ends.tolist(), gaps.tolist(), strict=True)
+    )
     return error
 
 

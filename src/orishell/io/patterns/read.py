@@ -96,18 +96,33 @@ def _read(path: Path, unit: str | None, weld: float | None) -> ReadPattern:
         return read_fold_pattern(path, read_frames(path), weld)
     if ending == ".obj":
         return read_fold_pattern(path, read_obj_frames(path), weld)
-    if ending == ".svg":
-        lines, stated, notes = read_svg_lines(path, whole=unit is not None)
-    elif ending == ".cp":
-        stated, (lines, notes) = "unit", read_cp_lines(path)
-    else:
-        lines, known, notes = read_dxf_lines(path)
-        stated, size = known or ("unit", 1.0)
-        if stated not in MILLIMETRES and known and unit is None:
-            lines, stated = replace(lines, ends=size * lines.ends), "mm"
+    lines, stated, notes = _lines(path, ending, unit)
     if unit is None and stated == "unit":
         notes.append("the drawing states no unit of length")
     return _drawn(path, lines, weld, stated, notes)
+
+
+def read_lines(path: Path) -> Lines | None:
+    """The lines of a drawing, whether or not they make a pattern; None of files that list panels.
+
+    Raises InputError: If the file is no drawing.
+    """
+    ending = _require_kind(path)
+    return None if ending in (".fold", ".obj") else _lines(path, ending, None)[0]
+
+
+def _lines(path: Path, ending: str, unit: str | None) -> tuple[Lines, str, list[str]]:
+    """The lines of a drawing, the unit that it states or "unit", and notes."""
+    if ending == ".svg":
+        return read_svg_lines(path, whole=unit is not None)
+    if ending == ".cp":
+        lines, notes = read_cp_lines(path)
+        return lines, "unit", notes
+    lines, known, notes = read_dxf_lines(path)
+    stated, size = known or ("unit", 1.0)
+    if stated not in MILLIMETRES and known and unit is None:
+        lines, stated = replace(lines, ends=size * lines.ends), "mm"
+    return lines, stated, notes
 
 
 def _drawn(

@@ -145,9 +145,11 @@ def _fitted(document: Document, kinds: set[str], state: int | str) -> Iterator[S
         drilled = [len(part.holes) for part in mine if part.holes is not None]
         values["brackets"] = plain(sum(drilled))
         name, check = CLIPPED.get(kind, (f"{'bolt' if drilled else 'fit'}_{kind}", ""))
-        yield Step(name, values, state, check=check)
+        yield Step(name, values, state, check=check, more=("placed",) * (kind in PLACED))
 
 
+PLACED = ("flap", "gusset", "plate")
+"""Kinds of parts whose way to their place nobody has looked at."""
 CLIPPED = {"flap": ("clip", "all_shut")}
 """Step and check of parts that are clipped on; of others the step is that to fit them."""
 

@@ -1,0 +1,211 @@
+"""Changes of a design that may do what a note of its report says, by what that is about."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
+from typing import Any
+
+from orishell.conventions.errors import Remedy
+from orishell.conventions.formatting import rounded
+from orishell.conventions.progress import Progress
+from orishell.conventions.quantities import MILLIMETRES, conversion, plain, size
+from orishell.conventions.row import About
+from orishell.design_file import DesignFile
+from orishell.design_file.tables import value_at
+from orishell.shell.cutting import UP
+from orishell.shell.designed import on_membrane
+from orishell.shell.make import make_shell
+from orishell.shell.report import Report
+from orishell.shell.steps import Step
+from orishell.structure.refine import LADDER
+
+BOARDS = ((2.5, 1.25), (3.05, 1.525))
+"""Sizes in which plywood is commonly sold (metres), the usual one first."""
+MORE_ROWS = (1.25, 1.5, 2.0)
+"""Rows are tried by so many times as many as there are, where folds are deep."""
+FINER = 3
+"""So many finer meshes are tried."""
+HEAVIER = (1.05, 1.5, 2.0)
+"""Ballast that is tried, in terms of what a foot needs that nothing else holds."""
+UNSOUGHT: tuple[Step, ...] = ("remedies", "verification", "deviation", "pack", "stock")
+"""What need not be found of the shell that a note is of."""
+
+
+class Noted:
+    """The shell that a note is of.
+
+    Parameters
+    ----------
+    file
+        Its design file.
+    progress
+        Is told of the work where it is made anew.
+    report
+        What was found of it; the shell is made when that is first asked for, if it is not given.
+    """
+
+    def __init__(self, file: DesignFile, progress: Progress, report: Report | None = None) -> None:
+        self.file, self._progress, self._report = file, progress, report
+
+    @cached_property
+    def report(self) -> Report:
+        """What was found of it.
+
+        Raises InputError, DesignError or VerificationError as ``make_shell`` does.
+        """
+        if self._report is not None:
+            return self._report
+        return make_shell(self.file, self._progress, clash="allowed", skip=UNSOUGHT).report
+
+    @property
+    def supports(self) -> list[dict[str, Any]]:
+        """How the file says that it is supported."""
+        return list(value_at(self.file.tables, "structure.supports"))
+
+
+def _two_columns(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"pattern.columns": 2}, "2 columns")
+
+
+def _fewer_columns(noted: Noted) -> Iterator[Remedy]:
+    columns = noted.file.pattern.columns
+    for fewer in range(columns - 1, max(2, columns // 2) - 1, -1):
+        yield Remedy({"pattern.columns": fewer}, f"{fewer} columns")
+
+
+def _more_rows(noted: Noted) -> Iterator[Remedy]:
+    rows = noted.file.pattern.rows
+    for more in MORE_ROWS:
+        odd = 2 * (int(more * rows) // 2) + rows % 2  # some families have odd numbers only
+        if odd > rows:
+            yield Remedy({"pattern.rows": odd}, f"{odd} rows")
+
+
+def _boards(noted: Noted) -> Iterator[Remedy]:
+    unit = noted.file.unit
+    for board in BOARDS:
+        sides = [rounded(side / conversion(unit, "m"), 6) for side in board]
+        words = " x ".join(plain(side) for side in sides)
+        yield Remedy({"workshop.stock": sides}, f"boards of {words} {unit}")
+
+
+def _other_unit(noted: Noted) -> Iterator[Remedy]:
+    for unit in MILLIMETRES:
+        if unit != noted.file.unit:
+            yield Remedy({"shell.unit": unit}, f"lengths in {unit}")
+
+
+def _stock_in_other_units(noted: Noted) -> Iterator[Remedy]:
+    unit, stock = noted.file.unit, noted.file.workshop.stock
+    for meant in MILLIMETRES if stock is not None else ():
+        factor = conversion(meant, unit)
+        if factor < 1 and stock is not None:
+            sides = [rounded(factor * side, 6) for side in stock]
+            words = " x ".join(plain(side) for side in sides)
+            yield Remedy({"workshop.stock": sides}, f"sheets of {words} {unit}")
+
+
+def _other_side(_: Noted) -> Iterator[Remedy]:
+    for end in ("start", "end"):
+        yield Remedy({"pattern.flap_side": end}, f"flaps at the {end} of f")
+
+
+def _flaps(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"pattern.flap": "auto"}, "flaps as wide as they may be")
+
+
+def _on_corners(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"pattern.ground": "corners"}, "let it stand on its four corners")
+
+
+def _tied_feet(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"deployment.ties": "feet"}, "tie its feet together")
+
+
+def _square_boards(noted: Noted) -> Iterator[Remedy]:
+    panel = noted.file.panel
+    if panel is not None:
+        yield Remedy(on_membrane(panel).changes, "boards on a membrane, cut square")
+
+
+def _wider_gap(noted: Noted) -> Iterator[Remedy]:
+    cutting, unit = noted.report.cutting, noted.file.unit
+    if cutting is not None:
+        gap = rounded(UP * cutting.play.largest, 3)
+        yield Remedy({"panel.gap": gap}, f"gaps of {size(gap, unit)} between boards")
+
+
+def _held_edges(noted: Noted) -> Iterator[Remedy]:
+    held: Any = [
+        each if each["kind"] == "friction" or each.get("patch") else {**each, "edges": True}
+        for each in noted.supports
+    ]
+    yield Remedy({"structure.supports": held}, "hold supports along their edges")
+
+
+def _edges_for_patches(noted: Noted) -> Iterator[Remedy]:
+    held: Any = [
+        {**{key: value for key, value in each.items() if key != "patch"}, "edges": True}
+        if each.get("patch")
+        else each
+        for each in noted.supports
+    ]
+    yield Remedy({"structure.supports": held}, "hold supports along their edges")
+
+
+def _ballast(noted: Noted) -> Iterator[Remedy]:
+    analysis = noted.report.structure
+    anchors = () if analysis is None else analysis.anchors
+    needed = max((each.ballast_mass for each in anchors if not each.given), default=0.0)
+    for more in HEAVIER if needed else ():
+        mass = rounded(more * needed, 2)
+        under: Any = [
+            each if each["kind"] == "friction" else {**each, "ballast": mass}
+            for each in noted.supports
+        ]
+        yield Remedy({"structure.supports": under}, f"ballast of {mass:g} kg at every foot")
+
+
+def _own_weight(noted: Noted) -> Iterator[Remedy]:
+    cases = value_at(noted.file.tables, "load_case")
+    without = [number for number, case in enumerate(cases) if not case.get("self_weight")]
+    yield Remedy(
+        {f"load_case.{number}.self_weight": True for number in without},
+        "own weight in every load case",
+    )
+
+
+def _finer_cells(noted: Noted) -> Iterator[Remedy]:
+    asked = noted.file.structure
+    finer = [each for each in LADDER if asked is not None and each > asked.cells]
+    for each in finer[:FINER]:
+        yield Remedy({"structure.cells": each}, f"{each} x {each} cells to a panel")
+
+
+def _large_displacements(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"structure.nonlinear": True}, "follow large displacements")
+
+
+CANDIDATES: Mapping[About, Callable[[Noted], Iterator[Remedy]]] = {
+    "columns": _two_columns,
+    "idle columns": _fewer_columns,
+    "depth": _more_rows,
+    "board": _boards,
+    "unit": _other_unit,
+    "stock": _stock_in_other_units,
+    "reach": _other_side,
+    "no flaps": _flaps,
+    "closes": _flaps,
+    "uneven": _on_corners,
+    "opens": _tied_feet,
+    "chamfers": _square_boards,
+    "play": _wider_gap,
+    "points": _held_edges,
+    "patch": _edges_for_patches,
+    "pulled": _ballast,
+    "weight": _own_weight,
+    "cells": _finer_cells,
+    "linear": _large_displacements,
+}
+"""What may do what a note says, by what it is about, the nearest first."""
