@@ -40,7 +40,7 @@ from test_malformed_inputs import GENTLE, HARSH
 from timing import HANGS
 
 SEED = 26
-FILES = 3000 if THOROUGH else 30
+FILES = 3000 if THOROUGH else 20
 READING = HANGS
 """Most processor time that reading a file may take (seconds)."""
 MAKING = 8.0

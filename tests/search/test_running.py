@@ -66,6 +66,7 @@ def test_any_number_of_processes_gives_the_same_bytes(
     assert written(tmp_path / "out") == whole
 
 
+@thorough  # a process that ends: test_worker_pool
 def test_a_process_that_dies_costs_nothing_but_time(
     file: Path, whole: dict[str, bytes], tmp_path: Path
 ) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +11,6 @@ import numpy as np
 import pytest
 
 from command_line import orishell
-from node_tools import lacking
 from orishell.design_file import starter_file
 from samples import led_by, thorough
 from studio_pages import (
@@ -296,6 +294,7 @@ def test_clipped_flaps_are_drawn_at_the_target(page: Page) -> None:
     assert (np.abs(shown - pixels(page, ".scene canvas")).max(axis=2) > 0.1).mean() > 1e-3
 
 
+@thorough  # what is refused and offered: tests/shell/test_panels
 def test_panels_that_are_too_thick_are_refused_with_what_works(page: Page) -> None:
     choose(page, "parallel-repeating")
     page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
@@ -354,9 +353,3 @@ def test_the_viewers_page_opens_from_disk(browser: Browser, written: Path) -> No
         page.get_by_text("Mountain, valley", exact=True).click()
         keep_picture(page, "viewer")
         assert np.ptp(pixels(page, ".orishell-scene canvas")) > 0.3
-
-
-def test_browser_is_the_one_of_the_system() -> None:
-    """Nothing is downloaded for these tests."""
-    if shutil.which("chromium") is None:
-        lacking("chromium is not installed: on Debian, apt-get install chromium")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from studio_pages import choose, settle
+from studio_pages import choose, drawn, settle
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -20,23 +20,23 @@ TYPED = [
 ]
 
 
-@pytest.mark.parametrize(("key", "text", "value", "echo"), TYPED)
-def test_a_number_in_another_unit(page: Page, key: str, text: str, value: float, echo: str) -> None:
-    """What it means is said below it; the box holds it in its own unit once it is left."""
+def test_numbers_in_other_units(page: Page) -> None:
+    """What each means is said below it; the box holds it in its own unit once it is left."""
     choose(page, "orthodiagonal")
     settle(page)
-    field = page.get_by_test_id(f"param-{key}")
-    if not field.is_visible():
-        page.get_by_test_id("more-parameters").click()
-    field.fill(text)
-    said = page.locator("output.echo")
-    assert said.inner_text().strip() == echo
-    assert field.input_value() == text
-    field.press("Tab")
-    assert said.count() == 0
-    assert float(field.input_value()) == pytest.approx(value)
-    settle(page)
-    assert page.evaluate(f"{DESIGN}.pattern.{key}") == pytest.approx(value)
+    for key, text, value, echo in TYPED:
+        field = page.get_by_test_id(f"param-{key}")
+        if not field.is_visible():
+            page.get_by_test_id("more-parameters").click()
+        field.fill(text)
+        said = page.locator("output.echo")
+        assert said.inner_text().strip() == echo
+        assert field.input_value() == text
+        field.press("Tab")
+        assert said.count() == 0
+        assert float(field.input_value()) == pytest.approx(value)
+        drawn(page)
+        assert page.evaluate(f"{DESIGN}.pattern.{key}") == pytest.approx(value)
 
 
 def test_what_is_no_number_changes_nothing(page: Page) -> None:
