@@ -20,6 +20,7 @@ const loaded: Loaded = {
   displacements: Float32Array.from([...points.map((_, i) => (i === 5 ? -0.03 : i === 3 ? 0.04 : 0)), ...points.map((_, i) => (i === 17 ? -1 : 0))]),
   stresses: Float32Array.from([1, 2, 4, 3, NaN, NaN, NaN, NaN]),
   loads: new Float32Array(12),
+  creases: null,
   held: new Uint32Array(0),
 };
 

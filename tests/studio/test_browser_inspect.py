@@ -11,7 +11,7 @@ import pytest
 
 from node_tools import PACKAGES, lacking
 from samples import led_by, thorough
-from studio_pages import SIZES, TOUCHING, choose, fold, opened, settle
+from studio_pages import SIZES, TOUCHING, choose, drawn, fold, opened, settle
 from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
 
 if TYPE_CHECKING:
@@ -29,6 +29,31 @@ PANEL = """(() => {
     const { shell3d } = window.__orishell, place = () => shell3d.camera.position.clone();
     const corner = (k) => shell3d.motion.at(4 * 53 + k, place());
     return shell3d.onScreen(corner(0).add(corner(2)).multiplyScalar(0.5));
+})()"""
+
+
+# Where the line of the handle of the rows begins and ends in the window.
+SPAN = """(() => {
+    const { shell3d, store } = window.__orishell, { header } = store.view.value;
+    const [rows, columns] = header.grid, place = () => shell3d.camera.position.clone();
+    const at = (row) => {
+        const vertex = row * columns + Math.floor(columns / 2);
+        return shell3d.onScreen(shell3d.motion.at(shell3d.motion.faces.indexOf(vertex), place()));
+    };
+    const row = Math.floor(rows / 2);
+    return [at(row), at(row + Math.ceil(rows / 5))];
+})()"""
+
+
+# The middle of a panel that is seen, and lies under no control.
+FREE = """(() => {
+    const { shell3d } = window.__orishell, place = () => shell3d.camera.position.clone();
+    for (let panel = 0; panel < shell3d.motion.panels; panel++) {
+        const corner = (k) => shell3d.motion.at(4 * panel + k, place());
+        const [x, y] = shell3d.onScreen(corner(0).add(corner(2)).multiplyScalar(0.5));
+        const free = document.elementFromPoint(x, y) === shell3d.canvas;
+        if (free && shell3d.under(x, y)?.panel === panel) return [x, y];
+    }
 })()"""
 
 
@@ -60,6 +85,77 @@ def leave(page: Page) -> None:
 
 def metres(page: Page, test_id: str) -> float:
     return float(page.get_by_test_id(test_id).inner_text().removesuffix(" m"))
+
+
+CHIPS = """[...document.querySelectorAll('.verdict-chip')]
+    .map(({ dataset, innerText }) =>
+        [dataset.testid.slice(5), dataset.sign, innerText.replace(/\\s+/g, ' ')])"""
+ROWS = """Object.fromEntries(
+    [...document.querySelectorAll('[data-testid=verify-status] [data-row]')]
+        .map((row) => [row.dataset.row, row.dataset.sign]))"""
+PROOF = "(proof) => window.__orishell.store.proof.set(proof)"
+
+
+def test_chips_on_the_canvas_say_what_the_rows_say_and_where(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    settle(page)
+    chips, rows = page.evaluate(CHIPS), page.evaluate(ROWS)
+    assert [name for name, _, _ in chips] == ["folds", "locks"]
+    assert all(rows[name] == sign for name, sign, _ in chips)
+    chip = page.get_by_test_id("chip-locks")
+    row = page.get_by_test_id("verdict-locks")
+    fold(page, 0.3)
+    chip.click()
+    await_frames(page)
+    assert page.evaluate("window.__orishell.fold") == 1  # where it locks
+    assert chip.get_attribute("aria-pressed") == "true"
+    assert row.evaluate("row => row.parentElement.open")
+    legend = page.locator(".orishell-legend")
+    assert "of the verdict" in legend.inner_text()
+    page.keyboard.press("Escape")
+    await_frames(page)
+    assert "of the verdict" not in legend.inner_text()
+    # While the proof runs they say no more than the rows do.
+    done = page.evaluate("window.__orishell.store.proof.value")
+    page.evaluate(PROOF, {"state": "running", "share": 0.4, "what": "verifying", "found": False})
+    chips, rows = page.evaluate(CHIPS), page.evaluate(ROWS)
+    assert all(sign == rows[name] == "pending" for name, sign, _ in chips)
+    assert chips[0][2].endswith("Folds not yet known")
+    page.evaluate(PROOF, {"state": "failed", "fault": {"message": "no", "remedies": []}})
+    assert page.evaluate(CHIPS) == [["verdict", "fails", "\u2715 Verdict not verified"]]
+    page.evaluate(PROOF, done)
+
+
+def test_rows_and_depth_are_handles_at_the_shell(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    settle(page)
+    pattern = "window.__orishell.store.design.value.pattern"
+    before = page.evaluate(pattern)
+    for key, test_id in (("rows", "handle-rows"), ("depth", "handle-depth")):
+        handle = page.get_by_test_id(test_id)
+        handle.focus()
+        page.keyboard.press("ArrowUp")
+        drawn(page)
+        assert page.evaluate(pattern)[key] > before[key]
+        assert float(handle.get_attribute("aria-valuenow") or "") == page.evaluate(pattern)[key]
+        page.get_by_test_id("undo").click()
+        drawn(page)
+        assert page.evaluate(pattern) == before
+    # Longer panels are fewer; the whole drag is one step.
+    start, end = page.evaluate(SPAN)
+    x, y = (end[k] + 0.6 * (end[k] - start[k]) for k in (0, 1))
+    page.mouse.move(*end)
+    page.mouse.down()
+    page.mouse.move((end[0] + x) / 2, (end[1] + y) / 2)
+    await_frames(page)
+    page.mouse.move(x, y)
+    await_frames(page)
+    page.mouse.up()
+    drawn(page)
+    assert page.evaluate(pattern)["rows"] < before["rows"]
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    assert page.evaluate(pattern) == before
 
 
 def test_panels_and_creases_are_inspected(page: Page) -> None:
@@ -98,7 +194,7 @@ def test_panels_and_creases_are_inspected(page: Page) -> None:
     await_frames(page)
     assert card.is_hidden()
     fold(page, 1)
-    x, y = middle(page, "scene")
+    x, y = page.evaluate(FREE)
     page.mouse.click(x, y)
     await_frames(page)
     assert "Panel" in card.inner_text() or "crease" in card.inner_text()

@@ -220,7 +220,7 @@ def test_every_colour_is_explained(page: Page) -> None:
 def test_the_camera_follows_a_shell_that_grows(page: Page) -> None:
     choose(page, "parallel-repeating")
     look = (
-        "(({ camera, controls }) => { const arm = camera.position.clone().sub(controls.target);"
+        "(({ eye }) => { const { arm } = eye;"
         " return [arm.clone().normalize().toArray(), arm.length()]; })(window.__orishell.shell3d)"
     )
     page.locator(".scene canvas").focus()

@@ -9,6 +9,7 @@ import pytest
 from node_tools import PACKAGES, lacking
 from samples import led_by, thorough
 from studio_pages import SIZES, choose, drag, drawn, opened, settle
+from viewer_pages import await_frames
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -61,6 +62,42 @@ def test_a_size_is_asked_for_met_and_taken_back(page: Page) -> None:
     drawn(page)
     assert target(page) == before
     assert not page.get_by_test_id("scaled-g").is_visible()
+
+
+def test_a_size_is_typed_at_the_shell(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    settle(page)
+    before = target(page)
+    box = page.get_by_test_id("size-width")
+    wide = page.evaluate("window.__orishell.report.deployed.width")
+    assert float(box.input_value()) == pytest.approx(wide, rel=1e-3)
+    box.fill("450 cm")
+    box.press("Enter")
+    drawn(page)
+    assert target(page)["fit"] == {"width": 4.5}
+    assert page.get_by_test_id("fit-width").input_value() == "4.5"
+    # Headroom is a size of the room inside, which takes the place of those outside.
+    settle(page)
+    room = page.get_by_test_id("size-headroom")
+    room.fill(str(round(1.01 * float(room.input_value()), 2)))
+    room.press("Enter")
+    drawn(page)
+    assert target(page)["fit"].keys() == {"height", "of"}
+    assert "in place of sizes outside" in page.get_by_test_id("said").inner_text()
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    # Escape leaves it as it is; emptied it is asked for no longer.
+    box.fill("7")
+    box.press("Escape")
+    assert target(page)["fit"] == {"width": 4.5}
+    box.fill("")
+    box.press("Enter")
+    drawn(page)
+    assert target(page) == before
+    page.get_by_test_id("sizes").click()
+    await_frames(page)
+    assert box.is_hidden()
+    page.get_by_test_id("sizes").click()
 
 
 @thorough

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from samples import thorough
-from studio_pages import settle
+from studio_pages import drawn, settle
 from viewer_pages import await_frames, keep_picture, pixels, wait_until
 
 if TYPE_CHECKING:
@@ -91,6 +91,36 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     assert page.evaluate("window.__orishell.fold") == 0
 
 
+def shown_on_the_canvas(page: Page, sign: str) -> None:
+    """The load that was typed, what is worst, its share beside the box; wind that is turned."""
+    by_id = page.get_by_test_id
+    await_frames(page)
+    name = by_id("load-case").input_value()
+    assert name.startswith("snow")
+    shown, worst = page.evaluate(f"[{SHOWN}.deflection, {SHOWN}.of]")
+    assert shown["name"] == name
+    flag = by_id("worst-flag")
+    assert flag.is_visible() == (worst is not None)
+    assert (worst or "") in (flag.text_content() or "")
+    signs = {"fails": "fails", "warns": "attention", "holds": "holds"}
+    said = by_id("share-snow").locator("[role=img]").get_attribute("aria-label")
+    assert said == signs[shown["sign"]]
+    assert by_id("chip-stands").get_attribute("data-sign") == sign
+    # Wind is turned by its arrow.
+    by_id("load-case").select_option("")
+    by_id("structure-wind").fill("20")
+    drawn(page)
+    arrow = by_id("wind-arrow")
+    arrow.focus()
+    page.keyboard.press("ArrowUp")
+    wind = "window.__orishell.store.design.value.load_case.at(-1).wind"
+    assert page.evaluate(f"{wind}.direction_deg") == 5
+    assert by_id("structure-direction").input_value() == "5"
+    by_id("undo").click()
+    by_id("structure-wind").fill("")
+    by_id("structure-snow").focus()
+
+
 def test_a_structure_is_made_by_hand(page: Page) -> None:
     """From a plain arch to a verdict: boards of plywood, 0.4 kN/m2 of snow; two inputs."""
     plain = {
@@ -117,6 +147,7 @@ def test_a_structure_is_made_by_hand(page: Page) -> None:
     rows = page.evaluate("window.__orishell.report.verdict")
     stands = next(each for each in rows if each["subject"] == "stands")
     assert f"Stands {stands['finding']}" in by_id("structure-verdict").inner_text()
+    shown_on_the_canvas(page, stands["sign"])
     # Colours end at the strength of the material under snow, 0.65 x 33.2/1.2 MPa.
     by_id("structure-creases").select_option("rigid")
     settle(page)

@@ -378,6 +378,13 @@ export interface CreaseLength {
   unfolded: number;
 }
 
+/** The largest force along every crease of a loaded shell: which, and under which load case. */
+export interface CreaseLoads {
+  /** Empty where there is none. */
+  what: string[];
+  cases: string[];
+}
+
 /** The crease with the largest moment. */
 export interface CreaseMoment {
   /** Per length. */
@@ -969,6 +976,8 @@ export interface Header {
   curves?: Curves;
   /** Load cases, where the shell was analysed as a structure. */
   cases?: NamedCase[];
+  /** In the order of ``crease_forces``. */
+  creases?: CreaseLoads;
   /** Numbers of what stiffens a shell that was analysed, behind those of panels, by its names. */
   stiffeners?: Record<string, number>;
 }

@@ -14,6 +14,8 @@ export interface Choice {
 export interface ChooserEvents {
   /** Keys went on to a point. */
   walked(number: number): void;
+  /** The mouse, or the focus of keys, is at a point; -1: at none. */
+  pointed?(number: number): void;
   /** A point was clicked, or Enter was pressed; with shift it is to be compared. */
   picked(number: number, compared: boolean): void;
 }
@@ -32,6 +34,7 @@ export class Chooser {
   private readonly points: SVGGElement;
   private choices: readonly Choice[] = [];
   private knee = -1;
+  private pointed = -1;
   /** The point that Tab comes to, the one that is chosen, and the one that it is compared with. */
   private marks = { current: 0, chosen: -1, compared: -1 };
 
@@ -39,6 +42,10 @@ export class Chooser {
     this.points = svg("g", { role: "listbox", "aria-label": label, "aria-orientation": "horizontal" });
     this.points.addEventListener("keydown", (event) => this.key(event));
     plot.addEventListener("click", (event) => this.click(event));
+    plot.addEventListener("pointermove", (event) => this.pointAt(nearest(this.places(), [event.clientX, event.clientY], REACH)));
+    plot.addEventListener("pointerleave", () => this.pointAt(-1));
+    this.points.addEventListener("focusin", (event) => this.pointAt([...this.points.children].indexOf(event.target as Element)));
+    this.points.addEventListener("focusout", () => this.pointAt(-1));
     this.element = svg("g");
     this.element.append(this.points, this.name);
   }
@@ -91,11 +98,22 @@ export class Chooser {
     });
   }
 
-  private click(event: MouseEvent): void {
-    const places = [...this.points.children].map((point): Point => {
+  private pointAt(number: number): void {
+    if (number === this.pointed) return;
+    this.pointed = number;
+    this.events.pointed?.(number);
+  }
+
+  /** Where the points are in the window. */
+  private places(): Point[] {
+    return [...this.points.children].map((point): Point => {
       const { x, y, width, height } = point.querySelector(".dot")!.getBoundingClientRect();
       return [x + width / 2, y + height / 2];
     });
+  }
+
+  private click(event: MouseEvent): void {
+    const places = this.places();
     const { current, compared } = this.marks;
     const before = event.shiftKey && compared >= 0 ? compared : current;
     const number = taken(places, [event.clientX, event.clientY], REACH, before);

@@ -11,6 +11,8 @@ export class Clipped3D {
   readonly depths = new Group();
   /** Vertices of each strip. */
   points: Float32Array[] = [];
+  /** The share of those that are there at the target alone which are there by now. */
+  put = 1;
   private readonly uniforms;
   private strips: Sheet3D[] = [];
   private thick = true;
@@ -41,8 +43,10 @@ export class Clipped3D {
 
   /** Draw each as it is at a share of the way, where the sheet has this drive. */
   pose(share: number, drive: number, atTarget: boolean): void {
+    const put = this.put * this.standing.length;
+    let number = 0;
     this.strips.forEach((strip, k) => {
-      const from = this.from[k]!, there = from === null ? atTarget : drive >= from;
+      const from = this.from[k]!, there = from === null ? atTarget && number++ < put : drive >= from;
       this.solids.children[k]!.visible = strip.depth.visible = there;
       if (!there || from === null) return;
       strip.motion!.setFold(share);

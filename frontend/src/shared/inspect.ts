@@ -109,6 +109,14 @@ export function foldAngle(view: View, motion: Motion, edge: number): number | nu
   return angle > CLOSED && !Number.isNaN(given) ? Math.sign(given) * angle : sign * angle;
 }
 
+/** Whether a panel is a flap of the sheet: in its first or last column of panels, or behind all others. */
+export function isFlap(view: View, panel: number): boolean {
+  const { grid, names, report } = view.header;
+  if (!grid || report.deployment?.flap_attachment !== "folded") return false;
+  const columns = grid[1] - 1;
+  return names ? panel >= (grid[0] - 1) * columns : panel % columns === 0 || panel % columns === columns - 1;
+}
+
 /** The panel beside another in the grid of the flat sheet; null beyond its edge. */
 export function neighbour(view: View, panel: number, down: number, right: number): number | null {
   const { grid } = view.header;

@@ -70,6 +70,14 @@ export class LoadedControls {
     this.choose();
   }
 
+  /** Show a case, as soon as there is one of that name; null: without loads. */
+  want(name: string | null): void {
+    this.wanted = name ?? NONE;
+    if (name !== null && !this.shell.atTarget) this.hold(true);  // to the target
+    this.cases.value = [...this.cases.options].some(({ value }) => value === this.wanted) ? this.wanted : NONE;
+    this.choose();
+  }
+
   private choose(): void {
     const { loaded, cases } = this;
     const number = loaded && cases.value !== NONE ? cases.selectedIndex - 1 : -1;

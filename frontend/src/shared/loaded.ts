@@ -109,16 +109,22 @@ export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32
 /** Lines (2 L,) round the panels and what stiffens them, and those (2 B,) round the whole sheet: pairs of nodes. */
 export function rimsOf(loaded: Loaded): { rims: Uint32Array; border: Uint32Array } {
   return {
-    rims: sidesOf(loaded, loaded.panels.length, (beside) => beside.size > 0),
-    border: sidesOf(loaded, loaded.ofPanels, (beside) => beside.size === 1),
+    rims: sidesOf(loaded, () => true, (beside) => beside.size > 0),
+    border: sidesOf(loaded, (k) => k < loaded.ofPanels, (beside) => beside.size === 1),
   };
 }
 
-/** Sides of the first triangles that are wanted by the panels that they are at the rim of. */
-function sidesOf({ points, triangles, panels }: Loaded, count: number, wanted: (beside: Set<number>) => boolean): Uint32Array {
+/** Lines (2 K,) round a panel, or one of what stiffens the sheet. */
+export function rimOf(loaded: Loaded, number: number): Uint32Array {
+  return sidesOf(loaded, (k) => loaded.panels[k] === number, (beside) => beside.size > 0);
+}
+
+/** Sides of some triangles that are wanted by the panels that they are at the rim of. */
+function sidesOf({ points, triangles, panels }: Loaded, taken: (triangle: number) => boolean, wanted: (beside: Set<number>) => boolean): Uint32Array {
   const nodes = points.length / 3;
   const within = new Map<number, Set<number>>();
-  triangles.subarray(0, 3 * count).forEach((node, corner) => {
+  triangles.forEach((node, corner) => {
+    if (!taken(Math.floor(corner / 3))) return;
     const next = triangles[corner - (corner % 3) + ((corner + 1) % 3)]!;
     const code = Math.min(node, next) * nodes + Math.max(node, next);
     const beside = within.get(code) ?? new Set();

@@ -1,9 +1,10 @@
 // The shell under a load case as the graphics card holds it: its triangles and lines, displaced.
 
-import { BufferAttribute, BufferGeometry, Group } from "three";
+import { BufferAttribute, BufferGeometry, Group, Vector3 } from "three";
 import { LoadMarks } from "./load-marks.ts";
 import { AMOUNT_MAP, mapTexels, type Theme } from "./colours.ts";
-import { amountsOf, rimsOf, type Deflection, type Measure } from "./loaded.ts";
+import { amountsOf, rimOf, rimsOf, type Deflection, type Measure } from "./loaded.ts";
+import { Lines3D } from "./marks3d.ts";
 import { mapTexture } from "./maps.ts";
 import { material, part, quadIndex, type Part, type Uniforms } from "./parts.ts";
 import { lineFragment, loadedFragment, loadedLineVertex, loadedVertex } from "./shaders.ts";
@@ -16,8 +17,9 @@ export interface Shown {
   scale: number;
 }
 
-/** With the most that its colours show, what has it (but of displacements), and the largest load on a panel (N). */
-export type Drawn = Shown & { most: number; of: string | null; force: number };
+/** With the most that its colours show, what has it, and where (but of displacements), and the largest load on a
+ * panel (N). */
+export type Drawn = Shown & { most: number; of: string | null; at: Vector3 | null; force: number };
 
 /** Stands for a stress that is not known. */
 const UNKNOWN = 3e30;
@@ -33,6 +35,8 @@ export class Loaded3D {
   private readonly before: Lines;
   private readonly ties: Lines;
   private readonly marks: LoadMarks;
+  /** Round what has the most. */
+  private readonly worst: Lines3D;
   private loaded: Loaded | null = null;
   private ends: { rims: Uint32Array; border: Uint32Array } = { rims: new Uint32Array(0), border: new Uint32Array(0) };
   private deflection: Deflection | null = null;
@@ -46,7 +50,8 @@ export class Loaded3D {
     this.before = new Lines({ ...own, times: { value: 0 } }, 1.2, 2);
     this.ties = new Lines(own, 2.6, 2);
     this.marks = new LoadMarks(shared);
-    this.drawn.add(this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh, ...this.marks.drawn);
+    this.worst = new Lines3D(shared, { width: 3.2, through: 0.5 });
+    this.drawn.add(this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh, ...this.marks.drawn, ...this.worst.drawn);
     this.drawn.visible = false;
   }
 
@@ -70,7 +75,17 @@ export class Loaded3D {
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));
     this.times.value = scale;
-    this.shown = { ...shown, most, of: of === null ? null : loaded.called(of), force: this.marks.force };
+    this.shown = { ...shown, most, of: of === null ? null : loaded.called(of), at: this.flag(loaded, of, nodes), force: this.marks.force };
+  }
+
+  /** Draw the rim of what has the most; the middle of it. */
+  private flag(loaded: Loaded, of: number | null, nodes: Float32Array): Vector3 | null {
+    const ends = of === null ? [] : [...rimOf(loaded, of)];
+    this.worst.visible = ends.length > 0;
+    if (!ends.length) return null;
+    const rim = ends.map((node) => new Vector3().fromArray(nodes, 3 * node));
+    this.worst.set(Float32Array.from(rim.flatMap((each) => [...each])));
+    return rim.reduce((sum, each) => sum.add(each), new Vector3()).divideScalar(rim.length);
   }
 
   paint(theme: Theme): void {
@@ -78,11 +93,13 @@ export class Loaded3D {
     this.before.ink.value = theme.linear("--text-2");
     this.ties.ink.value = theme.linear("--tie");
     this.marks.paint(theme);
+    this.worst.setColour(theme.linear("--accent"));
   }
 
   dispose(): void {
     this.map.dispose();
     this.marks.dispose();
+    this.worst.dispose();
     for (const mesh of [this.panels, this.creases.mesh, this.before.mesh, this.ties.mesh]) {
       mesh.geometry.dispose();
       mesh.material.dispose();

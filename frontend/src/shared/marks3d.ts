@@ -17,6 +17,8 @@ export interface Drawing {
 /** What else is drawn in space, about the shell's origin. */
 export interface Guest {
   readonly drawn: Object3D[];
+  /** Whether it is drawn with loads, too. */
+  readonly withLoads?: boolean;
   /** Another shell. */
   show?(view: View, motion: Motion): void;
   /** Points that are to be in view with the shell (n, 3). */

@@ -1,15 +1,13 @@
 // The shell in space: orbit, fold, colours, overlays, hover. Drawn only when something changed.
 
-import { Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
+import { Group, type PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { extentOf, goodDirection, type Extent } from "./camera.ts";
 import { Clipped3D } from "./clipped3d.ts";
 import { largest, themeOf, type Colouring } from "./colours.ts";
 import { length } from "./quantities.ts";
-import { Following } from "./following.ts";
-import { armAfter } from "./keys.ts";
+import { Eye, type Sight } from "./eye.ts";
 import { renderLegend, type Mark } from "./legend.ts";
-import { Loaded3D, type Shown } from "./loaded3d.ts";
+import { Loaded3D, type Drawn, type Shown } from "./loaded3d.ts";
 import { Look } from "./look.ts";
 import type { Guest } from "./marks3d.ts";
 import { Overlays, type Overlay } from "./overlays.ts";
@@ -24,7 +22,7 @@ import { shareTouch } from "./touch.ts";
 import { Sun } from "./sun.ts";
 import { assignmentCounts, targetPoints, type Lattice, type View } from "./view.ts";
 
-export type { Colouring, Overlay };
+export type { Colouring, Overlay, Sight };
 
 /** Drives nearer than this are the same (degrees), and so are shares. */
 const SAME = 1e-4;
@@ -32,22 +30,16 @@ const SAME_SHARE = 1e-6;
 /** Of more panels every k-th is asked how far the shell reaches. */
 const ASKED = 5000;
 
-/** From where one looks: the way from what is looked at to the camera, and how far that was moved
- * from the middle of what was last fitted. */
-export interface Sight {
-  arm: Vector3;
-  moved: Vector3;
-}
-
 export class Shell3D {
   onHover: ((panel: number | null) => void) | null = null;
   /** Told when the camera has moved. */
   onSight: (() => void) | null = null;
+  /** Told when a frame was drawn. */
+  readonly onFrame = new Set<() => void>();
 
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(28, 1, 0.1, 100);
-  private readonly controls: OrbitControls;
+  readonly eye: Eye;
   private readonly legend: HTMLElement;
   private readonly scale: HTMLElement;
   private readonly observer: ResizeObserver;
@@ -71,13 +63,13 @@ export class Shell3D {
   /** Guests that are to be posed anew, though the shell is not. */
   private readonly moved = new Set<Guest>();
   private readonly beside = new Group();
+  /** What is drawn with loads and without. */
+  private readonly around = new Group();
   private ground: Ground | null = null;
 
   private view: View | null = null;
   private extent: Extent | null = null;
   private origin = new Vector3();
-  /** The middle of what was last fitted. */
-  private readonly middle = new Vector3();
   private share = 0;
   /** Share of the state that is the shell as it stands. */
   private target = 1;
@@ -85,15 +77,12 @@ export class Shell3D {
   private contact: { panels: [number, number]; drive: number } | null = null;
   private distances: Float32Array | null = null;
   private readonly pointing: Pointing;
-  private readonly ray = new Raycaster();
   private request = 0;
   private quality: Quality = { density: 1, taps: 12 };
   /** The poses are those of `share`; the card has them; so has the shadow. */
   private posed = false;
   private sent = false;
   private shaded = false;
-  private fitted = false;
-  private readonly following: Following;
 
   constructor(private readonly container: HTMLElement, options: { label?: string } = {}) {
     container.classList.add("orishell-scene");
@@ -107,21 +96,14 @@ export class Shell3D {
     this.legend = overlay(container, "orishell-legend");
     this.scale = overlay(container, "orishell-scale");
 
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = true;
-    this.controls.dampingFactor = 0.09;
-    this.controls.rotateSpeed = 0.75;
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", () => {
+    this.eye = new Eye(canvas, () => {
       this.invalidate();
       this.onSight?.();
     });
-    this.following = new Following(this.camera, this.controls.target);
     shareTouch(canvas, (x, y) => this.under(x, y) !== null);
 
     this.unloaded.add(...this.sheet.drawn, this.clipped.solids, this.beside);
-    this.scene.add(this.unloaded, this.loaded.drawn);
+    this.scene.add(this.unloaded, this.loaded.drawn, this.around);
     for (const depth of [this.sheet.depth, this.clipped.depths]) this.sun.add(depth);
     this.overlays = new Overlays(this.scene, this.u);
     this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
@@ -146,6 +128,11 @@ export class Shell3D {
     return this.sheet.motion?.driveAt(this.share) ?? 0;
   }
 
+  /** The load case that is shown, and where it is worst. */
+  get load(): Drawn | null {
+    return this.loaded.shown;
+  }
+
   /** The state drawn is the shell as it stands. */
   get atTarget(): boolean {
     return Math.abs(this.share - this.target) < SAME_SHARE;
@@ -155,15 +142,17 @@ export class Shell3D {
     return this.renderer.domElement;
   }
 
+  get camera(): PerspectiveCamera {
+    return this.eye.camera;
+  }
+
   get sight(): Sight {
-    return { arm: this.arm(), moved: this.controls.target.clone().sub(this.middle) };
+    return this.eye.sight;
   }
 
   /** Two shells seen with the same sight are seen at the same scale. */
-  set sight({ arm, moved }: Sight) {
-    this.controls.target.copy(this.middle).add(moved);
-    this.camera.position.copy(this.controls.target).add(arm);
-    this.controls.update();
+  set sight(sight: Sight) {
+    this.eye.sight = sight;
     this.invalidate();
   }
 
@@ -181,7 +170,7 @@ export class Shell3D {
   /** Draw something else as well; it may ask for another frame. */
   add(guest: Guest): () => void {
     this.guests.push(guest);
-    this.beside.add(...guest.drawn);
+    (guest.withLoads ? this.around : this.beside).add(...guest.drawn);
     guest.paint(themeOf(this.container));
     const again = (): void => {
       this.moved.add(guest);
@@ -193,26 +182,22 @@ export class Shell3D {
 
   /** What lies under a place of the window: the panel and the point on it, about the origin. */
   under(x: number, y: number): { panel: number; point: Vector3 } | null {
-    const box = this.canvas.getBoundingClientRect();
-    this.ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
-    const { origin: o, direction: d } = this.ray.ray;
+    const { origin: o, direction: d } = this.eye.ray(x, y);
     const hit = this.loaded.shown ? null : this.motion?.hit(o.x, o.y, o.z, d.x, d.y, d.z);
     return hit ? { panel: hit.panel, point: o.clone().addScaledVector(d, hit.along) } : null;
   }
 
   /** Where a point about the origin is in the window. */
   onScreen(point: Vector3): [number, number] {
-    const box = this.canvas.getBoundingClientRect();
-    const { x, y } = point.clone().project(this.camera);
-    return [box.left + (0.5 + 0.5 * x) * box.width, box.top + (0.5 - 0.5 * y) * box.height];
+    return this.eye.onScreen(point);
   }
 
   /** A small picture of the shell alone. */
   picture(width: number, height: number): HTMLCanvasElement {
     const small = Object.assign(document.createElement("canvas"), { width, height });
-    this.beside.visible = false;
+    this.beside.visible = this.around.visible = false;
     this.draw();
-    this.beside.visible = true;
+    this.beside.visible = this.around.visible = true;
     const { width: w, height: h } = this.canvas;
     const scale = Math.max(width / w, height / h);
     small.getContext("2d")?.drawImage(this.canvas, (width - w * scale) / 2, (height - h * scale) / 2, w * scale, h * scale);
@@ -238,10 +223,7 @@ export class Shell3D {
     const contact = contactOf(view);
     this.setContact(contact && contact.panels, contact?.drive_deg);
     const origin = new Vector3(...view.header.origin);
-    const kept = keepCamera && this.fitted;
-    if (kept) {
-      this.following.shift(this.origin.clone().sub(origin));
-    }
+    const shift = this.origin.clone().sub(origin);
     this.origin = origin;
     this.sun.place(this.extent);
     this.scale.textContent = `grid ${length(this.overlays.placeGround(this.extent, origin), view.header.unit)}`;
@@ -249,9 +231,8 @@ export class Shell3D {
     for (const guest of this.guests) guest.show?.(view, this.sheet.motion!);
     this.posed = false;
     this.highlight(null);
-    if (!kept) this.fit(true);
-    else if (this.following.follow(this.extent, this.seenPoints())) this.lookFrom(this.arm());
-    else this.limitDistance();
+    if (!keepCamera || !this.eye.fitted) this.fit(true);
+    else if (this.eye.follow(shift, this.extent, () => this.seenPoints())) this.lookFrom(this.eye.arm);
     this.invalidate();
   }
 
@@ -260,6 +241,13 @@ export class Shell3D {
     this.share = Math.min(1, Math.max(0, share));
     this.posed = false;
     this.markContact();
+    this.invalidate();
+  }
+
+  /** How much of what is put in at the target is there, from 0 to 1. */
+  setPut(share: number): void {
+    this.clipped.put = share;
+    this.posed = false;
     this.invalidate();
   }
 
@@ -337,14 +325,14 @@ export class Shell3D {
    * folded, until one comes nearer or goes elsewhere. */
   fit(turn = false): void {
     if (!this.view) return;
-    const towards = turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm();
-    this.stopGliding();
+    const towards = turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.eye.arm;
+    this.eye.stopGliding();
     this.lookFrom(towards);
   }
 
   /** Bring all into view again, unless one has come nearer or gone elsewhere. */
   refit(): void {
-    if (this.fitted && this.following.turnedOnly) this.lookFrom(this.arm());
+    if (this.eye.turnedOnly) this.lookFrom(this.eye.arm);
   }
 
   maxPanelStrain(): number {
@@ -357,7 +345,7 @@ export class Shell3D {
     this.pace.stop();
     this.observer.disconnect();
     document.removeEventListener("themechange", this.onTheme);
-    this.controls.dispose();
+    this.eye.dispose();
     this.sheet.dispose();
     this.clipped.dispose();
     this.loaded.dispose();
@@ -398,31 +386,8 @@ export class Shell3D {
 
   /** All that is to be in view, seen from a direction. */
   private lookFrom(towards: Vector3): void {
-    this.middle.copy(placeCamera(this.camera, this.seenPoints(), towards));
-    this.controls.target.copy(this.middle);
-    this.fitted = this.container.clientWidth > 0;
-    this.limitDistance();
-    this.following.fitted(this.extent!);
+    this.eye.look(this.seenPoints(), towards, this.extent!);
     this.invalidate();
-  }
-
-  private arm(): Vector3 {
-    return this.camera.position.clone().sub(this.controls.target);
-  }
-
-  /** What is left of a turn or a shift by hand does not go on from another place. */
-  private stopGliding(): void {
-    this.controls.enableDamping = false;
-    this.controls.update();
-    this.controls.enableDamping = true;
-  }
-
-  /** Never nearer or farther than the camera is put: a narrow picture wants it far away. */
-  private limitDistance(): void {
-    const away = this.arm().length();
-    this.controls.minDistance = Math.min(0.02 * this.extent!.radius, away);
-    this.controls.maxDistance = Math.max(14 * this.extent!.radius, away);
-    this.controls.update();
   }
 
   private markContact(): void {
@@ -458,10 +423,9 @@ export class Shell3D {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (!width || !height) return;
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.eye.resize(width, height);
     this.setQuality(this.quality);
-    if (this.view && !this.fitted) this.fit(true);
+    if (this.view && !this.eye.fitted) this.fit(true);
     else this.refit();
     this.draw();
   }
@@ -498,14 +462,14 @@ export class Shell3D {
   private readonly frame = (now: number): void => {
     this.request = 0;
     this.pace.step(now);
-    this.controls.update();
+    this.eye.update();
     this.pick();
     this.draw();
   };
 
   private draw(): void {
     if (!this.view) return;
-    const { renderer, camera } = this;
+    const { renderer, eye } = this;
     this.pose();
     if (!this.sent) {
       this.sheet.upload();
@@ -516,26 +480,20 @@ export class Shell3D {
       this.sun.draw(renderer);
       this.shaded = true;
     }
-    const { centre, radius } = this.extent!;
-    const away = camera.position.distanceTo(centre);
-    camera.near = Math.max(0.01 * radius, away - 4.7 * radius);
-    camera.far = away + 4.7 * radius;
-    camera.updateProjectionMatrix();
-    this.u.near.value = camera.near;
-    const slope = Math.tan((camera.fov * Math.PI) / 360);
-    const pixels = this.container.clientHeight / 2 / (slope * camera.position.distanceTo(this.controls.target));
+    const pixels = eye.prepare(this.extent!);
+    this.u.near.value = eye.camera.near;
     this.sheet.setScale(pixels);
     this.clipped.setScale(pixels);
     renderer.clear();
-    renderer.render(this.scene, camera);
+    renderer.render(this.scene, eye.camera);
+    for (const told of this.onFrame) told();
   }
 
   private pick(): void {
     const at = this.pointing.take();
     if (!at || this.loaded.shown) return;
-    this.ray.setFromCamera(at, this.camera);
+    const { origin: o, direction: d } = this.eye.through(at);
     this.pose();
-    const { origin: o, direction: d } = this.ray.ray;
     const found = this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1;
     this.hover(found < 0 ? null : found);
   }
@@ -549,11 +507,7 @@ export class Shell3D {
   private readonly onKey = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === "0" || event.key === "Home") this.fit();
-    else {
-      const arm = armAfter(event.key, this.arm());
-      if (!arm) return;
-      this.camera.position.copy(this.controls.target).add(arm);
-    }
+    else if (!this.eye.key(event.key)) return;
     event.preventDefault();
     this.invalidate();
   };

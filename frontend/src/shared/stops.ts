@@ -1,6 +1,6 @@
 // Where a motion stops: its named states, and the way through them when it is played.
 
-import { type Contact, drives, isEarly, type View } from "./view.ts";
+import { type Contact, drives, isEarly, numberOf, type View } from "./view.ts";
 
 export interface Stop {
   name: "flat" | "target" | "pack";
@@ -33,12 +33,11 @@ export function stopsOf(view: View): Stop[] {
 
 /** Where panels touch that are not meant to: before the target, or where that ends the motion. */
 export function contactOf(view: View): Contact | null {
-  const { contact, grid, names, report } = view.header;
+  const { contact, grid, report } = view.header;
   if (contact && isEarly(contact, report.lock)) return contact;
   const first = report.lock?.first_contact;
   if (!first || !grid || !(report.lock!.cause === "clash" || report.lock!.cause === "boards")) return null;
-  const [one, other] = first.panels.map(([row, column]) => (names ? names.indexOf(`${row},${column}`) : row * (grid[1] - 1) + column));
-  return { drive_deg: first.drive_deg, panels: [one!, other!] };
+  return { drive_deg: first.drive_deg, panels: [numberOf(view, first.panels[0]), numberOf(view, first.panels[1])] };
 }
 
 /** Stops nearer to each other than this share are one. */

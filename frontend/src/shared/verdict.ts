@@ -6,7 +6,8 @@ import type { Known } from "./view.ts";
 import { capital, sentence } from "./words.ts";
 
 export const SIGNS = { fails: "\u2715", warns: "!", holds: "\u2713" } as const;
-const MEANS = { fails: "fails", warns: "attention", holds: "holds" } as const;
+export const PENDING = "\u2026";
+export const MEANS = { fails: "fails", warns: "attention", holds: "holds" } as const;
 /** The row of what nobody looked at. */
 const UNCHECKED = "unchecked";
 const HEADS = { fails: "Fails", warns: "Needs attention", holds: "Holds" } as const;
@@ -37,6 +38,29 @@ export interface Missing {
   mend?: () => HTMLElement;
 }
 
+/** A row as it is shown now: what was found, or what is said as long as nothing is. */
+export interface Shown {
+  subject: string;
+  sign: Tone | "pending";
+  words: string;
+  /** None of what is not known. */
+  row: Judged | null;
+}
+
+/** The rows of a report in their order, what is not known first. `missing`: what is said of rows that nobody
+ * has looked at so far, if more is to come; `found`: whether the others are known. */
+export function shownRows(report: Known | null, missing: Missing | null, found: boolean): Shown[] {
+  const rows = judged(report);
+  const isOpen = (row: Judged): boolean => missing !== null && row.subject !== UNCHECKED && !(found && row.known);
+  const open = rows.filter(isOpen).map(({ subject }) => subject);
+  if (found && missing?.sign && !open.length) open.push("remedies");
+  const known = missing && !found ? [] : rows.filter((row) => !isOpen(row));
+  return [
+    ...open.map((subject): Shown => ({ subject, sign: missing!.sign ?? "pending", words: missing!.words, row: null })),
+    ...known.map((row): Shown => ({ subject: row.subject, sign: row.sign, words: row.finding, row })),
+  ];
+}
+
 export class Verdict {
   readonly element = document.createElement("ul");
   /** By their subjects, the rows that were opened or closed. */
@@ -53,22 +77,19 @@ export class Verdict {
     this.element.setAttribute("aria-label", "Verdict");
   }
 
-  /** `missing`: what is said of rows that nobody has looked at so far, if more is to come; `found`: whether
-   * the others are known. */
+  /** Rows as `shownRows` has them. */
   show(report: Known | null, missing: Missing | null = null, found = false): void {
-    const rows = judged(report);
-    if (missing && !found) {
-      const subjects = rows.map(({ subject }) => subject).filter((each) => each !== UNCHECKED);
-      this.element.replaceChildren(...this.unknown(subjects, missing));
-      return;
-    }
-    if (missing) {
-      const [open, known] = [rows.filter((row) => !row.known && row.subject !== UNCHECKED), rows.filter((row) => row.known || row.subject === UNCHECKED)];
-      const subjects = open.length || !missing.sign ? open.map(({ subject }) => subject) : ["remedies"];
-      this.element.replaceChildren(...this.unknown(subjects, missing), ...known.map((row) => this.row(row, false)), ...this.notesOf(report));
-      return;
-    }
-    this.element.replaceChildren(...rows.map((row, place) => this.row(row, place === 0 && row.sign !== "holds")), ...this.notesOf(report));
+    const shown = shownRows(report, missing, found);
+    const items = shown.map((each, place) => (each.row ? this.row(each.row, !missing && place === 0 && each.sign !== "holds") : this.unknown(each, missing!, place === 0)));
+    this.element.replaceChildren(...items, ...(missing && !found ? [] : this.notesOf(report)));
+  }
+
+  /** Open a row; it is given back, if it is there to be read. */
+  open(subject: string): HTMLElement | null {
+    const item = this.element.querySelector<HTMLElement>(`[data-row="${subject}"]`);
+    const row = item?.querySelector("details");
+    if (row) this.chosen.set(subject, (row.open = true));
+    return item;
   }
 
   /** The row of all notes, if there are any. */
@@ -89,22 +110,20 @@ export class Verdict {
     return item;
   }
 
-  /** Rows of which nothing is known; the first has what looks again. */
-  private unknown(subjects: readonly string[], { words, mend, sign }: Missing): HTMLElement[] {
-    return subjects.map((subject, place) => {
-      const said = document.createElement("span");
-      said.className = "orishell-pending";
-      said.textContent = ` ${words}`;
-      if (sign) {
-        const item = this.item(sign, subject, true, said);
-        if (mend && !place) item.firstElementChild!.append(mend());
-        return item;
-      }
-      const dots = document.createElement("span");
-      dots.setAttribute("aria-hidden", "true");
-      dots.textContent = "\u2026";
-      return listed("pending", subject, dots, bold(subject), said);
-    });
+  /** A row of which nothing is known; the first has what looks again. */
+  private unknown({ subject }: Shown, { words, mend, sign }: Missing, first: boolean): HTMLElement {
+    const said = document.createElement("span");
+    said.className = "orishell-pending";
+    said.textContent = ` ${words}`;
+    if (sign) {
+      const item = this.item(sign, subject, true, said);
+      if (mend && first) item.firstElementChild!.append(mend());
+      return item;
+    }
+    const dots = document.createElement("span");
+    dots.setAttribute("aria-hidden", "true");
+    dots.textContent = PENDING;
+    return listed("pending", subject, dots, bold(subject), said);
   }
 
   private notes(notes: ReadonlySet<string>): HTMLElement {

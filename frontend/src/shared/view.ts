@@ -46,6 +46,8 @@ export interface Loaded {
   stresses: Float32Array;
   /** (C, P, 3) loads on panels (N) */
   loads: Float32Array;
+  /** The largest force along every crease, where a case is in balance. */
+  creases: { panels: Uint32Array; forces: Float32Array; what: readonly string[]; cases: readonly string[] } | null;
   /** (S, 2) supported nodes, and how each is held: see Held. */
   held: Uint32Array;
 }
@@ -151,6 +153,7 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
       displacements: array("displacements"),
       stresses: array("stresses"),
       loads: array("panel_loads"),
+      creases: header.creases ? { ...header.creases, panels: array("crease_panels"), forces: array("crease_forces") } : null,
       held: array("held"),
     };
   }
@@ -196,6 +199,14 @@ export function panelName(view: View, panel: number): string {
   if (!grid) return `panel ${panel}`;
   const columns = grid[1] - 1;
   return `panel ${Math.floor(panel / columns)},${panel % columns}`;
+}
+
+/** The number of a panel by its row and column; -1 if it is none of the sheet's. */
+export function numberOf(view: View, [row, column]: readonly [number, number]): number {
+  const { grid, names } = view.header;
+  if (names) return names.indexOf(`${row},${column}`);
+  const columns = (grid?.[1] ?? 1) - 1;
+  return grid && row >= 0 && column >= 0 && row < grid[0] - 1 && column < columns ? row * columns + column : -1;
 }
 
 /** Drives as numbers, in order; evenly spread where states have none. */

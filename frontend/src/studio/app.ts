@@ -127,7 +127,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         new PanelControls(store).element,
         new DeploymentControls(store).element,
         new StiffenerControls(store).element,
-        new StructureControls(store, { stop: () => live.stopProof(), again: () => live.proveAgain() }).element,
+        new StructureControls(store, { stop: () => live.stopProof(), again: () => live.proveAgain(), loaded: (load) => stage.showLoad(load) }).element,
         new SearchCard(store).element,
       ),
       stage.element,

@@ -18,6 +18,7 @@ import "./shell/stage.css";
 import "./shell/results.css";
 import "./page/overlays.css";
 import "./shell/inspect.css";
+import "./shell/scene.css";
 import "./design/tradeoff.css";
 import "./search/search.css";
 import "./files/example-cards.css";

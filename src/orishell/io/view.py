@@ -6,7 +6,8 @@ says where each array is. Coordinates are single precision, about ``origin``. Bo
 they lie in the flat sheet, and carried by their panels, which whole boards shift. Parts that
 go with the sheet are views within the view, about the same ``origin``. A shell that was analysed
 as a structure is given as it was meshed, what stiffens it behind its panels, with displacements,
-stresses (in MPa) and loads on panels of every load case, and the nodes that are held.
+stresses (in MPa) and loads on panels of every load case, the largest force along every crease (in
+N/m), and the nodes that are held.
 """
 
 from __future__ import annotations
@@ -61,6 +62,13 @@ class NamedCase(TypedDict):
     parts_strength: float | None
 
 
+class CreaseLoads(TypedDict):
+    """The largest force along every crease of a loaded shell: which, and under which load case."""
+
+    what: Sequence[str]  # empty where there is none
+    cases: Sequence[str]
+
+
 class ArrayPlace(TypedDict):
     """Where an array of the view begins, in bytes behind the header."""
 
@@ -90,6 +98,7 @@ class Header(TypedDict):
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]  # in the studio
     cases: NotRequired[list[NamedCase]]  # load cases, where the shell was analysed as a structure
+    creases: NotRequired[CreaseLoads]  # in the order of ``crease_forces``
     # numbers of what stiffens a shell that was analysed, behind those of panels, by its names
     stiffeners: NotRequired[dict[str, int]]
 
@@ -103,6 +112,9 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     more: dict[str, Any] = {} if curves is None else {"curves": curves}
     if document.loaded is not None:
         more["cases"] = [_named(case, _megapascals(document)) for case in document.loaded.cases]
+        if document.loaded.creases is not None:
+            creases = document.loaded.creases
+            more["creases"] = {"what": creases.what, "cases": creases.cases}
         if document.loaded.parts is not None:
             more["stiffeners"] = document.loaded.parts.numbers
     told = {"report": dict(document.report), "contact": document.contact}
@@ -234,6 +246,10 @@ def _arrays_beside(document: Document, origin: Array) -> dict[str, NDArray[Any]]
             "panel_loads": np.stack([_on_panels(loaded, case) for case in cases]).astype("<f4"),
             "held": _held(loaded).astype("<u4"),
         }
+        if loaded.creases is not None:
+            metres = MILLIMETRES[document.require_unit()] / 1000
+            arrays["crease_panels"] = loaded.creases.panels.astype("<u4")
+            arrays["crease_forces"] = (loaded.creases.sizes / metres).astype("<f4")
     for number, part in enumerate(document.attached):
         view = _dump_about(origin, part, origin, beside={}, told=ALONE, more={})
         arrays[f"clipped_{number}"] = np.frombuffer(view, "u1")

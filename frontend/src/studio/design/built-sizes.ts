@@ -6,11 +6,9 @@ import { h } from "../parts/dom.ts";
 import { Note } from "../parts/note.ts";
 import { pretty, short } from "../parts/numbers.ts";
 import { aimOf } from "../state/aims.ts";
-import { tableOf } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
+import { fitOf, fitTable, isAsked, measuredSizes, type Side, sideOf, SIZES } from "./fit-table.ts";
 
-type Side = "outside" | "inside";
-const SIZES = ["width", "depth", "height"] as const;
 const KEYS = [...SIZES, "head_height"] as const;
 type Key = (typeof KEYS)[number];
 
@@ -61,7 +59,7 @@ export class BuiltSizes {
   }
 
   private get table(): Record<string, number | string> {
-    return this.store.design.value.target?.fit ?? {};
+    return fitOf(this.store.design.value);
   }
 
   private row(key: Key): Row {
@@ -80,7 +78,7 @@ export class BuiltSizes {
 
   private turnTo(side: Side): void {
     this.side = side;
-    if (this.isAsked(this.table)) return this.write(this.table, "sizes");
+    if (isAsked(this.table)) return this.write(this.table, "sizes");
     this.show();
   }
 
@@ -88,25 +86,16 @@ export class BuiltSizes {
     this.write({ ...this.table, [key]: value }, this.store.labels.of(key), `type-fit-${key}`);
   }
 
-  /** A table has a size; the room is clear up to a height only where it has a width or depth. */
   private write(given: Record<string, unknown>, what: string, gesture = ""): void {
-    const inside = this.side === "inside";
-    const { head_height: head, ...sizes } = given;
-    const clear = inside && (sizes["width"] ?? sizes["depth"]) !== undefined;
-    const table = tableOf({ ...sizes, of: inside ? this.side : undefined, head_height: clear ? head : undefined });
-    this.store.set({ "target.fit": this.isAsked(sizes) ? table : null }, what, gesture);
-  }
-
-  private isAsked(table: Record<string, unknown>): boolean {
-    return SIZES.some((key) => table[key] !== undefined);
+    this.store.set({ "target.fit": fitTable(given, this.side) }, what, gesture);
   }
 
   private show(): void {
     const { table } = this;
     const { design } = this.store;
     this.element.hidden = aimOf(design.value) === "none";
-    const asked = this.isAsked(table);
-    if (asked) this.side = table["of"] === "inside" ? "inside" : "outside";
+    const asked = isAsked(table);
+    this.side = sideOf(table) ?? this.side;
     if (asked && !this.asked) this.element.open = true;
     this.asked = asked;
     this.sides.set(this.side);
@@ -121,12 +110,10 @@ export class BuiltSizes {
 
   /** What the shell on the screen measures, as far as that is known. */
   private measure(): void {
-    const { report, proof, freshness, design } = this.store;
+    const { proof, design } = this.store;
     const { unit } = design.value.shell;
     const sizes = proof.value.state === "done" ? proof.value.sizes : null;
-    const fitted = report.value?.fitted;
-    const early = fitted?.of === this.side ? fitted.found : {};
-    const known: Record<string, number> = freshness.value === "outdated" ? {} : (sizes?.[this.side] ?? early);
+    const known = measuredSizes(this.store, this.side);
     for (const key of SIZES) {
       const value = known[key];
       this.rows[key].measured.textContent = value === undefined ? "" : value ? `is ${pretty(value, 4)} ${unit}` : "none";

@@ -15,13 +15,15 @@ export class TradeoffPlot {
   private readonly scatter = new Scatter("Sizes that no other beats", {
     walked: (number) => this.choose(number),
     picked: (number) => this.choose(number),
+    pointed: (number) => this.pointed(this.best[number] ?? null),
   });
   private best: readonly Trial[] = [];
   private scales: [LogScale, LogScale] | null = null;
   private tolerance: number | undefined;
   private present: { rows: number; columns: number; error: number | undefined } | null = null;
 
-  constructor(private readonly picked: (trial: Trial) => void) {
+  /** `pointed`: a trial is pointed at, or none any more. */
+  constructor(private readonly picked: (trial: Trial) => void, private readonly pointed: (trial: Trial | null) => void) {
     this.element = plotFigure(this.scatter, FRAME, "tradeoff-plot", "Largest distance from the surface against the number of panels. Choose a point.");
   }
 

@@ -26,7 +26,7 @@ export class TradeoffCard {
   private then: ((trial: Trial) => void) | null = null;
 
   private readonly work = new WorkBar("Search for sizes", () => this.stop(), "tradeoff-work");
-  private readonly plot = new TradeoffPlot((trial) => this.choose(trial));
+  private readonly plot = new TradeoffPlot((trial) => this.choose(trial), (trial) => this.point(trial));
   private readonly note = h("p", { class: "note", role: "status" });
   private readonly facts = h("div", { class: "tradeoff-facts", "data-testid": "tradeoff-facts" });
   private readonly takeTolerance = button({
@@ -146,6 +146,11 @@ export class TradeoffCard {
     const tolerance = length(toleranceOf(trial), unit);
     this.name(this.takeSizes, `Take ${trial.rows} × ${trial.columns}`, `Take ${trial.rows} rows and ${trial.columns} columns`);
     this.name(this.takeTolerance, `Allow ${tolerance}`, `Take ${tolerance} as the tolerance`);
+  }
+
+  private point(trial: Trial | null): void {
+    const { design, pointed } = this.store;
+    pointed.set(trial && this.found ? withSizes(design.value, trial, this.found.settled) : null);
   }
 
   private name(control: HTMLButtonElement, text: string, label: string): void {

@@ -16,6 +16,8 @@ export interface PlotEvents {
   /** A member is looked at. */
   looked(member: Member): void;
   picked(member: Member): void;
+  /** A member is pointed at, or none any more. */
+  pointed(member: Member | null): void;
 }
 
 /** The figure of an axis, by name; the order in which designs were made where there is only one. */
@@ -26,6 +28,7 @@ export class SearchPlot {
   private readonly scatter = new Scatter("Designs that no other beats", {
     walked: (place) => this.look(place),
     picked: (place) => this.pick(place),
+    pointed: (place) => this.events.pointed(this.found?.front[place] ?? null),
   });
   private found: Found | null = null;
   /** Number of the design that is looked at; the knee until another is. */

@@ -38,7 +38,11 @@ export class SearchCard {
   private readonly go = button({ label: "Search", text: "Search", class: "button primary", testid: "search-go", act: () => this.begin() });
   private readonly work = new WorkBar("Search", () => this.search.stop(), "search-work");
   private readonly note = h("p", { class: "note", role: "status", "data-testid": "search-note" });
-  private readonly plot = new SearchPlot({ looked: () => this.showMember(), picked: (member) => this.pick(member) });
+  private readonly plot = new SearchPlot({
+    looked: () => this.showMember(),
+    picked: (member) => this.pick(member),
+    pointed: (member) => this.store.pointed.set(member && changed(this.store.design.value, member.design.values)),
+  });
   private readonly axes = [this.axis("Across"), this.axis("Up")] as const;
   private readonly facts = h("div", { class: "search-facts", "data-testid": "search-facts" });
   private readonly result: HTMLElement;

@@ -12,18 +12,29 @@ import type { Store } from "../state/store.ts";
 const DURATION = 5;
 /** Longest time between two frames that counts, in seconds. */
 const SLOWEST = 0.25;
+/** Seconds in which all that is put in at the target appears. */
+const PUTTING = 1.2;
 /** With reduced motion the shell steps this many times. */
 const STEPS = 12;
 /** Part of the motion that an arrow key folds, with Shift, and within which dragging is caught. */
 const STEP = 0.01;
 const STRIDE = 0.1;
 const REACH = 0.006;
+/** Shares of the motion nearer than this are the same. */
+const NEAR = 1e-6;
 /** Drives nearer than this are the same (degrees). */
 const SAME = 1e-4;
+
+/** By what holds the shell at its target: how that is taken out. */
+const TAKEN_OUT = { ties: "Untie", gussets: "Take gussets out", plates: "Take plates out" } as const;
 
 export class FoldBar {
   readonly element: HTMLElement;
   readonly share = new Signal(1);
+  /** How much of what is put in at the target is there: flaps, gussets. */
+  readonly put = new Signal(1);
+  /** What holds the shell at its target was taken out. */
+  readonly untied = new Signal(false);
   private stops: Stop[] = [
     { name: "flat", label: "Flat", share: 0 },
     { name: "target", label: "Target", share: 1 },
@@ -42,6 +53,7 @@ export class FoldBar {
     this.end("end", () => this.stops.at(-1)),
   ];
   private readonly tick = h("span", { class: "stop-mark", "data-testid": "target-mark" });
+  private readonly untie = h("button", { type: "button", class: "button untie", "data-testid": "untie", hidden: true, onclick: () => this.untied.set(!this.untied.value) });
   private readonly mark = h("span", { class: "contact-mark", hidden: true });
   private readonly touch = h("span", { class: "touch", "data-testid": "contact", hidden: true });
   private frame = 0;
@@ -82,12 +94,17 @@ export class FoldBar {
       first,
       h("div", { class: "fold-track" }, this.slider, this.tick, between, this.mark),
       last,
+      this.untie,
       this.readout,
       this.touch,
     );
     this.dress();
     this.name();
     this.share.bind(() => this.refresh());
+    this.untied.watch(() => {
+      this.put.set(this.usual);
+      this.refresh();
+    });
     store.view.watch(() => this.follow());
     store.proof.watch(() => this.follow());
   }
@@ -104,8 +121,13 @@ export class FoldBar {
   }
 
   toTarget(): void {
+    this.show(targetShare(this.stops));
+  }
+
+  /** Go to a share of the motion. */
+  show(share: number): void {
     this.stop();
-    this.share.set(targetShare(this.stops));
+    this.share.set(share);
   }
 
   toggle(): void {
@@ -129,22 +151,22 @@ export class FoldBar {
     };
     const wanted = keys[event.key];
     if (!wanted) return false;
-    this.stop();
-    this.share.set(wanted());
+    this.show(wanted());
     return true;
   }
 
   private end(kind: string, stop: () => Stop | undefined): { element: HTMLButtonElement; stop: () => Stop | undefined } {
-    const jump = (): void => {
-      this.stop();
-      this.share.set(stop()!.share);
-    };
+    const jump = (): void => this.show(stop()!.share);
     return { element: h("button", { type: "button", class: kind, onclick: jump }), stop };
   }
 
   private start(): void {
-    const share = this.share.value;
-    this.time = this.journey.timeOf(share >= 0.999 ? 0 : share);
+    const share = this.share.value, target = targetShare(this.stops);
+    const anew = share >= this.farthest - 0.001;
+    if (anew) this.untied.set(false);
+    this.journey = this.way();
+    this.time = this.journey.timeOf(anew ? 0 : share);
+    if ((anew || share < target - NEAR) && this.hasParts) this.put.set(0);
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     let last = performance.now();
     this.playing = true;
@@ -153,20 +175,49 @@ export class FoldBar {
       if (!this.playing) return;
       // Where frames are slow the motion slows down rather than jumps.
       const seconds = Math.min(Math.max(0, now - last) / 1000, SLOWEST);
-      this.time = Math.min(this.journey.length, this.time + seconds / DURATION);
+      // What is put in at the target is there before the shell goes on.
+      const putting = this.put.value < 1 && this.share.value === target;
+      if (putting) this.put.set(still ? 1 : Math.min(1, this.put.value + seconds / PUTTING));
+      else this.time = Math.min(this.journey.length, this.time + seconds / DURATION);
       last = now;
       const at = this.journey.shareAt(this.time);
-      const stop = this.rests.includes(at);
-      this.share.set(still && !stop ? Math.floor(at * STEPS + 1e-9) / STEPS : at);
-      if (this.time < this.journey.length) this.frame = requestAnimationFrame(tick);
+      const rest = this.rests.find((each) => Math.abs(each - at) < NEAR);
+      this.share.set(rest ?? (still ? Math.floor(at * STEPS + 1e-9) / STEPS : at));
+      if (this.time < this.journey.length || (this.put.value < 1 && rest === target)) this.frame = requestAnimationFrame(tick);
       else this.stop();
     };
     this.frame = requestAnimationFrame(tick);
   }
 
+  /** What keeps the shell from going on beyond its target. */
+  private get holding(): keyof typeof TAKEN_OUT | null {
+    const { opening } = this.store.view.value?.header.report.deployment ?? {};
+    return targetShare(this.stops) < 1 ? (opening ?? null) : null;
+  }
+
+  /** How much is put in while nothing is played: nothing where that was taken out. */
+  private get usual(): number {
+    return this.untied.value && this.holding !== "ties" ? 0 : 1;
+  }
+
+  /** Where a motion that is played ends. */
+  private get farthest(): number {
+    return this.holding && !this.untied.value ? targetShare(this.stops) : 1;
+  }
+
+  /** Whether anything is put in at the target. */
+  private get hasParts(): boolean {
+    return this.store.view.value?.clipped.some(({ header }) => header.drives_deg.length <= 1) ?? false;
+  }
+
+  private way(): Journey {
+    return new Journey(this.rests.filter((each) => each <= this.farthest + NEAR).map((each) => ({ share: each })));
+  }
+
   private stop(): void {
     if (!this.playing) return;
     this.playing = false;
+    this.put.set(this.usual);
     cancelAnimationFrame(this.frame);
     this.dress();
   }
@@ -190,7 +241,7 @@ export class FoldBar {
       const stands = this.stops.find(({ name }) => name === stood?.name);
       const turned = this.stops[0]?.name !== before?.name;
       this.rests = restsOf(view);
-      this.journey = new Journey(this.rests.map((each) => ({ share: each })));
+      this.journey = this.way();
       this.time = this.journey.timeOf(share);
       if (stands || turned) this.share.set(stands?.share ?? targetShare(this.stops));
       this.name();
@@ -215,6 +266,10 @@ export class FoldBar {
     const share = this.share.value;
     if (this.slider.valueAsNumber !== share) this.slider.value = String(share);
     this.slider.style.setProperty("--share", String(share));
+    const { holding } = this;
+    this.untie.hidden = !holding || Math.abs(share - targetShare(this.stops)) > NEAR;
+    this.untie.textContent = this.untied.value ? "Put back" : holding ? TAKEN_OUT[holding] : "";
+    this.untie.title = this.untied.value ? "It is held again" : "What holds the shell here is taken out: it can go on";
     const view = this.store.view.value;
     const known = view?.header.drives_deg.every((drive) => drive !== null) ?? false;
     const all = view && known ? drives(view) : null;

@@ -1,14 +1,15 @@
 // The card of a panel or crease: briefly while one points at it, whole when it is chosen.
 
 import { area, length, threeDigits } from "../../shared/quantities.ts";
-import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
+import { edgeLength, foldAngle, isFlap, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
 import { worstUsed } from "../../shared/loaded.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";
 import { contactOf } from "../../shared/stops.ts";
 import { Assignment, type Loaded, panelName, type View } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
-import type { Chosen, Selection } from "./selection.ts";
+import { type Chosen, feetIn, type Selection } from "./selection.ts";
+import { setThere } from "./set-there.ts";
 import type { Signal } from "../state/signal.ts";
 import type { Store } from "../state/store.ts";
 
@@ -58,7 +59,8 @@ export class InspectCard {
     this.element.dataset["whole"] = String(chosen !== null);
     if (!about || !view) return;
     const title = this.titleOf(view, about);
-    const body = about.edge === null ? this.panel(view, about.panel, chosen !== null) : this.crease(view, about.edge);
+    const body = about.foot !== undefined ? this.foot(view, about.foot) : about.edge === null ? this.panel(view, about.panel, chosen !== null) : this.crease(view, about.edge);
+    const kind = about.foot !== undefined ? "foot" : about.edge !== null ? "crease" : isFlap(view, about.panel) ? "flap" : "panel";
     if (this.title.textContent !== title) this.title.textContent = title;
     if (chosen === null) this.close.remove();
     else if (!this.close.isConnected) this.head.append(this.close);
@@ -67,10 +69,12 @@ export class InspectCard {
     this.element.append(
       ...notesOf(view, about).map((note) => h("p", { class: "inspect-note" }, note)),
       ...body,
+      ...(chosen ? setThere(kind) : []),
     );
   }
 
-  private titleOf(view: View, { panel, edge }: Chosen): string {
+  private titleOf(view: View, { panel, edge, foot }: Chosen): string {
+    if (foot !== undefined) return `Foot ${feetIn(view)[foot]!.number}`;
     if (edge !== null) return KINDS[view.assignment[edge]!]!;
     const name = panelName(view, panel);
     return name[0]!.toUpperCase() + name.slice(1);
@@ -106,6 +110,29 @@ export class InspectCard {
     return share ? [["Utilisation", `${threeDigits(100 * share)} %, under ${loaded.cases[used!.cases[panel]!]!.name}`]] : [];
   }
 
+  /** What the ground has to bear there, of all load cases. */
+  private foot(view: View, foot: number): HTMLElement[] {
+    const { push, pull, sideways, ballast } = feetIn(view)[foot]!;
+    if (push === null) return [list([["Bears", "not known without loads"]])];
+    const newtons = (force: number | null): string => (force === null ? "not known" : force >= 1000 ? `${threeDigits(force / 1000)} kN` : `${threeDigits(force)} N`);
+    const facts: [string, string][] = [["Down", newtons(push)], ["Up", newtons(pull)], ["Sideways", newtons(sideways)]];
+    if (ballast) facts.push(["Ballast that holds it", `${threeDigits(ballast)} kg`]);
+    return [list(facts)];
+  }
+
+  /** The largest force along a crease, of all load cases. */
+  private borne({ loaded }: View, panels: readonly number[]): [string, string][] {
+    const { creases } = loaded ?? {};
+    if (!creases || panels.length < 2) return [];
+    for (let k = 0; k < creases.forces.length; k++) {
+      const beside = creases.panels.subarray(2 * k, 2 * k + 2);
+      if (panels.every((panel) => beside.includes(panel)) && creases.what[k]) {
+        return [["Bears", `${threeDigits(creases.forces[k]! / 1000)} kN/m ${creases.what[k]}, under ${creases.cases[k]}`]];
+      }
+    }
+    return [];
+  }
+
   private crease(view: View, edge: number): HTMLElement[] {
     const beside = [...sheetOf(view).beside.subarray(2 * edge, 2 * edge + 2)].filter((panel) => panel >= 0);
     const facts: [string, string][] = [
@@ -114,7 +141,7 @@ export class InspectCard {
     ];
     if (beside.length > 1) {
       const [now, target] = this.angles(view, edge);
-      facts.push(["Fold now", now!], ["At target", target!]);
+      facts.push(["Fold now", now!], ["At target", target!], ...this.borne(view, beside));
     }
     return [list(facts)];
   }
@@ -130,14 +157,11 @@ export class InspectCard {
 }
 
 /** What is remarkable about a panel. */
-function notesOf(view: View, { panel, edge }: Chosen): string[] {
-  if (edge !== null) return [];
+function notesOf(view: View, { panel, edge, foot }: Chosen): string[] {
+  if (edge !== null || foot !== undefined) return [];
   const { smallest, largest } = sheetOf(view);
-  const { grid, names, report } = view.header;
   const contact = contactOf(view);
-  const column = grid ? panel % (grid[1] - 1) : -1;
-  const flap = grid && report.deployment?.flap_attachment === "folded" && (names ? panel >= (grid[0] - 1) * (grid[1] - 1) : column === 0 || column === grid[1] - 2);
-  const notes = [flap && "flap", panel === smallest && "smallest panel", panel === largest && "largest panel"].filter((note) => note !== false && note !== null);
+  const notes = [isFlap(view, panel) && "flap", panel === smallest && "smallest panel", panel === largest && "largest panel"].filter((note) => note !== false);
   const other = contact?.panels.includes(panel) ? contact.panels.find((each) => each !== panel) : undefined;
   if (other !== undefined) notes.push(`touches ${panelName(view, other)} at ${threeDigits(contact!.drive_deg)}\u00b0`);
   return notes.length ? [notes.join(", ")] : [];

@@ -8,13 +8,21 @@ import { InspectCard } from "./inspect-card.ts";
 import { Measure } from "./measure.ts";
 import { foldByKeys } from "./motion-keys.ts";
 import { PastDesigns } from "./past.ts";
+import { Pinned } from "./pinned.ts";
+import { Preview } from "./preview.ts";
 import type { Results } from "./results.ts";
+import { SceneHandles } from "./scene-handles.ts";
+import { SceneSizes } from "./scene-sizes.ts";
 import { Selection } from "./selection.ts";
 import { Sight } from "./sight.ts";
 import { addFigures } from "./sheet-figures.ts";
 import type { Stage } from "./stage.ts";
 import { Standing } from "./standing.ts";
+import { keptSwitch } from "../state/storage.ts";
 import type { Store } from "../state/store.ts";
+import { VerdictChips } from "./verdict-chips.ts";
+import { WindArrow } from "./wind-arrow.ts";
+import { flagWorst } from "./worst-flag.ts";
 
 const TYPING = "input, select, textarea, dialog, :popover-open";
 
@@ -27,6 +35,7 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   const sight = new Sight(store, shell, pattern);
   const measure = new Measure(store, sight, shell, pattern, fold.share);
   const selection = new Selection(store, sight, pattern, shell);
+  const chips = new VerdictChips(store, stage, (subject) => results.openRow(subject));
   const card = new InspectCard(store, selection, shell, fold.share);
   shell.add(new Touch3D(shell.uniforms));
   sight.onTap((room, event) => (measure.active.value ? measure : selection).take(room, event));
@@ -36,6 +45,14 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   const more = (figures: HTMLElement, view: View): void => addFigures(figures, view, standing, selection);
   const compare = new Compare(store, stage, results, more);
   const past = new PastDesigns(store, stage);
+  const pinned = new Pinned(shell);
+  const shown = keptSwitch("orishell.sizes", true);
+  // Handles first: sizes make room for them.
+  new SceneHandles(store, stage, pinned, shown);
+  new WindArrow(store, stage, pinned);
+  new SceneSizes(store, stage, pinned, shown);
+  new Preview(store, stage);
+  flagWorst(shell, pinned);
   results.onFigures = (figures) => {
     more(figures, store.view.value!);
     compare.annotate(figures);
@@ -46,7 +63,8 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   NARROW.addEventListener("change", place);
   stage.frame.after(past.element);
   stage.tools.append(measure.button, compare.button, past.button);
-  stage.frame.append(standing.legend);
+  stage.tools.before(pinned.layer);
+  stage.frame.append(chips.element, standing.legend);
   place();
   foldByKeys(fold);
   document.addEventListener("keydown", (event) => {
@@ -56,6 +74,9 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
     else if (event.key !== "Escape") return;
     else if (!past.element.hidden) past.show(false);
     else if (measure.active.value) measure.active.set(false);
-    else selection.chosen.set(null);
+    else {
+      chips.lit.set(null);
+      selection.chosen.set(null);
+    }
   });
 }

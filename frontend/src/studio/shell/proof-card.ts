@@ -6,6 +6,7 @@ import { button } from "../parts/controls.ts";
 import { h, keepFocus } from "../parts/dom.ts";
 import { wordsOfRemedies } from "../state/faults.ts";
 import { changeButton, remedyButton } from "../parts/remedy-button.ts";
+import { missingOf } from "./verdict-rows.ts";
 import { isFound, type Proof, type Store } from "../state/store.ts";
 import { NoteMends } from "./note-mends.ts";
 import type { Fault } from "../state/types.ts";
@@ -47,6 +48,12 @@ export class ProofCard {
     }
   }
 
+  /** Open the row of a subject, where it is read; its head where there is none. */
+  open(subject: string): void {
+    const row = this.verdict.open(subject) ?? this.element;
+    row.scrollIntoView({ block: "nearest" });
+  }
+
   private show(proof: Proof): void {
     const report = this.store.report.value;
     const [text, tone] = this.words(proof);
@@ -68,12 +75,12 @@ export class ProofCard {
     if (row.open && row.closest("[data-row=notes]")) this.mends.look();
   }
 
-  /** What is said of rows that are not known. */
-  private missing(proof: Proof): Missing | null {
-    if (proof.state === "done") return null;
-    if (proof.state !== "late") return { words: "not yet known" };
+  /** What is said of rows that are not known; where time was over, with what looks again. */
+  private missing({ state }: Proof): Missing | null {
+    const missing = missingOf(this.store);
+    if (!missing || state !== "late") return missing;
     const mend = (): HTMLElement => button({ label: "Retry, with more time", text: "Retry, with more time", class: "button primary", testid: "retry", act: this.again });
-    return { words: "not finished in time ", sign: "warns", mend };
+    return { ...missing, mend };
   }
 
   /** What would keep the panels apart. */

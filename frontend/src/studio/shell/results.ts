@@ -17,6 +17,7 @@ export class Results {
   /** Called when the figures were written. */
   onFigures: ((figures: HTMLElement) => void) | null = null;
   private readonly figures = h("div", { class: "figures", "data-testid": "figures" });
+  private readonly proof: ProofCard;
   private readonly said = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
   private readonly legend = h("div", { class: "pattern-legend", "data-testid": "pattern-legend" });
   private keepView = false;
@@ -26,6 +27,7 @@ export class Results {
     private readonly store: Store,
     again: () => void,
   ) {
+    this.proof = new ProofCard(store, again);
     const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
     this.element = h(
       "aside",
@@ -38,7 +40,7 @@ export class Results {
       ),
       sheet,
       this.legend,
-      new ProofCard(store, again).element,
+      this.proof.element,
       scrolledByKeys(h("div", { class: "figures-frame", role: "region", "aria-label": "Figures" }, this.figures)),
       this.said,
     );
@@ -52,6 +54,11 @@ export class Results {
       const rows = judged(store.report.value);
       this.say(`${headline(rows)?.[0] ?? ""}: ${rows[0]?.finding ?? ""}. ${this.summary()}`);
     });
+  }
+
+  /** Show the row of the verdict on a subject. */
+  openRow(subject: string): void {
+    this.proof.open(subject);
   }
 
   draw(): void {

@@ -1,12 +1,13 @@
 // The panel or crease that is chosen: one in space and in the pattern.
 
 import { Vector3 } from "three";
+import type { GroundFoot } from "../../shared/api-types.ts";
 import { flatPlace, neighbour, sheetOf } from "../../shared/inspect.ts";
 import { Chosen3D } from "../../shared/moving3d.ts";
 import type { Pattern2D } from "../../shared/pattern2d.ts";
 import type { Motion } from "../../shared/rigid.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";
-import { panelCount } from "../../shared/view.ts";
+import { panelCount, type View } from "../../shared/view.ts";
 import { ARROWS, type Room, type Sight } from "./sight.ts";
 import { Signal } from "../state/signal.ts";
 import type { Store } from "../state/store.ts";
@@ -15,12 +16,17 @@ export interface Chosen {
   panel: number;
   /** A crease or edge of the panel; null: the panel. */
   edge: number | null;
+  /** A vertex of it that stands on the ground: which of the feet. */
+  foot?: number;
 }
 
 /** Creases are caught within so many pixels, and within this share of a panel's size. */
 const REACH = 7;
 const REACH_TOUCH = 12;
 const SHARE = 0.16;
+/** Feet are caught within so many pixels. */
+const FOOT = 9;
+const FOOT_TOUCH = 16;
 
 export class Selection {
   readonly chosen = new Signal<Chosen | null>(null);
@@ -30,9 +36,9 @@ export class Selection {
     private readonly store: Store,
     private readonly sight: Sight,
     pattern: Pattern2D,
-    shell: Shell3D,
+    private readonly shell: Shell3D,
   ) {
-    const redraw = shell.add(new Chosen3D(shell.uniforms, "--accent", (motion) => ({ lines: this.lines(motion), dots: [] })));
+    const redraw = shell.add(new Chosen3D(shell.uniforms, "--accent", (motion) => this.marks(motion)));
     pattern.layers.top.push((pen, at, theme) => {
       const { value } = this.chosen;
       const view = store.view.value;
@@ -55,7 +61,8 @@ export class Selection {
     store.view.watch((view, before) => {
       const { value } = this.chosen;
       const same = view && before && String(view.header.grid) === String(before.header.grid);
-      if (value && (!same || value.panel >= panelCount(view))) this.chosen.set(null);
+      const gone = value?.foot !== undefined && (!view || !feetIn(view)[value.foot]);
+      if (value && (!same || gone || value.panel >= panelCount(view))) this.chosen.set(null);
       this.pointed.set(null);
     });
     // Before the pattern's own keys, which move the picture.
@@ -74,16 +81,30 @@ export class Selection {
   point(room: Room, event: PointerEvent | null): void {
     const now = event && this.found(room, event);
     const { value } = this.pointed;
-    if (now?.panel !== value?.panel || now?.edge !== value?.edge) this.pointed.set(now);
+    if (now?.panel !== value?.panel || now?.edge !== value?.edge || now?.foot !== value?.foot) this.pointed.set(now);
   }
 
   private found(room: Room, event: PointerEvent): Chosen | null {
     const view = this.store.view.value;
+    const foot = view && room === "space" ? this.footAt(view, event) : null;
+    if (foot) return foot;
     const seen = view && this.sight.at(room, event, 0);
     if (!seen) return null;
     const reach = Math.min(event.pointerType === "touch" ? REACH_TOUCH : REACH, SHARE * seen.size);
     const edge = seen.away <= reach ? sheetOf(view).edges[4 * seen.panel + seen.side]! : -1;
     return { panel: seen.panel, edge: edge < 0 ? null : edge };
+  }
+
+  private footAt(view: View, event: PointerEvent): Chosen | null {
+    const { shell } = this, { motion } = shell;
+    if (!motion || !shell.atTarget || shell.load) return null;
+    const reach = event.pointerType === "touch" ? FOOT_TOUCH : FOOT;
+    const away = feetIn(view).map((_, foot) => {
+      const [x, y] = shell.onScreen(motion.at(cornerOfFoot(view, motion, foot), new Vector3()));
+      return Math.hypot(x - event.clientX, y - event.clientY);
+    });
+    const foot = away.indexOf(Math.min(...away));
+    return foot >= 0 && away[foot]! <= reach ? { panel: cornerOfFoot(view, motion, foot) >> 2, edge: null, foot } : null;
   }
 
   /** Arrow keys go to the panel beside; Enter begins with the one in the middle. */
@@ -108,10 +129,23 @@ export class Selection {
     return edge === null ? [...view.faces.subarray(4 * panel, 4 * panel + 4)] : [...view.edges.subarray(2 * edge, 2 * edge + 2)];
   }
 
-  private lines(motion: Motion): Vector3[] {
+  private marks(motion: Motion): { lines: Vector3[]; dots: Vector3[] } {
     const { value } = this.chosen;
-    if (!value || value.panel >= motion.panels) return [];
+    const view = this.store.view.value;
+    if (!view || !value || value.panel >= motion.panels) return { lines: [], dots: [] };
+    if (value.foot !== undefined) return { lines: [], dots: [motion.at(cornerOfFoot(view, motion, value.foot), new Vector3())] };
     const places = this.vertices(value).map((vertex) => motion.at(motion.cornerOf(value.panel, vertex), new Vector3()));
-    return value.edge === null ? places.flatMap((place, k) => [place, places[(k + 1) & 3]!]) : places;
+    return { lines: value.edge === null ? places.flatMap((place, k) => [place, places[(k + 1) & 3]!]) : places, dots: [] };
   }
+}
+
+/** None before the shell is proved. */
+export function feetIn(view: View): readonly GroundFoot[] {
+  return view.header.report.deployment?.ground?.feet ?? [];
+}
+
+/** A corner of a panel at a foot. */
+function cornerOfFoot(view: View, motion: Motion, foot: number): number {
+  const [row, column] = feetIn(view)[foot]!.at;
+  return motion.faces.indexOf(row * (view.header.grid?.[1] ?? 0) + column);
 }

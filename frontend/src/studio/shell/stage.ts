@@ -6,7 +6,9 @@ import { button, segmented } from "../parts/controls.ts";
 import { contactOf } from "../../shared/stops.ts";
 import { h } from "../parts/dom.ts";
 import { FoldBar } from "./fold-bar.ts";
+import type { Load } from "../../shared/api-types.ts";
 import { aimOf, isSlow } from "../state/aims.ts";
+import { worstCase } from "../structure/worst.ts";
 import { isFound, type Store } from "../state/store.ts";
 import type { Design } from "../state/types.ts";
 
@@ -32,9 +34,12 @@ export class Stage {
   /** Tools over the scene: others join the first. */
   readonly tools: HTMLElement;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
-  private readonly loads: LoadedControls;
+  /** The load case that is shown. */
+  readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
   private readonly boxes: Partial<Record<"surface" | "f" | "g", HTMLInputElement>> = {};
+  /** A load that was typed, whose worst case is to be shown. */
+  private typed: Load["kind"] | null = null;
   private keepCamera = false;
   private keepFold = false;
 
@@ -78,6 +83,7 @@ export class Stage {
       this.fold.element,
     );
     this.fold.share.bind((share) => this.shell.setFold(share));
+    this.fold.put.watch((share) => this.shell.setPut(share));
     store.freshness.bind(() => this.showState());
     store.view.bind(() => this.showState());
     store.busy.bind(() => this.showState());
@@ -96,6 +102,12 @@ export class Stage {
     this.shell.setFold(this.fold.share.value);
     this.loads.show(view);
     this.keepCamera = this.keepFold = true;
+  }
+
+  /** Show the worst case that has a load, as soon as it is known. */
+  showLoad(kind: Load["kind"]): void {
+    this.typed = kind;
+    this.fold.toTarget();
   }
 
   /** The next shell is of another design: look anew, at its target. */
@@ -141,9 +153,19 @@ export class Stage {
     return label;
   }
 
+  /** The load that was typed, once it is analysed: remedies may still be looked for. */
+  private showTyped(): void {
+    const view = this.store.view.value;
+    const worst = view && this.typed && isFound(this.store.proof.value) ? worstCase(view, this.typed) : null;
+    if (!worst) return;
+    this.typed = null;
+    this.loads.want(worst.name);
+  }
+
   private showProof(): void {
     const view = this.store.view.value;
     const proof = this.store.proof.value;
+    this.showTyped();
     if (proof.state === "running" || !isFound(proof) || !view) return;
     this.shell.setDistance(view.distance ?? null);
     const contact = contactOf(view);

@@ -37,10 +37,13 @@ export class Standing {
     shell.add(new Feet3D(shell.uniforms));
     const standing = h("input", { type: "checkbox", "data-testid": "person", onchange: () => store.figure.set(standing.checked) });
     const personSwitch = h("label", { class: "check", title: "a person of 1.75 m beside shell and profile, for the size" }, standing, "Person");
-    const tied = h("input", { type: "checkbox", checked: true, "data-testid": "ties", onchange: () => {
-      ties.setVisible(tied.checked);
+    const { untied } = stage.fold;
+    const showTies = (): void => {
+      ties.setVisible(tied.checked && !untied.value);
       redrawTies();
-    } });
+    };
+    const tied = h("input", { type: "checkbox", checked: true, "data-testid": "ties", onchange: showTies });
+    untied.watch(showTies);
     const tiesSwitch = h("label", { class: "check", title: "taut: a line; slack: dashes" }, tied, "Ties");
     stage.overlays.append(personSwitch, tiesSwitch);
     store.figure.bind((on) => {

@@ -60,6 +60,8 @@ export class Store {
   readonly trials = new Signal<{ tried: readonly FamilyTrial[]; family: string | null } | null>(null);
   /** Sizes are being chosen: what is done, in words. */
   readonly busy = new Signal<string | null>(null);
+  /** A variant that is pointed at among others. */
+  readonly pointed = new Signal<Design | null>(null);
   /** Whether a person stands beside the shell, for its size. */
   readonly figure = keptSwitch("orishell.figure", true);
   /** What was done, in a few words, for a moment. */

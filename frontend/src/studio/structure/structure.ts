@@ -12,6 +12,7 @@ import { isFound, type Store } from "../state/store.ts";
 import { CarryCard } from "./carry.ts";
 import { RailControls } from "./rail.ts";
 import { box, choice, named, row } from "./rows.ts";
+import { worstCase } from "./worst.ts";
 import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, underSnowAndWind, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
 
 const NONE = "", OWN = "own";
@@ -35,11 +36,14 @@ export class StructureControls {
   private readonly begin: HTMLButtonElement;
   private readonly rest: HTMLElement;
   private readonly listed = h("p", { class: "note" });
+  /** How much of what it bears the shell uses under each load. */
+  private readonly shares = Object.fromEntries(LOADS.map((load) => [load, h("output", { class: "measured share", "data-testid": `share-${load}` }) as HTMLElement])) as Record<Load, HTMLElement>;
   private readonly work: WorkBar;
   private readonly verdict = h("p", { class: "structure-verdict", role: "status", "data-testid": "structure-verdict" });
   private readonly again: HTMLButtonElement;
 
-  constructor(private readonly store: Store, act: { stop(): void; again(): void }) {
+  /** `loaded` is told which load was given another value. */
+  constructor(private readonly store: Store, private readonly act: { stop(): void; again(): void; loaded(load: Load): void }) {
     const { info } = store;
     const words = (table: string): Record<string, KeyWords> => info.tables[table]!.keys;
     const structure = words("structure"), supports = words("structure.supports"), loads = words("load_case");
@@ -122,6 +126,7 @@ export class StructureControls {
       row("material", material!, this.material),
       this.rest,
     );
+    for (const load of LOADS) (load === "self_weight" ? this.weight : this.boxes[load]).before(this.shares[load]);
     store.design.bind(() => this.show());
     store.proof.bind(() => this.say());
   }
@@ -134,11 +139,13 @@ export class StructureControls {
   private beginLoads(): void {
     const { design, info } = this.store;
     this.change(underSnowAndWind(design.value, info.materials), "snow and wind");
+    this.act.loaded("snow");
     this.boxes.snow.focus();
   }
 
   private load(load: Load, key: string, value: unknown): void {
     this.change(withLoad(this.store.design.value, load, key, value), load === "self_weight" ? "own weight" : load, key && `type-${load}-${key}`);
+    if (value !== undefined) this.act.loaded(load);
   }
 
   private segments(key: string, { label, choices }: KeyWords, chosen: (value: string) => void): Segmented<string> {
@@ -198,6 +205,16 @@ export class StructureControls {
     this.listed.hidden = !words.length;
   }
 
+  /** Beside a load, the worst of the cases that have it. */
+  private share(load: Load, found: boolean): void {
+    const view = this.store.view.value, output = this.shares[load];
+    const worst = found && view ? worstCase(view, load) : null;
+    const used = worst?.share === null || worst?.share === undefined ? "not known" : `${threeDigits(100 * worst.share)} %`;
+    output.replaceChildren(...(worst ? [signOf(worst.sign), ` ${worst.moves ? "moves" : used}`] : []));
+    output.dataset["tone"] = worst?.sign ?? "";
+    output.title = worst ? `${worst.governs ? `of ${worst.governs.replaceAll("_", " ")}, ` : ""}under ${worst.name}` : "";
+  }
+
   /** How far the analysis is, and what it found. */
   private say(): void {
     const { proof, report, design } = this.store;
@@ -207,6 +224,7 @@ export class StructureControls {
     if (now.state === "running") this.work.show(now.share, now.what);
     else if (now.state === "waiting") this.work.begin("waiting");
     else this.work.hide();
+    for (const load of LOADS) this.share(load, found !== null && found !== undefined);
     const fault = asked && (now.state === "failed" || now.state === "late") ? now.fault : null;
     const failed = fault && { sign: now.state === "late" ? ("warns" as const) : ("fails" as const), subject: "not analysed", finding: fault.message };
     const shown = found ?? failed;
