@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from mechanisms import sleeves_of
-from orishell.motion import Mechanism
+from orishell.motion import Mechanism, diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.grid import Vertex
 from orishell.motion.hinges import Hinges
@@ -141,3 +141,24 @@ def freedoms_of_boards(mechanism: Mechanism, hinges: Hinges, drive: float) -> in
     ends = positions.reshape(-1, 3)[mesh.edges[mesh.crease]]
     over = shifts[first] + heights[:, None] * normals[first]
     return freedoms(ends + over[:, None], mesh.edge_faces[mesh.crease], len(mesh.faces))
+
+
+def strained(whole: Complex, states: int = 40) -> tuple[float, float]:
+    """By how much panels of a sheet and what it carries change, and are not plane, by the diagonal.
+
+    Of all distances in every panel with all that lies on its sides, from the flat sheet to the end.
+    """
+    loops, size = whole.layout.loops, diagonal(whole.positions(0.0))
+    loops = np.where(loops < 0, loops[:, :1], loops)
+
+    def distances(points: Array) -> Array:
+        corners = points[loops]
+        return np.asarray(np.linalg.norm(corners[:, :, None] - corners[:, None], axis=-1))
+
+    wanted, stretched, off = distances(points_of(whole, 0.0)), 0.0, 0.0
+    for drive in np.linspace(0.0, whole.end_drive, states):
+        points = points_of(whole, float(drive))
+        stretched = max(stretched, float(np.abs(distances(points) - wanted).max()))
+        corners = points[loops] - points[loops].mean(axis=1, keepdims=True)
+        off = max(off, float(np.linalg.svd(corners, compute_uv=False)[:, 2].max()))
+    return stretched / size, off / size

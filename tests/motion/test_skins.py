@@ -16,7 +16,7 @@ from orishell.motion import diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.layout import points_of
 from orishell.motion.skins import INNER, OUTER, Skin
-from rigid_rank import freedoms_of_complex
+from rigid_rank import freedoms_of_complex, strained
 from samples import THOROUGH
 from skinned import random_sheet
 
@@ -69,20 +69,7 @@ def staircase_of_its_own(
 def test_panels_stay_what_they_are(number: int) -> None:
     """All distances in every panel with all that hangs on it, and its plane, in 40 states."""
     _, whole = random_skin(number)
-    flat, loops = points_of(whole, 0.0), whole.layout.loops
-    loops = np.where(loops < 0, loops[:, :1], loops)
-    size = diagonal(whole.positions(0.0))
-
-    def distances(points: np.ndarray) -> np.ndarray:
-        corners = points[loops]
-        return np.asarray(np.linalg.norm(corners[:, :, None] - corners[:, None], axis=-1))
-
-    wanted = distances(flat)
-    for drive in np.linspace(0.0, whole.end_drive, 40):
-        points = points_of(whole, float(drive))
-        assert np.abs(distances(points) - wanted).max() < 1e-14 * size
-        corners = points[loops] - points[loops].mean(axis=1, keepdims=True)
-        assert np.linalg.svd(corners, compute_uv=False)[:, 2].max() < 1e-14 * size
+    assert max(strained(whole)) < 1e-14
 
 
 @pytest.mark.parametrize("number", range(ALL if THOROUGH else 8))

@@ -14,7 +14,7 @@ from orishell.motion import Mechanism, diagonal
 from orishell.motion.complex import Complex
 from orishell.motion.layout import points_of
 from orishell.motion.sleeves import Q, R, Sleeve, SleeveForms, W
-from rigid_rank import freedoms_of_complex
+from rigid_rank import freedoms_of_complex, strained
 from samples import THOROUGH
 from stiffened import sheet_of
 
@@ -37,22 +37,9 @@ def random_complex(number: int) -> Complex:
 def test_panels_stay_what_they_are(number: int) -> None:
     """All distances in every panel with all that lies on its sides, and its plane, in 40 states."""
     whole = random_complex(number)
-    flat, loops = points_of(whole, 0.0), whole.layout.loops
-    loops = np.where(loops < 0, loops[:, :1], loops)
-    size = diagonal(whole.positions(0.0))
-
-    def distances(points: np.ndarray) -> np.ndarray:
-        corners = points[loops]
-        return np.asarray(np.linalg.norm(corners[:, :, None] - corners[:, None], axis=-1))
-
-    wanted, end = distances(flat), whole.end_drive
-    rigid = 0.0
-    for drive in np.linspace(0.0, end, 40):
-        points = points_of(whole, float(drive))
-        rigid = max(rigid, np.abs(distances(points) - wanted).max() / size)
-        corners = points[loops] - points[loops].mean(axis=1, keepdims=True)
-        off = np.linalg.svd(corners, compute_uv=False)[:, 2].max() / size
-        assert off < 1e-14
+    rigid, off = strained(whole)
+    assert off < 1e-14
+    flat, end, size = points_of(whole, 0.0), whole.end_drive, diagonal(whole.positions(0.0))
     # The sheet's own panels are as rigid as its family makes them.
     own = whole.layout.faces[: whole.grid.panel_count]
     sheet = max(

@@ -90,6 +90,10 @@ class Section:
 LEAST_BENDING = 1e-3
 """Where no board is, bending is at least that of a membrane with this share of a board's E t."""
 
+LEAST_JOINED = 0.2
+"""Where nothing is known of a membrane, panels are in their plane as stiff as so many boards at
+least: strips that hang on others have their boards farther from there than is averaged over, and
+without it nothing would hold their edge."""
 NO_CHAMFER = 1e-300
 """Divides where there is no chamfer, so that a board is as thick as it is."""
 SAMPLES, WINDOW = 64, 16
@@ -133,8 +137,9 @@ def panel_sections(
     bending = _averaged(np.asarray(bends, np.float64), centres)
     between = fabric * build.membrane
     both = boards_there > 1
+    joined = boards_there if between else np.maximum(boards_there, LEAST_JOINED)
     return Section(
-        membrane=one * boards_there + between,
+        membrane=one * joined + between,
         bending=bending + max(between, LEAST_BENDING * one) * build.membrane**2 / 12,
         poisson=layup.poisson,
         modulus=layup.modulus,
