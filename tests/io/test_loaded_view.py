@@ -13,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from loaded_shells import LARGEST, loaded_document
+from orishell.document.loaded import LoadedCreases
 from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats.html import write_html
 from orishell.io.view import dump_view
@@ -62,6 +63,15 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         # No load is lost where panels share nodes.
         total = arrays["panel_loads"][number].sum(axis=0)
         np.testing.assert_allclose(total, case.forces.sum(axis=0), rtol=1e-5, atol=1e-4)
+    # The largest force along every crease, in newtons per metre as the document is in metres.
+    pairs, forces = np.array([[0, 1], [1, 2]]), np.array([1500.0, 0.0])
+    creases = LoadedCreases(pairs, forces, ("pull", ""), ("snow", ""))
+    header, blocks = parts_of(dump_view(replace(document, loaded=replace(loaded, creases=creases))))
+    assert header["creases"] == {"what": ["pull", ""], "cases": ["snow", ""]}
+    for name, kind, written in (("panels", "u4", pairs), ("forces", "f4", forces)):
+        offset = header["arrays"][f"crease_{name}"]["offset"]
+        found = np.frombuffer(blocks, f"<{kind}", written.size, offset)
+        np.testing.assert_array_equal(found, written.ravel())
     strengths = (16e6, 24e6, None)
     known = tuple(map(lambda case, each: replace(case, strength=each), loaded.cases, strengths))
     header, _ = parts_of(dump_view(replace(document, loaded=replace(loaded, cases=known))))

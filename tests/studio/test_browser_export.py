@@ -65,6 +65,12 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     assert design(page)["pattern"] == sizes  # one step
 
     page.get_by_test_id("redo").click()
+    page.get_by_test_id("front-0").hover()
+    wait_until(page, "document.querySelector('.stage').dataset.preview === 'true'")
+    legend = page.locator(".orishell-legend")
+    assert "pointed at" in legend.inner_text()  # as a ghost
+    page.mouse.move(1, 1)
+    wait_until(page, "document.querySelector('.stage').dataset.preview === 'false'")
     page.get_by_test_id("front-0").click()
     most = page.get_by_test_id("tradeoff-facts").inner_text()
     page.keyboard.press("ArrowRight")

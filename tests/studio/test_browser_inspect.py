@@ -57,6 +57,15 @@ FREE = """(() => {
 })()"""
 
 
+# Where feet are in the window.
+FEET = """(() => {
+    const { shell3d, shell3d: { motion, camera }, store } = window.__orishell;
+    const { grid, report } = store.view.value.header;
+    return report.deployment.ground.feet.map(({ at: [row, column] }) => shell3d.onScreen(
+        motion.at(motion.faces.indexOf(row * grid[1] + column), camera.position.clone())));
+})()"""
+
+
 def bring(page: Page, name: str) -> None:
     """Drop an example's file on the page."""
     page.evaluate(DROP, [(EXAMPLES / name).read_text(), name])
@@ -131,8 +140,8 @@ def test_rows_and_depth_are_handles_at_the_shell(page: Page) -> None:
     settle(page)
     pattern = "window.__orishell.store.design.value.pattern"
     before = page.evaluate(pattern)
-    for key, test_id in (("rows", "handle-rows"), ("depth", "handle-depth")):
-        handle = page.get_by_test_id(test_id)
+    for key in ("rows", "depth"):
+        handle = page.get_by_test_id(f"handle-{key}")
         handle.focus()
         page.keyboard.press("ArrowUp")
         drawn(page)
@@ -153,6 +162,17 @@ def test_rows_and_depth_are_handles_at_the_shell(page: Page) -> None:
     page.mouse.up()
     drawn(page)
     assert page.evaluate(pattern)["rows"] < before["rows"]
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    # The profile is drawn wider at its foot, and no higher.
+    foot = page.get_by_test_id("handle-f")
+    span = float(foot.get_attribute("aria-valuenow") or "")
+    foot.focus()
+    page.keyboard.press("ArrowUp")
+    drawn(page)
+    assert span < float(foot.get_attribute("aria-valuenow") or "") < 1.2 * span
+    wide, high = page.evaluate("window.__orishell.store.design.value.target.f.scale")
+    assert wide > high == 1
     page.get_by_test_id("undo").click()
     drawn(page)
     assert page.evaluate(pattern) == before
@@ -208,6 +228,40 @@ def test_panels_and_creases_are_inspected(page: Page) -> None:
     page.mouse.up()
     await_frames(page)
     assert page.get_by_test_id("inspect-close").count() == 0
+
+
+@thorough
+def test_play_stops_where_ties_hold(page: Page) -> None:
+    bring(page, "shelter.toml")
+    target = page.evaluate("window.__orishell.fold")
+    assert 0 < target < 1
+    put = "window.__orishell.shell3d.clipped.solids.children.filter((each) => each.visible).length"
+    parts = page.evaluate(put)
+    page.get_by_test_id("play").click()
+    # What is clipped on appears one after the other, once the shell stands.
+    wait_until(page, f"window.__orishell.fold === {target} && {put} < {parts}")
+    wait_until(page, "document.querySelector('[data-testid=play]').ariaLabel !== 'Pause'")
+    assert page.evaluate("window.__orishell.fold") == target
+    assert page.evaluate(put) == parts
+    page.get_by_test_id("untie").click()
+    page.get_by_test_id("play").click()
+    wait_until(page, "window.__orishell.fold === 1")
+    assert page.get_by_test_id("untie").is_hidden()
+    # From the pack again ties are hooked in again.
+    page.get_by_test_id("play").click()
+    wait_until(page, f"window.__orishell.fold === {target}")
+    wait_until(page, "document.querySelector('[data-testid=play]').ariaLabel !== 'Pause'")
+    assert page.get_by_test_id("untie").inner_text() == "Untie"
+    feet = page.evaluate(FEET)
+    page.mouse.click(*feet[-3])
+    await_frames(page)
+    card = page.get_by_test_id("inspect-card")
+    assert card.locator("h3").inner_text() == f"Foot {len(feet) - 2}"
+    assert "not known without loads" in card.inner_text()
+    card.get_by_test_id("set-structure-material").click()
+    assert page.evaluate("document.activeElement.dataset.testid") == "structure-material"
+    leave(page)
+    page.keyboard.press("Escape")
 
 
 @thorough

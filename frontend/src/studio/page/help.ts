@@ -18,6 +18,7 @@ const KEYS: [string, string][] = [
   ["D on a curve", "draw it anew; arrow keys and Space put points, Enter ends, Escape cancels"],
   ["Double click on a curve", "add a point"],
   ["Alt while dragging a point", "it is not caught by the grid, axes and mirror images"],
+  ["Dots and sizes at the shell", "drag a dot, or press arrow keys on it; type a size and press Enter"],
   ["Wheel, drag, + and −", "zoom and pan a curve, the pattern, the shell"],
   ["0 or Home in a drawing", "fit into view"],
   ["F, or double click on the shell", "fit it into view, and follow it as it folds"],

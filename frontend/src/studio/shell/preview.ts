@@ -51,6 +51,7 @@ export class Preview {
 
   private show(view: View | null): void {
     this.ghost.set(view);
+    this.stage.element.dataset["preview"] = String(view !== null);
     this.stage.shell.explainMark("variant", view !== null);
     this.redraw();
   }

@@ -40,7 +40,7 @@ export class SceneSizes {
     stage: Stage,
     pinned: Pinned,
     /** Whether sizes and handles are shown at the shell. */
-    on: Signal<boolean>,
+    private readonly on: Signal<boolean>,
   ) {
     const { shell } = stage;
     this.lines = new DimensionLines(shell.uniforms, () => shell.eye.arm);
@@ -52,14 +52,12 @@ export class SceneSizes {
     stage.tools.append(shown);
     on.bind((seen) => {
       setAttribute(shown, "aria-pressed", String(seen));
-      this.lines.setVisible(seen);
-      this.redraw();
+      this.show();
       shell.refit();
     });
     for (const signal of [store.design, store.report, store.proof, store.freshness, store.fault]) {
       (signal as { watch(listener: () => void): void }).watch(() => this.show());
     }
-    this.show();
   }
 
   private box(measure: Measure): Box {
@@ -118,6 +116,7 @@ export class SceneSizes {
       element.classList.toggle("faulty", sideOf(table) === side && (fault.value?.keys ?? []).includes(`target.fit.${size}`));
       if (document.activeElement !== input) setNumber(input, short(this.value(measure) ?? NaN, 4));
     }
+    this.lines.setVisible(this.on.value && (["width", "depth", "height"] as const).some((each) => this.known(each)));
     this.lines.setRoom(this.known("headroom") ? this.value("headroom")! : 0);
     this.redraw();
   }
