@@ -105,10 +105,12 @@ def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     """What tests measured without a limit, by ``record_property``; what `make thorough` adds."""
-    for report in terminalreporter.getreports("passed"):
-        for name, value in report.user_properties:
-            if not name.startswith(margins.MARGIN):
-                terminalreporter.write_line(f"{name}: {value}")
+    # What a fixture tells at its end is in the report of that, which is in no category.
+    reports = (*terminalreporter.getreports("passed"), *terminalreporter.getreports(""))
+    told = [each for report in reports for each in getattr(report, "user_properties", ())]
+    for name, value in dict.fromkeys(told):
+        if not name.startswith(margins.MARGIN):
+            terminalreporter.write_line(f"{name}: {value}")
     if config.getoption("--margins"):
         margins.report(terminalreporter)
     left_out = Counter(

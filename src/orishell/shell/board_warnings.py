@@ -40,10 +40,11 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
         shell = mechanism.positions(mechanism.target_drive)
         off = float(board_offsets(design.hinges, shell, design.meant).max())
         if off > BESIDE_TARGET * diagonal(design.meant):
-            yield (
+            yield Note(
                 f"boards on their hinges lie up to {plain(off, 3)} {unit} from the panels that "
                 "would meet the target: thinner boards, fewer rows or straight columns bring them "
-                "nearer"
+                "nearer",
+                "off",
             )
     if design.panel is not None and design.panel.weighs_boards_alone:
         yield (

@@ -178,9 +178,10 @@ def _of_size(design: Design) -> Iterator[str]:
     less = design.smaller_by
     flaps = "narrower flaps" if has_flaps(design.mechanism) or less else ""
     remedies = " or ".join(each for each in (less, flaps) if each)
-    yield (
+    yield Note(
         f"the sheet is {ratio:.2f} times as large as the surface that it covers"
-        f"{f': {remedies} would make it smaller' if remedies else ''}"
+        f"{f': {remedies} would make it smaller' if remedies else ''}",
+        "sheet" if flaps else None,
     )
 
 

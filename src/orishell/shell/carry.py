@@ -219,7 +219,8 @@ class _Search:
         """Those that carry as the file asks, too, the lightest first; none that another beats."""
         found: list[Carrying] = []
         trials = 0
-        for state in sorted(self.carrying, key=lambda each: each.weight):
+        # What both orders came to is one design.
+        for state in sorted(dict.fromkeys(self.carrying), key=lambda each: each.weight):
             changes = len(state.change.values)
             if any(each.beats(*state.weight, changes) for each in found):
                 continue

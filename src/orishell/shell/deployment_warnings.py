@@ -92,10 +92,11 @@ def _of_ties(report: DeploymentReport) -> Iterator[str]:
     failing = [tie for tie in report.ties if tie.slack is False]
     if failing and failing[0].fails_at is not None:
         (row, column), (other, _) = failing[0].ends
-        yield (
+        yield Note(
             f"{len(failing)} of {len(report.ties)} ties are not proved slack all the way from the "
             f"pack, for example the one of rows {row} and {other} in column {column}, about drive "
-            f"{np.rad2deg(failing[0].fails_at):.4g} degrees: tie other vertices of the column"
+            f"{np.rad2deg(failing[0].fails_at):.4g} degrees: tie other vertices of the column",
+            "taut",
         )
 
 

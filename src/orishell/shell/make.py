@@ -143,9 +143,10 @@ def _made(found: Candidate, work: Work, told: Callable[[Shell], None] | None) ->
         told(_shell(facts, so_far))
     facts = with_structure(facts, work)
     analysis, stronger = facts.analysis, None
+    judged = analysis is not None and analysis.sign in ("fails", "warns")
+    if told is not None and judged and mended:
+        told(_shell(facts, so_far))
     if analysis is not None and analysis.sign == "fails" and mended:
-        if told is not None:
-            told(_shell(facts, so_far))
         stronger = find_stronger(file, analysis, progress)
         clock.lap("remedies")
     elif analysis is not None and analysis.sign == "warns" and mended:

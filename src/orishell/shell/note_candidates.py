@@ -24,6 +24,8 @@ BOARDS = ((2.5, 1.25), (3.05, 1.525))
 """Sizes in which plywood is commonly sold (metres), the usual one first."""
 MORE_ROWS = (1.25, 1.5, 2.0)
 """Rows are tried by so many times as many as there are, where folds are deep."""
+LESS = (0.75, 0.5, 0.25)
+"""Flaps are made narrower, and boards thinner, to these shares of what they are."""
 FINER = 3
 """So many finer meshes are tried."""
 HEAVIER = (1.05, 1.5, 2.0)
@@ -111,6 +113,32 @@ def _other_side(_: Noted) -> Iterator[Remedy]:
         yield Remedy({"pattern.flap_side": end}, f"flaps at the {end} of f")
 
 
+def _narrower_flaps(noted: Noted) -> Iterator[Remedy]:
+    width = noted.report.parameters.get("flap")
+    if not isinstance(width, float) or not width:
+        return
+    for share in LESS:
+        narrower = rounded(share * width, 2)
+        yield Remedy({"pattern.flap": narrower}, f"flaps of {size(narrower, noted.file.unit)}")
+
+
+def _elsewhere_or_narrower(noted: Noted) -> Iterator[Remedy]:
+    yield from _other_side(noted)
+    yield from _narrower_flaps(noted)
+
+
+def _thinner(noted: Noted) -> Iterator[Remedy]:
+    thickness = 0.0 if noted.file.panel is None else noted.file.panel.thickness
+    for share in LESS if thickness else ():
+        thinner = rounded(share * thickness, 2)
+        words = f"boards of {size(thinner, noted.file.unit)}"
+        yield Remedy({"panel.thickness": thinner}, words)
+
+
+def _feet_tied_only(_: Noted) -> Iterator[Remedy]:
+    yield Remedy({"deployment.ties": "feet"}, "ties between feet only")
+
+
 def _flaps(_: Noted) -> Iterator[Remedy]:
     yield Remedy({"pattern.flap": "auto"}, "flaps as wide as they may be")
 
@@ -194,7 +222,10 @@ CANDIDATES: Mapping[About, Callable[[Noted], Iterator[Remedy]]] = {
     "board": _boards,
     "unit": _other_unit,
     "stock": _stock_in_other_units,
-    "reach": _other_side,
+    "reach": _elsewhere_or_narrower,
+    "sheet": _narrower_flaps,
+    "taut": _feet_tied_only,
+    "off": _thinner,
     "no flaps": _flaps,
     "closes": _flaps,
     "uneven": _on_corners,

@@ -9,7 +9,7 @@ import { WorkBar } from "../parts/work-bar.ts";
 import { makeItCarry } from "../server/api.ts";
 import { changed } from "../state/changed.ts";
 import { faultOf } from "../state/faults.ts";
-import type { Store } from "../state/store.ts";
+import { isFound, type Store } from "../state/store.ts";
 import type { Design } from "../state/types.ts";
 
 type State = "none" | "running" | "found" | "stopped" | "failed";
@@ -127,8 +127,10 @@ export class CarryCard {
     }
     for (const [number, body] of [...this.table.tBodies].entries()) setAttribute(body, "aria-current", number === open ? "true" : null);
     this.results.hidden = this.state === "none" || !(known || open >= 0);
-    const ended = proof.value.state === "done" || proof.value.state === "stopped";
-    const carries = proof.value.state === "done" && report.value?.structure?.carries === true;
+    // Its loads are looked at before it is tried what would help.
+    const analysed = isFound(proof.value) && Boolean(report.value?.structure);
+    const ended = analysed || proof.value.state === "stopped";
+    const carries = analysed && report.value?.structure?.carries === true;
     const shown = this.state === "running" || (this.state === "found" && known);
     this.go.hidden = shown || !design.value["structure"] || !ended || carries;
   }
