@@ -40,7 +40,7 @@ variables."pattern.rows" = [3, 5, 7, 9, 11]
 variables."pattern.columns" = [2, 3, 4]
 """
 COMMANDS = (
-    "new parallel-repeating new.toml",
+    "new arch new.toml",
     "design new.toml --out new",
     "design @tunnel.toml --out tunnel --write all",
     "design @figure1_card.toml --out card --write all",

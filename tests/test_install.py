@@ -143,7 +143,7 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
         (packages,) = (tmp_path / "environment").glob("lib/*/site-packages")
         (packages / "lent.pth").write_text(sysconfig.get_path("purelib"))
 
-    ran(command, "new", "parallel-repeating", "shell.toml", where=nowhere)
+    ran(command, "new", "arch", "shell.toml", where=nowhere)
     ran(command, "design", "shell.toml", "--out", "out", "--write", "html", *QUICKLY, where=nowhere)
     assert (nowhere / "out" / "viewer.html").stat().st_size > 500_000
 
@@ -194,7 +194,7 @@ def test_a_build_without_npm_says_so_and_what_it_lacks_says_so(tmp_path: Path) -
         return ran(*command, where=nowhere, status=status, variables=here)
 
     assert remedy in orishell("studio", status=2)
-    orishell("new", "parallel-repeating", "shell.toml", status=0)
+    orishell("new", "--family", "parallel-repeating", "shell.toml", status=0)
     said = orishell("design", "shell.toml", "--out", "out", "--write", "html", status=2)
     assert f"the viewer has not been built. {remedy}" in said
     assert not (nowhere / "out").exists()

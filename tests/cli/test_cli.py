@@ -8,6 +8,7 @@ import pytest
 
 from command_line import orishell, orishell_process
 from orishell import __version__
+from orishell.design_file.tasks import TASKS
 from orishell.families.registry import FAMILIES
 from samples import led_by
 
@@ -24,7 +25,7 @@ def smaller(text: str) -> str:
 
 
 def test_new_then_design(tmp_path: Path) -> None:
-    made = orishell("new", "parallel-repeating", cwd=tmp_path)
+    made = orishell("new", "--family", "parallel-repeating", cwd=tmp_path)
     assert made.returncode == 0
     assert (tmp_path / "parallel-repeating.toml").exists()
     done = orishell_process("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
@@ -69,13 +70,15 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
 
 
-def test_new_without_a_family_lists_them(tmp_path: Path) -> None:
+def test_new_without_a_task_lists_them(tmp_path: Path) -> None:
     listed = orishell("new", cwd=tmp_path)
     assert (listed.returncode, listed.stdout) == (2, "")
     first, *lines = listed.stderr.splitlines()
-    assert first.startswith("orishell: no family is named. Remedy: orishell new FAMILY")
-    assert [line.split()[0] for line in lines] == list(FAMILIES)
-    assert all(FAMILIES[line.split()[0]].what in line for line in lines)
+    assert first.startswith("orishell: nothing is named that is to be built. Remedy: orishell new")
+    named = {name: each.what for name, each in TASKS.items()}
+    named |= {name: each.what for name, each in FAMILIES.items()}
+    assert [line.split()[0] for line in lines] == list(named)
+    assert all(named[line.split()[0]] in line for line in lines)
     assert not list(tmp_path.iterdir())
 
 
@@ -88,7 +91,7 @@ def test_the_version(tmp_path: Path) -> None:
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text("mine")
-    done = orishell("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
+    done = orishell("new", "card", "mine.toml", cwd=tmp_path)
     assert done.returncode == 2
     assert "exists already" in done.stderr
     assert (tmp_path / "mine.toml").read_text() == "mine"
@@ -135,7 +138,7 @@ def test_faults_are_one_message_and_nothing_is_written(
 def test_usage_errors_have_status_2(tmp_path: Path) -> None:
     assert orishell("design", cwd=tmp_path).returncode == 2
     assert orishell("fold", cwd=tmp_path).returncode == 2
-    assert orishell("new", "miura", cwd=tmp_path).returncode == 2
+    assert orishell("new", "--family", "miura", cwd=tmp_path).returncode == 2
     assert not list(tmp_path.iterdir())
 
 

@@ -11,11 +11,12 @@ import pytest
 import tomli_w
 
 from command_line import orishell
-from orishell.conventions.errors import DesignError
+from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import check_design, starter_file
 from orishell.deviation import measure_deviation
 from orishell.io.formats import find_formats
+from orishell.motion.layout import points_of
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES, Step
@@ -241,16 +242,45 @@ def test_what_is_wrong_with_sizes_is_said_in_one_message(case: str, tmp_path: Pa
     assert not (tmp_path / "out").exists()
 
 
-def test_sizes_without_a_target_to_scale_are_refused(tmp_path: Path) -> None:
-    tables = parse_toml(starter_file("flat-foldable"))
-    ran = orishell(
-        "design",
-        write(tmp_path, {**tables, "target": {"fit": {"width": 3}}}),
-        "--out",
-        tmp_path / "out",
-    )
-    assert ran.returncode == 2
-    assert "[target.fit]: sizes need a target that is scaled" in ran.stderr
+SCREEN: Tables = {
+    **parse_toml(starter_file("flat-foldable")),
+    "pattern": {"rows": 4, "columns": 7, "fold_deg": 100, "row_length": 0.2},
+}
+
+
+def test_a_sheet_without_a_target_has_edges_as_long_as_its_sizes_ask_for(tmp_path: Path) -> None:
+    """Typed into the file, they make the same shell."""
+    fit = {"width": 2.0, "depth": 1.0}
+    screen = made({**SCREEN, "target": {"fit": fit}})
+    found = measured(screen, tmp_path, fit)
+    assert [found[key] for key in fit] == pytest.approx([*fit.values()], abs=EXACT)
+    fitted = screen.report.fitted
+    assert fitted is not None
+    assert fitted.scales.keys() == {"pattern.row_length", "pattern.column_length"}
+    lengths = {key.removeprefix("pattern."): each for key, each in fitted.scales.items()}
+    same = made({**SCREEN, "pattern": SCREEN["pattern"] | lengths})
+    own, other = (points_of(each.design.moving, 1.0) for each in (screen, same))
+    assert np.array_equal(own, other)
+    (row,) = (row for row in screen.report.verdict if row.subject == "sizes")
+    assert f"; scaled: row_length to {fitted.scales['pattern.row_length']:.4g}" in row.finding
+
+
+@pytest.mark.parametrize(
+    ("pattern", "fit", "said"),
+    [
+        ({}, {"height": 3.0}, "scaled along its rows and its columns only"),
+        ({"sheet": "lists"}, {"width": 3.0}, "sizes need a target that is scaled, or a sheet"),
+    ],
+)
+def test_other_sizes_of_a_sheet_without_a_target_are_refused(
+    pattern: Tables, fit: Tables, said: str
+) -> None:
+    lists = {"row_folds_deg": [90.0, 90.0], "column_folds_deg": [90.0, 90.0]}
+    tables = {"rows": 2, "columns": 2, **pattern, **(lists if pattern else {})}
+    with pytest.raises(InputError, match=said) as caught:
+        made({**SCREEN, "pattern": tables, "target": {"fit": fit}})
+    assert caught.value.keys[0].startswith("target.fit")
+    assert caught.value.remedy
 
 
 def test_a_shell_that_cannot_have_its_sizes_ends_with_status_1(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ from orishell.design_file.tables import (
 )
 from orishell.design_file.targets import Known
 from orishell.families.pattern import Pattern
-from orishell.families.registry import FAMILIES, pattern_of
+from orishell.families.registry import pattern_of
 from orishell.families.tolerance import Tolerance
 from orishell.motion.drawing import Drawing
 from orishell.structure.settings import Structure
@@ -193,7 +193,7 @@ def read_design_file(path: str | Path) -> DesignFile:
         Naming the file, the key, what was found and what is expected.
     """
     path = path_of(path, "design file")
-    remedy = f"orishell new {next(iter(FAMILIES))} writes one to begin with"
+    remedy = "orishell new shelter writes one to begin with"
     return check_design(read_toml(path, "design file", remedy), path)
 
 
@@ -263,6 +263,8 @@ def _checked(
         density = plate_density(stiffeners, file.structure, panels, file.workshop, unit)
         if file.target is not None and file.target.fit is not None:
             file.target.fit.require_headroom(unit)
+            if file.target.sizes_alone:
+                file.target.fit.require_lengths(pattern.lengths())
         if known is None:
             known = Known() if file.target is None else file.target.known(directory, unit)
         require_inner(known.inner is not None, stiffeners)

@@ -67,6 +67,24 @@ class FitTable(Table):
                 remedy="ask for more, or give a lower head_height",
             )
 
+    def require_lengths(self, lengths: tuple[str, str] | None) -> None:
+        """Refuse sizes of a sheet without a target that has no lengths to be scaled, or height."""
+        if lengths is None:
+            raise InputError(
+                "sizes need a target that is scaled, or a sheet of edges that are",
+                keys=("target.fit",),
+                expected="f and g, a surface, a drawn sheet, or a flat-foldable sheet by its name",
+                remedy='add [target.f] and [target.g], or write family = "flat-foldable"',
+            )
+        if self.height is not None:
+            raise InputError(
+                "a sheet without a target is scaled along its rows and its columns only",
+                keys=("target.fit.height",),
+                got=f"{self.height:g}",
+                expected="width and depth",
+                remedy="leave it out, and choose fold_deg: it says how deep folds are",
+            )
+
     def head(self, unit: str) -> float:
         """Height up to which a room is clear, in ``unit``."""
         return self.head_height or usual_head(unit)

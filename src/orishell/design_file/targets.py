@@ -61,10 +61,7 @@ class Targets(Table):
     def _check(self) -> Self:
         curves = [name for name in ("f", "g") if getattr(self, name) is not None]
         others = [name for name in ("surface", "pattern") if getattr(self, name) is not None]
-        if not others and not curves and self.fit is not None:
-            what = "sizes need a target that is scaled: f and g, a surface, or a drawn sheet"
-            raise PydanticCustomError("source", what, {"key": "fit"})
-        if not others:
+        if not others and not self.sizes_alone:
             for name in ("f", "g"):
                 if name not in curves:
                     what = "Field required"
@@ -79,8 +76,16 @@ class Targets(Table):
             raise PydanticCustomError("source", what, {"key": (curves or others)[0]})
         return self
 
+    @property
+    def sizes_alone(self) -> bool:
+        """Whether there is nothing to follow, but sizes for a sheet of its own."""
+        others = self.f, self.g, self.inner, self.surface, self.pattern
+        return self.fit is not None and others == (None,) * len(others)
+
     def known(self, directory: Path | None, unit: str) -> Known:
         """The surface, or the curves, see :meth:`Target.curve`; a drawn sheet is read before."""
+        if self.sizes_alone:
+            return Known()
         if self.surface is not None:
             surface = self.surface.surface(directory, unit)
             return Known(surface=surface, turns=self.surface.open_turns)

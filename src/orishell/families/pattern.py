@@ -124,6 +124,10 @@ class Pattern(Table, metaclass=Called):
     unasked: ClassVar[Mapping[str, Any]] = {}
     """Values of keys that a file must give, where it leaves the family open."""
 
+    def lengths(self) -> tuple[str, str] | None:
+        """Keys that make a sheet without a target wider, and deeper; None if there are none."""
+        return None
+
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for.
 

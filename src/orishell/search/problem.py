@@ -99,7 +99,7 @@ def read_problem(path: str | Path) -> Problem:
         figure.
     """
     path = path_of(path, "design file")
-    tables = read_toml(path, "design file", "orishell new FAMILY writes one")
+    tables = read_toml(path, "design file", "orishell new shelter writes one")
     return parse_problem(tables, path, text=path.read_text(encoding="utf-8-sig"))
 
 

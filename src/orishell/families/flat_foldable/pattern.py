@@ -158,6 +158,10 @@ class FlatFoldablePattern(Pattern):
             raise misfit("an angle above 0 in an arch", self.turn_deg, "turn_deg")
         return self
 
+    def lengths(self) -> tuple[str, str] | None:
+        """Of a sheet by its name: the lengths of an edge along rows and down columns."""
+        return None if self.sheet == "lists" else ("row_length", "column_length")
+
     def lists(self) -> Lists:
         """The lists of the sheet, those that are left open as such."""
         assert self.row_folds_deg != "auto"

@@ -18,16 +18,15 @@ class FittedSize:
     head_height: float | None  # up to which it is clear; None where no clear size is asked for
     asked: Mapping[str, float]
     found: Mapping[str, float]
-    # what the keys ``scale`` of the design file would say for the target to be as large as it is
+    # what keys of the design file would say for the shell to be as large as it is: ``scale`` of a
+    # target, lengths of edges of a sheet without one
     scales: Mapping[str, float | list[float]]
     trials: int  # shells that were tried without a proof
 
     def rows(self, unit: str) -> Iterator[Row]:
         """A row of the verdict."""
         head = "" if self.head_height is None else f" up to {size(self.head_height, unit)}"
-        scaled = ", ".join(
-            f"{key.split('.')[1]} by {_factors(scale)}" for key, scale in self.scales.items()
-        )
+        scaled = ", ".join(_said(key, each) for key, each in self.scales.items())
         how = f"; scaled: {scaled}" if scaled else ""
         of = (
             "outside, boards and flaps included"
@@ -37,8 +36,11 @@ class FittedSize:
         yield Row("holds", "sizes", f"{in_words(self.found, unit)} {of}{how}")
 
 
-def _factors(scale: float | list[float]) -> str:
-    return " x ".join(plain(each) for each in (scale if isinstance(scale, list) else [scale]))
+def _said(key: str, scale: float | list[float]) -> str:
+    """A target is scaled by a factor, an edge to a length."""
+    table, name = key.split(".")[:2]
+    factors = " x ".join(plain(each) for each in (scale if isinstance(scale, list) else [scale]))
+    return f"{name} {'to' if table == 'pattern' else 'by'} {factors}"
 
 
 def in_words(sizes: Mapping[str, float], unit: str) -> str:

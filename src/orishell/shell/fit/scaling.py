@@ -2,7 +2,8 @@
 
 Each size has a factor of its own. Height is that of f's y. Of width (along x) and depth (along y)
 each is that of the curve that is longer in this direction in plan: of g, along the same axis, or of
-f, across g. A surface is scaled along x, y and z. A drawn sheet has one factor only.
+f, across g. A surface is scaled along x, y and z. A drawn sheet has one factor only. A sheet
+without a target has one of its edges along rows, and one of those down columns.
 """
 
 from __future__ import annotations
@@ -64,6 +65,11 @@ def scaling_of(file: DesignFile) -> Scaling:
         key = "target.pattern.scale"
         factor = float(value_at(file.tables, key) or 1.0)
         return Scaling(((key, 0),) * 3, {key: (factor,)}, np.zeros(3))
+    lengths = file.pattern.lengths()
+    if file.target is None and file.surface is None and lengths is not None:
+        wide, deep = (f"pattern.{key}" for key in lengths)
+        edges = {f"pattern.{key}": (float(getattr(file.pattern, key)),) for key in lengths}
+        return Scaling(((wide, 0), (deep, 0), (deep, 0)), edges, np.zeros(3))
     if file.surface is not None:
         key = "target.surface.scale"
         given = value_at(file.tables, key) or 1.0

@@ -58,7 +58,8 @@ class SizeFit:
     known: dict[str, Array | None] = field(default_factory=dict)  # sizes by what the file says
 
     def __post_init__(self) -> None:
-        self.base = self.file.changed({"target.fit": None})
+        alone = self.file.tables["target"].keys() == {"fit"}
+        self.base = self.file.changed({"target" if alone else "target.fit": None})
         self.scaling = scaling_of(self.base)
         self.axes = [AXES.index(key) for key in self.fit.asked]
         self.asked = np.array([*self.fit.asked.values()])
