@@ -1,7 +1,7 @@
-"""What README says the program cannot do is what its modules say of themselves, and nothing else.
+"""What the page of limits says is what the modules say of themselves, and nothing else.
 
 A limit stands where it has its cause: a paragraph "Limit: ..." of a module's docstring. Whoever
-takes the cause away sees the sentence there, and this test asks that README loses it, too.
+takes the cause away sees the sentence there, and this test asks that the page loses it, too.
 """
 
 from __future__ import annotations
@@ -39,17 +39,17 @@ def limits_of_modules() -> dict[str, str]:
     return found
 
 
-def limits_of_readme() -> set[str]:
-    section = README.partition("\n## Honest limits\n\n")[2].partition("\n\n")[0]
+def limits_of_page() -> set[str]:
+    section = (ROOT / "docs" / "limits.md").read_text(encoding="utf-8").split("\n\n")[-1]
     return {plain(each) for each in re.split(r"^- ", section, flags=re.MULTILINE)[1:]}
 
 
-def test_limits_of_readme_are_those_of_the_modules() -> None:
+def test_limits_of_the_page_are_those_of_the_modules() -> None:
     ours = limits_of_modules()
     assert len(ours) > 5
-    assert not (gone := limits_of_readme() - ours.keys()), f"no module says so: {gone}"
-    missing = {module: text for text, module in ours.items() if text not in limits_of_readme()}
-    assert not missing, f"README does not say so: {missing}"
+    assert not (gone := limits_of_page() - ours.keys()), f"no module says so: {gone}"
+    missing = {module: text for text, module in ours.items() if text not in limits_of_page()}
+    assert not missing, f"docs/limits.md does not say so: {missing}"
 
 
 @pytest.mark.parametrize("page", pages(), ids=lambda page: str(page.relative_to(ROOT)))

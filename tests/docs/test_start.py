@@ -8,6 +8,7 @@ import shlex
 import shutil
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -55,6 +56,15 @@ def test_two_commands_are_two() -> None:
         ["make", "demo"],
         ["make", "test"],
     ]
+
+
+def test_the_readme_is_read_at_once_and_its_python_runs() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 120
+    (block,) = re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+    names: dict[str, Any] = {}
+    exec(block, names)
+    assert {state.shape for state in names["states"]} == {(11, 13, 3)}
 
 
 def test_the_first_file_is_the_starter() -> None:
