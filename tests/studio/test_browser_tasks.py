@@ -22,7 +22,7 @@ from ezdxf.filemanagement import new, readfile
 
 from command_line import orishell
 from orishell.shell.make import design_shell
-from samples import thorough
+from samples import led_by, thorough
 from studio_pages import IDLE, all_formats, choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
@@ -148,6 +148,16 @@ def save(page: Page, directory: Path) -> Path:
     return path
 
 
+def by_keys(page: Page, test_id: str, *, key: str = "Tab", most: int = 80) -> None:
+    """Press Tab, forwards or backwards, until something has the focus."""
+    focused = "document.activeElement?.dataset.testid"
+    for _ in range(most):
+        if page.evaluate(focused) == test_id:
+            return
+        page.keyboard.press(key)
+    raise AssertionError(f"{test_id} is not reached: {page.evaluate(focused)} is")
+
+
 def test_a_shelter_from_a_drawn_profile_to_cut_files(
     browser: Browser, address: str, tmp_path: Path, steps: Steps
 ) -> None:
@@ -179,6 +189,50 @@ def test_a_shelter_from_a_drawn_profile_to_cut_files(
         archive.extractall(tmp_path)
     assert len(names) == shell.report.quantities.stock.sheets + 1
     assert all(len(readfile(tmp_path / name).modelspace()) for name in names)
+
+
+@thorough  # the same by mouse is the quicker member
+def test_a_shelter_by_keys_alone(
+    browser: Browser, address: str, tmp_path: Path, steps: Steps
+) -> None:
+    """The same: a profile of three points, a straight path, sizes and boards typed."""
+    with opened(browser, address) as page:
+        steps.watch(page)
+        with steps.step("draw"):
+            by_keys(page, "new")
+            for presses in (
+                ["Enter"] + ["ArrowLeft"] * 6 + ["Space"],
+                ["ArrowRight"] * 6 + ["ArrowUp"] * 8 + ["Space"],
+                ["ArrowRight"] * 6 + ["ArrowDown"] * 8 + ["Space", "Enter", "Enter"],
+                ["ArrowLeft"] * 12 + ["Space"],
+                ["ArrowRight"] * 24 + ["Space", "Enter", "Enter"],
+            ):
+                for each in presses:
+                    page.keyboard.press(each)
+            drawn(page)
+        with steps.step("size"):
+            for test_id, size in (("span-f", "3"), ("length-g", "6")):
+                by_keys(page, test_id)
+                page.keyboard.insert_text(size)
+                page.keyboard.press("Enter")
+            require_proved(page)
+        with steps.step("sheets"):
+            by_keys(page, "export", key="Shift+Tab")
+            page.keyboard.press("Enter")
+            for side, size in (("width", "2.5"), ("height", "1.25")):
+                by_keys(page, f"workshop-stock-{side}")
+                page.keyboard.insert_text(size)
+            page.keyboard.press("Enter")
+            settle(page)
+            wait_until(page, SHEETS)
+        with steps.step("files"):
+            by_keys(page, "export-write")
+            with page.expect_download(timeout=120_000) as download:
+                page.keyboard.press("Enter")
+        download.value.save_as(tmp_path / "files.zip")
+    with zipfile.ZipFile(tmp_path / "files.zip") as archive:
+        assert any(name.endswith(".dxf") for name in archive.namelist())
+    assert steps.done["clicks"] == 0
 
 
 @thorough
@@ -255,16 +309,6 @@ SEARCH = 300.0
 """Seconds in which designs that carry are found."""
 
 
-def by_keys(page: Page, test_id: str, most: int = 80) -> None:
-    """Press Tab until something has the focus."""
-    focused = "document.activeElement?.dataset.testid"
-    for _ in range(most):
-        if page.evaluate(focused) == test_id:
-            return
-        page.keyboard.press("Tab")
-    raise AssertionError(f"{test_id} is not reached: {page.evaluate(focused)} is")
-
-
 @thorough  # a search of minutes
 @pytest.mark.parametrize("by", ["mouse", "keys"])
 def test_a_drawn_arch_carries_snow_and_wind(
@@ -306,23 +350,34 @@ def test_a_drawn_arch_carries_snow_and_wind(
     assert steps.done["clicks"] <= (CLICKS if by == "mouse" else 0)
 
 
-def test_a_pattern_of_another_program_is_folded_and_shared(page: Page, steps: Steps) -> None:
+@pytest.mark.parametrize("by", led_by(["mouse", "keys"]))
+def test_a_pattern_of_another_program_is_folded_and_shared(
+    page: Page, steps: Steps, by: str
+) -> None:
     """An SVG in pixels, as wide as somebody says, as one file for a friend."""
+    page.evaluate("document.activeElement.blur()")
     steps.watch(page)
     with steps.step("open"):
         with page.expect_file_chooser() as chooser:
-            page.get_by_test_id("open").click()
+            if by == "mouse":
+                page.get_by_test_id("open").click()
+            else:
+                page.keyboard.press("Control+o")
         chooser.value.set_files(PATTERN)
-        wait_until(page, "window.__orishell.store.name.value === 'arch_pattern'")
+        wait_until(page, "document.activeElement?.dataset.testid === 'drawing-width'")
     with steps.step("size"):
-        # The question has the focus.
+        # The question has the focus, and what is typed is the answer.
         page.keyboard.insert_text("2.4 m")
         settle(page)
         assert page.evaluate("window.__orishell.report.sheet.width") == pytest.approx(2.4)
     with steps.step("share"):
         with page.expect_download(timeout=60_000) as download:
-            page.get_by_test_id("share").click()
+            if by == "mouse":
+                page.get_by_test_id("share").click()
+            else:
+                by_keys(page, "share", key="Shift+Tab")
+                page.keyboard.press("Enter")
         text = download.value.path().read_text("utf-8")
     assert download.value.suggested_filename == "arch_pattern-viewer.html"
     assert page.url.partition("?")[0] not in text
-    assert steps.done["clicks"] <= 2
+    assert steps.done["clicks"] <= (2 if by == "mouse" else 0)
