@@ -24,6 +24,9 @@ PLANE = 0.01
 SMALLER = 0.5
 """A change that packs the shell into less than this share of the box is worth a word."""
 
+PANELS = 1_500
+"""Of a shell of more panels no such change is tried: it would cost as much as the shell."""
+
 
 def warn_of_deployment(
     file: DesignFile,
@@ -85,7 +88,8 @@ def _closes_better(file: DesignFile, packed: Pack, progress: Progress) -> Remedy
         flat = box.height < PLANE * box.length
         return flat and SMALLER * box.length * box.width < packed.length * packed.width
 
-    return first_that_does(file, [remedy], closes, trying(progress, "looking for a flat bundle"))
+    work = trying(progress, "looking for a flat bundle")
+    return first_that_does(file, [remedy], closes, work, panels=PANELS)
 
 
 def _of_ties(report: DeploymentReport) -> Iterator[str]:

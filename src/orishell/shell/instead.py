@@ -41,10 +41,12 @@ def first_that_does(
     work: Work,
     *,
     panels: float = math.inf,
+    may: Callable[[DesignFile], bool] = lambda _: True,
 ) -> Remedy | None:
     """The first of some changes whose shell is made and does what is asked; None if none does.
 
     panels: They are tried until the shells have so many panels together.
+    may: Whether the shell of a file may do it, told without a proof: else it is not made.
     """
     made = 0
     for each in remedies:
@@ -53,7 +55,7 @@ def first_that_does(
             made += changed.panel_count
             if made > panels:
                 return None
-            if does(shell_of(changed, work)):
+            if may(changed) and does(shell_of(changed, work)):
                 return each
         except REFUSALS:
             continue

@@ -18,13 +18,14 @@ from orishell.conventions.quantities import size
 from orishell.conventions.row import Row, Sign
 from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
-from orishell.motion.freedom import FreedomOfSheet
+from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
+from orishell.shell.designed import designed
 from orishell.shell.instead import first_that_does, trying
 
 if TYPE_CHECKING:
     from orishell.shell.report import Report
 
-PANELS = 6_000
+PANELS = 1_500
 """Changes are tried until the shells made have so many panels together."""
 FOLDED_ON = "flaps folded on"
 RISES = (0.05, 0.1)
@@ -44,8 +45,18 @@ def warn_of_freedom(freedom: FreedomOfSheet) -> list[str]:
 def find_joining(file: DesignFile, progress: Progress) -> Remedy | None:
     """The first of the changes that leave one motion, tried; None if none does."""
     work = trying(progress, "looking for what leaves one motion")
+
+    def may(changed: DesignFile) -> bool:
+        design = designed(changed)  # flaps of another width are counted as these are
+        return find_freedom_of_sheet(design.mechanism, design.hinges).one_motion
+
     return first_that_does(
-        file, _candidates(file), lambda made: made.found.freedom.one_motion, work, panels=PANELS
+        file,
+        _candidates(file),
+        lambda made: made.found.freedom.one_motion,
+        work,
+        panels=PANELS,
+        may=may,
     )
 
 
