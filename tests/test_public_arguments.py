@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import orishell
@@ -95,8 +96,8 @@ def _mechanism() -> orishell.Mechanism:
 
 def test_formats_and_structures_that_are_none(shell: Shell, tmp_path: Path) -> None:
     write: Callable[..., Any] = orishell.write_shell
-    for odd in (["obj"], "obj", [None]):
-        with pytest.raises(InputError, match="this is no format"):
+    for odd, said in ((["oby"], "no such format"), ("o", "no such format"), ([None], "no format")):
+        with pytest.raises(InputError, match=said):
             write(shell, tmp_path / "out", odd)
     with pytest.raises(InputError, match="write_shell: directory"):
         write(shell, "\0")
@@ -104,6 +105,20 @@ def test_formats_and_structures_that_are_none(shell: Shell, tmp_path: Path) -> N
     with pytest.raises(InputError, match="expected a Structure"):
         analyse(shell, {"modulus": 1})
     assert not list(tmp_path.iterdir())
+
+
+def test_states_of_a_shell_are_arrays_where_its_files_have_them(
+    shell: Shell, tmp_path: Path
+) -> None:
+    """As the frames of its FOLD file, whose coordinates are those of the world; by names, too."""
+    paths = orishell.write_shell(shell, tmp_path, formats=["obj"])
+    assert any(path.suffix == ".obj" for path in paths)
+    _, *frames = read_fold(tmp_path / "shell.fold").frames  # the first is the flat pattern
+    states = shell.positions([state.drive for state in shell.motion])
+    assert len(frames) == len(states)
+    for frame, state in zip(frames, states, strict=True):
+        np.testing.assert_allclose(frame.positions.reshape(-1, 3), state.reshape(-1, 3), atol=1e-9)
+    assert shell.positions(shell.lock.target_drive).shape == states.shape[1:]
 
 
 def test_paths_may_be_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

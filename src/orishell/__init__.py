@@ -9,6 +9,8 @@ if TYPE_CHECKING:
     from orishell.conventions.version import __version__
     from orishell.curves import Curve, curve_from_formulas, curve_from_points, parse_formula
     from orishell.design import Design
+    from orishell.design_file import DesignFile, check_design, read_design_file
+    from orishell.families.flat_foldable import FlatFoldablePattern, design_flat_foldable
     from orishell.families.longitudinal_linear_repeating import (
         LongitudinalPattern,
         design_longitudinal_linear_repeating,
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
     from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
     from orishell.shell.analyse import analyse_structure
     from orishell.shell.export import convert_fold, write_shell
-    from orishell.shell.make import Shell, design_shell
+    from orishell.shell.make import Shell, design_shell, make_shell
     from orishell.studio.notebook import show
     from orishell.verification.residuals import measure_residuals
 
@@ -30,6 +32,8 @@ __all__ = [
     "Curve",
     "Design",
     "DesignError",
+    "DesignFile",
+    "FlatFoldablePattern",
     "FoldedState",
     "FoldingMotion",
     "InputError",
@@ -42,16 +46,20 @@ __all__ = [
     "Shell",
     "__version__",
     "analyse_structure",
+    "check_design",
     "convert_fold",
     "curve_from_formulas",
     "curve_from_points",
+    "design_flat_foldable",
     "design_longitudinal_linear_repeating",
     "design_orthodiagonal",
     "design_parallel_repeating",
     "design_shell",
+    "make_shell",
     "measure_fold_angles",
     "measure_residuals",
     "parse_formula",
+    "read_design_file",
     "show",
     "write_shell",
 ]
@@ -62,6 +70,8 @@ _HOMES = {
     "orishell.curves": ("Curve", "curve_from_formulas", "curve_from_points", "parse_formula"),
     "orishell.design": ("Design",),
     "orishell.conventions.errors": ("DesignError", "InputError", "OrishellError"),
+    "orishell.design_file": ("DesignFile", "check_design", "read_design_file"),
+    "orishell.families.flat_foldable": ("FlatFoldablePattern", "design_flat_foldable"),
     "orishell.families.longitudinal_linear_repeating": (
         "LongitudinalPattern",
         "design_longitudinal_linear_repeating",
@@ -75,7 +85,7 @@ _HOMES = {
     "orishell.verification.residuals": ("measure_residuals",),
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
     "orishell.studio.notebook": ("show",),
-    "orishell.shell.make": ("Shell", "design_shell"),
+    "orishell.shell.make": ("Shell", "design_shell", "make_shell"),
     "orishell.shell.analyse": ("analyse_structure",),
     "orishell.shell.export": ("convert_fold", "write_shell"),
 }

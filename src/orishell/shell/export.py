@@ -18,7 +18,7 @@ from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory, document_of_fold, read_fold
 from orishell.io.format import DEFAULT_SETTINGS, Format, Settings
-from orishell.io.formats import format_of
+from orishell.io.formats import find_formats, format_of
 from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.shell.make import Shell
 from orishell.shell.pictures import draw_pictures, lay_surface
@@ -32,7 +32,7 @@ ALWAYS: Final = ("shell.fold", "report.json", "overview.png")
 def write_shell(
     shell: Shell,
     directory: str | Path,
-    formats: Sequence[Format] = (),
+    formats: Sequence[Format | str] = (),
     settings: Settings | None = None,
     progress: Progress = no_progress,
     *,
@@ -46,7 +46,7 @@ def write_shell(
         Where to; made if needed. Files of an earlier run that this one does not write are removed;
         all others stay.
     formats
-        What to write beside ``shell.fold``.
+        What to write beside ``shell.fold``, by names ("glb") or as formats.
     settings
         Choices for the formats; None for those of the design file.
     force
@@ -60,14 +60,7 @@ def write_shell(
         the sheet.
     """
     require_shell(shell)
-    for format_ in formats:
-        if not isinstance(format_, Format):
-            raise InputError(
-                "this is no format",
-                where="write_shell: formats",
-                got=repr(format_)[:60],
-                expected="formats, as orishell.io.formats.find_formats gives them by name",
-            )
+    chosen = _chosen(formats)
     directory = path_of(directory, "write_shell: directory")
     clock = Clock()
     if settings is None:
@@ -91,12 +84,32 @@ def write_shell(
         _write_structure(shell, draft)
         if shell.design.by_curves:
             _write_curves(shell, draft)
-        for format_ in dict.fromkeys((FOLD, *formats)):
+        for format_ in dict.fromkeys((FOLD, *chosen)):
             write_format(shell, format_, draft, settings, progress)
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
     return [directory / name for name in names]
+
+
+def _chosen(formats: Sequence[Format | str]) -> list[Format]:
+    """Formats that are named, or are given themselves."""
+    if isinstance(formats, str):
+        formats = [formats]
+    chosen: list[Format] = []
+    for each in formats:
+        if isinstance(each, str):
+            chosen += find_formats([each])
+        elif isinstance(each, Format):
+            chosen.append(each)
+        else:
+            raise InputError(
+                "this is no format",
+                where="write_shell: formats",
+                got=repr(each)[:60],
+                expected='names of formats, as ["glb", "dxf"]',
+            )
+    return chosen
 
 
 def _write_curves(shell: Shell, draft: Path) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, Remedy
@@ -23,6 +24,7 @@ from orishell.locking import Lock
 from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, area_of, extents
 from orishell.motion.layout import Layout, points_of
+from orishell.numerics.arrays import Array
 from orishell.shell.candidate import Candidate
 from orishell.shell.facts import Facts, measure, with_structure
 from orishell.shell.fit.built_size import triangles_of
@@ -61,6 +63,21 @@ class Shell:
     def analysis(self) -> Analysis | None:
         """What was found of it as a structure; None if it was not analysed."""
         return self.report.structure
+
+    def positions(self, drives: ArrayLike) -> Array:
+        """Vertices of the sheet in any states, where files have them: exact, in closed form.
+
+        Parameters
+        ----------
+        drives
+            Drives (...) (radians): 0 is the flat sheet, ``lock.target_drive`` the target.
+
+        Returns
+        -------
+        Array
+            Positions (..., rows, columns, 3) in the world, in the unit of the design.
+        """
+        return np.asarray(self.design.mechanism.positions(drives) + self.design.origin)
 
     def __repr__(self) -> str:
         file = self.file
