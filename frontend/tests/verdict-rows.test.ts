@@ -4,7 +4,7 @@ import { shownRows } from "../src/shared/verdict.ts";
 import { missingOf, rowsNow } from "../src/studio/shell/verdict-rows.ts";
 import { placeOf } from "../src/studio/shell/verdict-place.ts";
 import { Signal } from "../src/studio/state/signal.ts";
-import { worstCase } from "../src/studio/structure/worst.ts";
+import { wordsOfWorst, worstCase } from "../src/studio/structure/worst.ts";
 import type { View } from "../src/shared/view.ts";
 
 type Store = Parameters<typeof rowsNow>[0];
@@ -57,15 +57,18 @@ it("a row has a place: panels that meet, ties and flaps that hold, feet that sta
 it("the worst case of a load is the one that fails, then the one that uses most", () => {
   const used = (governs: string | null, share: number | null) => ({ utilisation: { governs, ...(governs ? { [governs]: share } : {}) } });
   const cases = [
-    { carries: true, equilibrium: used("panels", 0.4), loads: [{ kind: "snow" }] },
-    { carries: true, equilibrium: used("lines", 0.9), loads: [{ kind: "snow" }, { kind: "wind" }] },
-    { carries: false, equilibrium: null, loads: [{ kind: "wind" }] },
-    { carries: null, equilibrium: used(null, null), loads: [{ kind: "person" }] },
+    { carries: true, equilibrium: used("panels", 0.4), loads: [{ kind: "snow" }], findings: [] },
+    { carries: true, equilibrium: used("lines", 0.9), loads: [{ kind: "snow" }, { kind: "wind" }], findings: [] },
+    { carries: false, equilibrium: null, loads: [{ kind: "wind" }], findings: [{ kind: "moves" }] },
+    { carries: null, equilibrium: used("lines", 0.1), loads: [{ kind: "person" }], findings: [{ kind: "unknown" }] },
+    { carries: false, equilibrium: used("lines", 0.1), loads: [{ kind: "pressure" }], findings: [{ kind: "displaced" }] },
   ];
-  const view = { header: { report: { structure: { cases } } }, loaded: { cases: ["a", "b", "c", "d"].map((name) => ({ name })) } } as unknown as View;
+  const view = { header: { report: { structure: { cases } } }, loaded: { cases: ["a", "b", "c", "d", "e"].map((name) => ({ name })) } } as unknown as View;
   expect(worstCase(view)).toMatchObject({ name: "c", sign: "fails", moves: true });
   expect(worstCase(view, "snow")).toMatchObject({ name: "b", sign: "holds", share: 0.9, governs: "lines" });
-  expect(worstCase(view, "person")).toMatchObject({ sign: "warns", share: null });
+  expect(worstCase(view, "person")).toMatchObject({ sign: "warns", against: "unknown" });
+  // What fails otherwise than by its strength has no small share beside it.
+  expect((["snow", "wind", "person", "pressure"] as const).map((kind) => wordsOfWorst(worstCase(view, kind)!))).toEqual(["90 %", "moves", "not known", "displaced"]);
   expect(worstCase(view, "self_weight")).toBeNull();
   expect(worstCase({ header: { report: {} } } as unknown as View)).toBeNull();
 });

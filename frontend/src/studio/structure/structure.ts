@@ -12,7 +12,7 @@ import { isFound, type Store } from "../state/store.ts";
 import { CarryCard } from "./carry.ts";
 import { RailControls } from "./rail.ts";
 import { box, choice, named, row } from "./rows.ts";
-import { worstCase } from "./worst.ts";
+import { wordsOfWorst, worstCase } from "./worst.ts";
 import { caseWith, casesOf, type Changes, kilonewtons, type Load, millimetres, LOADS, PERSON, rubs, structureOf, supportOf, underSnowAndWind, withCombinations, withLoad, withMaterial, withSupport } from "./table.ts";
 
 const NONE = "", OWN = "own";
@@ -209,8 +209,7 @@ export class StructureControls {
   private share(load: Load, found: boolean): void {
     const view = this.store.view.value, output = this.shares[load];
     const worst = found && view ? worstCase(view, load) : null;
-    const used = worst?.share === null || worst?.share === undefined ? "not known" : `${threeDigits(100 * worst.share)} %`;
-    output.replaceChildren(...(worst ? [signOf(worst.sign), ` ${worst.moves ? "moves" : used}`] : []));
+    output.replaceChildren(...(worst ? [signOf(worst.sign), ` ${wordsOfWorst(worst)}`] : []));
     output.dataset["tone"] = worst?.sign ?? "";
     output.title = worst ? `${worst.governs ? `of ${worst.governs.replaceAll("_", " ")}, ` : ""}under ${worst.name}` : "";
   }
