@@ -13,7 +13,7 @@ from orishell.locking.result import Lock
 from orishell.locking.skins import SkinPlace
 from orishell.motion.lattice import InnerStaircase
 
-KINDS: Mapping[str, type[Carrier]] = {"boxes": BoxPlace, "skin": SkinPlace}
+_KINDS: Mapping[str, type[Carrier]] = {"boxes": BoxPlace, "skin": SkinPlace}
 """What moves with the sheet, by the kind that [stiffeners] asks for."""
 
 
@@ -37,7 +37,7 @@ def with_carried(
     Raises InputError if it cannot be asked for: there are no such rows, or panels are whole boards.
     Raises DesignError if there is no room for it.
     """
-    kind = None if asked is None else KINDS.get(asked.kind)
+    kind = None if asked is None else _KINDS.get(asked.kind)
     if asked is None or kind is None:
         return design, lock
     place = kind(design, lock, asked, tolerance, examined=examined, inner=inner)
