@@ -289,6 +289,19 @@ def test_strips_are_where_the_sleeve_is() -> None:
         assert all(np.isin(*each).all() for each in zip(hung, panels, strict=True))
 
 
+def test_cells_without_lines_to_hang_on_are_refused() -> None:
+    """Two cells have one line of nodes between them; two strips hang apart on the same panels."""
+    stops = Stops.none(Grid(3, 4))
+    stops.down[1] = 0.6
+    assert stops.lines(2).tolist() == [[-1, -1], [1, -1]]
+    stops.up[1] = 0.7
+    for cells in (1, 2):
+        with pytest.raises(InputError, match="there are too few") as caught:
+            stops.lines(cells)
+        assert caught.value.keys == ("structure.cells",)
+    assert stops.lines(3).tolist() == [[-1, -1], [2, 1]]
+
+
 def test_lines_that_cross_are_refused() -> None:
     """From 0.6 down to 0.3 from above, and 0.5 all along from below."""
     stops = Stops.none(Grid(3, 4))

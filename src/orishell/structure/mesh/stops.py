@@ -62,6 +62,9 @@ class Stops:
             share = float(first[0] if there[0] else 1 - second[0])
             line = plate_line(share, cells)
             return (line if there[0] else NONE, cells - line if there[1] else NONE)
+        apart = second - first
+        two = there.all() and np.abs(apart).max() >= TOGETHER
+        _require_lines(cells, 2 if two else int(there.any()))
         places, lines = np.arange(1, cells) / cells, range(1, cells)
         if not there.all():
             near = [
@@ -69,7 +72,6 @@ class Stops:
                 for each, any_ in zip((first, second), there, strict=True)
             ]
             return near[0], near[1]
-        apart = second - first
         if np.abs(apart).max() < TOGETHER:
             line = lines[int(np.argmin(np.abs(places - first.mean())))]
             return line, line
@@ -108,6 +110,18 @@ class Stops:
                 first, last = stops[begin][:, None], stops[end][:, None]
                 found[row, :, begin : end + 1] = first * (1 - part) + last * part
         return found
+
+
+def _require_lines(cells: int, count: int) -> None:
+    """Refuse cells with fewer lines of nodes between them than something hangs on."""
+    if cells <= count:
+        raise InputError(
+            "strips of box girders hang on lines of nodes inside panels, and there are too few",
+            keys=("structure.cells",),
+            got=f"{cells}",
+            expected=f"at least {count + 1}",
+            remedy=f"cells = {count + 1} in [structure]",
+        )
 
 
 def _filled(shares: Array) -> Array:
