@@ -72,7 +72,7 @@ def test_it_is_listed_in_the_studio() -> None:
 
 def test_a_new_file_of_it_is_designed(tmp_path: Path) -> None:
     path = tmp_path / "new.toml"
-    assert orishell("new", "miura", str(path)).returncode == 0
+    assert orishell("new", "--family", "miura", str(path)).returncode == 0
     done = orishell("design", str(path), "--out", str(tmp_path / "new"))
     assert done.returncode == 0, done.stderr
     assert orishell("check", str(tmp_path / "new" / "shell.fold")).returncode == 0

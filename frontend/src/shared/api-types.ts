@@ -826,7 +826,7 @@ export interface FittedSize {
   head_height: number | null;
   asked: Record<string, number>;
   found: Record<string, number>;
-  /** What the keys ``scale`` of the design file would say for the target to be as large as it is. */
+  /** What keys of the design file would say for the shell to be as large as it is: ``scale`` of a target, lengths of edges of a sheet without one. */
   scales: Record<string, number | number[]>;
   /** Shells that were tried without a proof. */
   trials: number;
@@ -1207,7 +1207,7 @@ export interface Mendable {
   /** Which. */
   note: string;
   /** What it is about. */
-  about: "columns" | "idle columns" | "depth" | "board" | "unit" | "stock" | "reach" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
+  about: "columns" | "idle columns" | "depth" | "board" | "unit" | "stock" | "reach" | "sheet" | "taut" | "off" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
   /** Whether to try takes long. */
   slow: boolean;
 }

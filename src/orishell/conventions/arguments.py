@@ -68,6 +68,8 @@ def first_fault(
         # A value that fits none of several types has a fault, and others within it: they are one.
         whole = next(location[:k] for k in range(len(location) + 1) if location[:k] in places)
         if details["type"] == "missing":
+            if "key" in (named := details.get("ctx", {})):
+                whole = (*whole, str(named["key"]))
             table = whole[:-1]
             lacking.setdefault(table, []).append(str(whole[-1]))
             if len(lacking[table]) > 1:

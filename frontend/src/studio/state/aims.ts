@@ -10,10 +10,16 @@ export type Aim = "curves" | "surface" | "drawing" | "none";
 /** Keys that mean the same in every family, for the same target. */
 const SHARED = ["rows", "columns", "flap"];
 
-export function aimOf(design: Design): Aim {
-  if (!design.target) return "none";
-  if (design.target.pattern) return "drawing";
-  return design.target.surface ? "surface" : "curves";
+export function aimOf({ target }: Design): Aim {
+  if (!target || isSizesOnly(target)) return "none";
+  if (target.pattern) return "drawing";
+  return target.surface ? "surface" : "curves";
+}
+
+/** Sizes of a sheet that follows nothing. */
+function isSizesOnly(target: Target): boolean {
+  const keys = Object.keys(target);
+  return keys.length === 1 && keys[0] === "fit";
 }
 
 /** Whether the shell is fitted to its surface, which takes seconds. */
@@ -104,7 +110,7 @@ export function designFor(store: Known, aim: Aim): Design {
 function made(store: Known, family: string, aim: Aim): Design {
   const design = store.design.value;
   const same = aimOf(design) === aim;
-  const target = aim === "none" ? null : same ? design.target : (store.left.target(aim) ?? usualTarget(store, family, aim));
+  const target = aim === "none" ? (same && design.target) || null : same ? design.target : (store.left.target(aim) ?? usualTarget(store, family, aim));
   const pattern = patternFor(store, family, aim, same);
   const tables = same ? {} : { tolerance: null };
   return changed(design, { "shell.family": family, target, pattern, ...tables });
