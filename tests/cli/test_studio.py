@@ -10,7 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from orishell.cli import studio
 from orishell.cli.main import run
+from orishell.conventions.toml_file import read_toml
+from orishell.design_file.tasks import task_file
 from orishell.studio import app, guard
 
 ROOT = Path(__file__).parents[2]
@@ -87,3 +90,15 @@ def test_nothing_that_is_installed_speaks_of_make() -> None:
     spoken = re.compile(rf"\bmake ({'|'.join(targets)})\b")
     assert spoken.search("run `make studio`")
     assert not [str(path) for path in files if spoken.search(path.read_text(encoding="utf-8"))]
+
+
+@pytest.mark.parametrize("curves", [True, False])
+def test_a_design_with_sizes_is_opened(tmp_path: Path, *, curves: bool) -> None:
+    """Sizes stand beside curves, or alone, and have no file that is drawn in their place."""
+    path = tmp_path / "sized.toml"
+    text = task_file("screen")
+    if curves:
+        text = (ROOT / "examples" / "figure1.toml").read_text() + "[target.fit]\nwidth = 20\n"
+    path.write_text(text, encoding="utf-8")
+    opened = studio._start(path)
+    assert opened["design"]["target"]["fit"] == read_toml(path)["target"]["fit"]

@@ -111,11 +111,14 @@ def _start(path: Path) -> NamedDesign:
 
     read_design_file(path)
     tables = read_toml(path)
-    kinds: dict[str, type[SurfaceTable | DrawingTable]]
+    kinds: dict[str, type[SurfaceTable | DrawingTable | Target]]
     kinds = {"surface": SurfaceTable, "pattern": DrawingTable}
+    kinds |= dict.fromkeys(("f", "g", "inner"), Target)
     for name, table in tables.get("target", {}).items():
+        if name not in kinds:
+            continue  # sizes, which no file has
         named = {"file": table} if isinstance(table, str) else table
-        target = (kinds.get(name) or Target).model_validate(named)
+        target = kinds[name].model_validate(named)
         given = target.without_files(path.parent, tables["shell"]["unit"])
         tables["target"][name] = given
     return {"name": path.stem, "design": tables}

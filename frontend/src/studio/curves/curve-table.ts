@@ -5,6 +5,7 @@ import { type Path, type Piece, readPath, writePath } from "./path-data.ts";
 import type { Handle } from "./plot-handles.ts";
 import { boxOf } from "./plane.ts";
 import { between, fitPoints, placeAmong, splineControls, splineThrough } from "./spline.ts";
+import { aimOf } from "../state/aims.ts";
 import type { CurveTable, Design, Point } from "../state/types.ts";
 
 export type Mode = "spline" | "lines" | "path" | "formula" | "file";
@@ -27,8 +28,8 @@ export function isCurve(table: CurveTable): boolean {
   return !Array.isArray(table.points) || table.points.length > 1;
 }
 
-export function isWhole({ target }: Design): boolean {
-  return !target || (target.surface ?? target.pattern) !== undefined || (["f", "g"] as const).every((name) => isCurve(target[name] ?? NO_CURVE));
+export function isWhole(design: Design): boolean {
+  return aimOf(design) !== "curves" || (["f", "g"] as const).every((name) => isCurve(design.target?.[name] ?? NO_CURVE));
 }
 
 export function scaleOf({ scale = 1 }: CurveTable): Point {
