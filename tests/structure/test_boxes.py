@@ -7,6 +7,7 @@ weight, with a box girder in its valley, and plates across it or none.
 from __future__ import annotations
 
 import tomllib
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,7 @@ from orishell.motion.sleeves import Q, R, Sleeve, SleeveForms, W
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.structure import Analysis
+from orishell.structure.carried import LEAST_JOINED, membrane_warnings
 from orishell.structure.load_settings import LoadCase
 from orishell.structure.mesh.girders import mesh_strips, stops_of_sleeves
 from orishell.structure.mesh.parts import join_parts
@@ -289,6 +291,23 @@ def test_strips_are_where_the_sleeve_is() -> None:
         assert all(np.isin(*each).all() for each in zip(hung, panels, strict=True))
 
 
+def test_a_membrane_that_nobody_knows_is_said() -> None:
+    """Of strips on a membrane only, and where its modulus is not given."""
+    design = arch().design
+    thin = PanelSpec(thickness=0.01, construction="sandwich", membrane=0.001)
+    held = (Support(at="feet", kind="pinned"),)
+    cases = (LoadCase(name="dead", self_weight=True),)
+    for panel, carried, fabric, count in (
+        (thin, design.carried, 0.0, 1),
+        (thin, design.carried, 1e8, 0),
+        (thin, (), 0.0, 0),
+        (None, design.carried, 0.0, 0),
+    ):
+        asked = Structure(modulus=1e9, membrane_modulus=fabric, supports=held, cases=cases)
+        said = list(membrane_warnings(replace(design, panel=panel, carried=carried), asked))
+        assert len(said) == count
+
+
 def test_cells_without_lines_to_hang_on_are_refused() -> None:
     """Two cells have one line of nodes between them; two strips hang apart on the same panels."""
     stops = Stops.none(Grid(3, 4))
@@ -357,7 +376,8 @@ def test_decks_have_them(columns: str, tmp_path: Path) -> None:
 def test_strips_hang_on_boards_far_from_their_line(fabric: float, least: float) -> None:
     """Boards cover half of a panel. Beyond it a membrane holds its edge, if one is known.
 
-    Else it is as stiff in its plane as a tenth of both boards: without anything it would swing.
+    Else that of a strip is as stiff in its plane as a tenth of both boards: without anything it
+    would swing. Panels of a sheet have nothing there.
     """
     build = PanelSpec(thickness=0.01, construction="sandwich", membrane=0.001)
     asked = Structure(
@@ -372,7 +392,10 @@ def test_strips_hang_on_boards_far_from_their_line(fabric: float, least: float) 
     outlines[..., :2] = half
     boards = Boards(np.zeros(2, np.int64), np.array([1, -1]), outlines)
     middles = np.array([[[0.05, 0.5], [0.95, 0.5]]])  # beyond the boards, and on them
-    far, near = np.asarray(panel_sections(asked, build, boards, flat, middles).membrane)
+    found = panel_sections(asked, build, boards, flat, middles, joined=LEAST_JOINED)
+    far, near = np.asarray(found.membrane)
+    bare, _ = np.asarray(panel_sections(asked, build, boards, flat, middles).membrane)
+    assert bare == pytest.approx(fabric * 0.001 / (1 - asked.poisson**2), rel=1e-12)
     alone = fabric * 0.001 / (1 - asked.poisson**2)
     assert far == pytest.approx(least * near + alone, rel=1e-12)
     assert near > 50 * alone

@@ -6,7 +6,7 @@ own crease and between its panels a strip is never held more than it may be.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,6 +29,11 @@ from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.skins import mesh_skin, stops_of_walls
 from orishell.structure.mesh.stops import Stops
 from orishell.structure.settings import Structure
+
+LEAST_JOINED = 0.2
+"""Strips whose membrane nobody knows are in their plane as stiff as so many boards at least: boards
+stand farther from the lines that they hang on than is averaged over, and nothing would hold them
+there. It is said of such a structure."""
 
 
 def between_flaps(carried: tuple[CarriedPart, ...], before: int) -> tuple[Carried, ...]:
@@ -145,9 +150,23 @@ def strip_sections(
     found = []
     for own, part in zip(strips, parts, strict=False):
         assert part.middles is not None
-        found.append(panel_sections(structure, build, own.boards, own.flat, part.middles))
+        found.append(
+            panel_sections(
+                structure, build, own.boards, own.flat, part.middles, joined=LEAST_JOINED
+            )
+        )
     across = parts[len(strips) :]
     return (*found, *(whole_section(structure, build) for _ in across))
+
+
+def membrane_warnings(design: Design, structure: Structure) -> Iterator[str]:
+    """That what strips hang on is of a stiffness that nobody has given."""
+    on_membrane = design.panel is not None and not design.panel.is_solid
+    if design.carried and on_membrane and not structure.membrane_modulus:
+        yield (
+            "what the shell carries hangs on a membrane whose modulus is not given: in its plane "
+            "it is taken to be as stiff as a tenth of the boards (membrane_modulus in [structure])"
+        )
 
 
 def strip_masses(

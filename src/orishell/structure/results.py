@@ -13,6 +13,7 @@ from orishell.conventions.row import ORDER, Note, Sign
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.equals import SOLVED, classes, largest_of
 from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
+from orishell.structure.carried import membrane_warnings
 from orishell.structure.case import CaseResult
 from orishell.structure.changes import refinement_warnings
 from orishell.structure.code_asks import code_asks
@@ -243,6 +244,7 @@ class Analysis:
         yield from ground_warnings(self.model, self.anchors, self.named_balanced)
         yield from refinement_warnings(self.model.change, self.model.stopped)
         yield from arm_warnings(self.model.structure, self.model.mesh)
+        yield from membrane_warnings(self.model.design, self.model.structure)
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
             text = f"linear theory may mislead under {few(far)}"

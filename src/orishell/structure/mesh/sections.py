@@ -90,10 +90,6 @@ class Section:
 LEAST_BENDING = 1e-3
 """Where no board is, bending is at least that of a membrane with this share of a board's E t."""
 
-LEAST_JOINED = 0.2
-"""Where nothing is known of a membrane, panels are in their plane as stiff as so many boards at
-least: strips that hang on others have their boards farther from there than is averaged over, and
-without it nothing would hold their edge."""
 NO_CHAMFER = 1e-300
 """Divides where there is no chamfer, so that a board is as thick as it is."""
 SAMPLES, WINDOW = 64, 16
@@ -107,6 +103,8 @@ def panel_sections(
     boards: Boards | None,
     flat: Array,
     centres: Array,
+    *,
+    joined: float = 0.0,
 ) -> Section:
     """Sections of the triangles of meshed panels.
 
@@ -117,6 +115,8 @@ def panel_sections(
     boards: Their boards, numbered by the same panels.
     flat: Corners (F, 4, 2) of the panels in the flat sheet.
     centres: Middles (F, t, 2) of the panels' triangles, as shares of the way down and across.
+    joined: Where nothing is known of a membrane, panels are in their plane as stiff as so many
+        boards at least.
     """
     layup = structure.layup
     if build is None or boards is None or build.is_solid:
@@ -137,9 +137,9 @@ def panel_sections(
     bending = _averaged(np.asarray(bends, np.float64), centres)
     between = fabric * build.membrane
     both = boards_there > 1
-    joined = boards_there if between else np.maximum(boards_there, LEAST_JOINED)
+    held = boards_there if between else np.maximum(boards_there, joined)
     return Section(
-        membrane=one * joined + between,
+        membrane=one * held + between,
         bending=bending + max(between, LEAST_BENDING * one) * build.membrane**2 / 12,
         poisson=layup.poisson,
         modulus=layup.modulus,
