@@ -184,6 +184,19 @@ def test_a_sheet_larger_than_any_board() -> None:
     assert matching(large, words, unit="ft") == []
 
 
+def test_a_membrane_is_not_sold_as_boards_are() -> None:
+    """Cloth of 1.5 m is, and it says nothing of a sheet that fits the boards, or has none."""
+    large, words = orthodiagonal(), "is split for sheets of 2.44 x 1.22 m, as boards are"
+    cloth = replace(large, panel=PanelSpec(thickness=0.02, membrane=0.001))
+    assert matching(cloth, words, stock=(2.44, 1.22))
+    assert matching(cloth, words, stock=(2.44, 1.22), roll=(1.5, 50)) == []
+    assert matching(cloth, words, stock=(24.4, 12.2)) == []
+    assert matching(cloth, words) == []
+    assert matching(large, words, stock=(2.44, 1.22)) == []
+    solid = PanelSpec(construction="bevel", thickness=0.02, gap=0.002)
+    assert matching(replace(large, panel=solid), words, stock=(2.44, 1.22)) == []
+
+
 def test_chamfers_steeper_than_saws_make() -> None:
     # With next to no gap a chamfer is half the fold angle of its crease.
     design = parallel(rows=9, columns=11, xi_deg=50, flap=0)
@@ -206,7 +219,8 @@ def test_folds_that_hide_the_curve() -> None:
     for design, deserved in ((deep, True), (shallow, False)):
         depth, size = lock_without_clash(design).corrugation_depth, heights(design)[0]
         assert (depth > DEEP * size) == deserved
-        words = f"the folds are {depth:.3g} m deep in a shell {size:.3g} m high"
+        share = f"{100 * depth / size:.2g} %"
+        words = f"the folds are {share} as deep as the shell is high ({depth:.3g} of {size:.3g} m)"
         assert bool(matching(design, words)) == deserved
 
 

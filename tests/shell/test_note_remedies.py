@@ -55,6 +55,16 @@ SOLID = {
     "pattern": {**ARCH["pattern"], "depth": 0.3},
     "panel": {"construction": "bevel", "thickness": 0.02, "gap": 0.002},
 }
+CLOTH: dict[str, Any] = {
+    "panel": {"thickness": 0.006, "membrane": 0.001},
+    "workshop": {"stock": [2.5, 1.25]},
+}
+DEEP: dict[str, Any] = {
+    **STRAIGHT,
+    "target": {**STRAIGHT["target"], "g": {"formula": "0.3*sin(pi*x/2)", "range": [0, 2]}},
+    "pattern": {"rows": 3, "columns": 5},
+}
+"""Three rows, whose folds are deep in a shell so low."""
 PULLED: dict[str, Any] = {
     **LOADED,
     "load_case": [
@@ -78,6 +88,8 @@ PULLED: dict[str, Any] = {
         ({**ARCH, "shell": {**ARCH["shell"], "unit": "mm"}}, "unit", {"shell.unit": "cm"}),
         ({**ARCH, "workshop": {"stock": [2500, 1250]}}, "stock", {"workshop.stock": [2.5, 1.25]}),
         ({**ARCH, **SOLID}, "chamfers", None),
+        ({**ARCH, **CLOTH}, "roll", {"workshop.roll": [1.5, 50.0]}),
+        (DEEP, "depth", {"pattern.rows": 9}),
         pytest.param({**ARCH, **PULLED}, "cells", None, marks=thorough),
         ({**ARCH, **PULLED}, "pulled", None),
     ],
@@ -93,6 +105,9 @@ def test_what_a_note_offers_does_away_with_it(
     mend = find_mend(file, about, no_progress, before)
     assert mend is not None
     assert changes is None or mend.changes == changes
+    if about == "depth":  # which is a row of the verdict, too
+        rows = [(row.finding, row.sign) for row in before.verdict if row.subject == "depth"]
+        assert rows == [(note, "warns")]
     after = make_shell(file.changed(mend.changes)).report
     assert about not in [getattr(note, "about", None) for note in after.warnings]
     if before.structure is not None:

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import InputError
-from orishell.workshop.nesting import nest_parts
+from orishell.workshop import nesting
+from orishell.workshop.nesting import fewest_sheets, nest_parts
 from orishell.workshop.placing import Placement
 from samples import examples, led_by
 
@@ -97,15 +98,39 @@ def test_hundred_parts_waste_less_than_a_third() -> None:
     assert min(full) / 40 > 2 / 3
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("spacing", led_by([0.05, 0.0]))
-def test_many_small_parts_lie_in_rows(spacing: float) -> None:
-    """400 stars: the first ones where there is room, the others in rows, all of them apart."""
-    outlines = [star(seed, 0.1 + seed % 5 / 10) for seed in range(400)]
+def test_many_small_parts_lie_in_rows(spacing: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """200 stars: 30 of them where there is room, the others in rows, all of them apart."""
+    monkeypatch.setattr(nesting, "MOST_NESTED", 30)
+    outlines = [star(seed, 0.1 + seed % 5 / 10) for seed in range(200)]
     places = nest_parts(outlines, 5.0, 3.5, spacing)
     assert_nested(outlines, places, (5.0, 3.5), spacing)
     boxes = sum(float(np.prod(np.ptp(outline, axis=0) + spacing)) for outline in outlines)
     assert 1 + max(place.sheet for place in places) <= 1 + np.ceil(1.3 * boxes / (5.0 * 3.5))
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_wedges_lie_beside_each_other(turned: bool) -> None:
+    """Forty right triangles fill squares of twice their area, so rows of their boxes take double.
+
+    A square of 4 holds sixteen pairs of them, of 1 x 1, and no more by their areas.
+    """
+    wedge = np.array([[0, 0], [1, 0], [0, 1]], dtype=float)
+    wedges = [-wedge if turned and k % 2 else wedge for k in range(40)]
+    places = nest_parts(wedges, 4 + 1e-6, 4 + 1e-6, 0.0)
+    assert_nested(wedges, places, (4 + 1e-6, 4 + 1e-6), 0.0)
+    assert 1 + max(place.sheet for place in places) == 2
+
+
+@settings(max_examples=examples(30), deadline=None)
+@given(sides=st.lists(st.tuples(st.integers(1, 8), st.integers(1, 8)), min_size=1, max_size=9))
+def test_no_nest_has_fewer_sheets_than_there_are_at_least(sides: list[tuple[int, int]]) -> None:
+    """Rectangles larger than half a sheet have one each; all of them have the area of theirs."""
+    places = nest_parts([rectangle(*each) for each in sides], 8.0, 8.0, 0.0)
+    areas = np.array([float(width * height) for width, height in sides])
+    least = fewest_sheets(areas, 64.0)
+    assert max(np.ceil(areas.sum() / 64), (areas > 32).sum()) <= least
+    assert least <= 1 + max(place.sheet for place in places)
 
 
 def test_a_part_larger_than_the_stock_is_refused() -> None:

@@ -23,7 +23,8 @@ from orishell.workshop import Workshop
 from orishell.workshop.board_sheets import nest_boards
 from orishell.workshop.fitting import OversizeError
 from orishell.workshop.layout import lay_out, require_stock
-from orishell.workshop.order import OrderRow, find_order
+from orishell.workshop.order import find_order
+from orishell.workshop.order_row import OrderRow
 from orishell.workshop.quantities import measure_quantities
 from samples import led_by
 

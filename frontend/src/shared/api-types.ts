@@ -1207,7 +1207,7 @@ export interface Mendable {
   /** Which. */
   note: string;
   /** What it is about. */
-  about: "columns" | "idle columns" | "depth" | "board" | "unit" | "stock" | "reach" | "sheet" | "taut" | "off" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
+  about: "columns" | "idle columns" | "depth" | "board" | "roll" | "unit" | "stock" | "reach" | "sheet" | "taut" | "off" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
   /** Whether to try takes long. */
   slow: boolean;
 }

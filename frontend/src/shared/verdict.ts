@@ -67,7 +67,7 @@ export class Verdict {
   private readonly chosen = new Map<string, boolean>();
 
   /** `said` puts texts into the page's words; `mend` makes a button of what mends a row; `beside` has what
-   * stands below a note. */
+   * stands below a note, or below a row that says it. */
   constructor(
     private readonly said = (text: string): string => text,
     private readonly mend = (_: Pick<Row, "changes">): HTMLElement | null => null,
@@ -94,7 +94,8 @@ export class Verdict {
 
   /** The row of all notes, if there are any. */
   private notesOf(report: Known | null): HTMLElement[] {
-    const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])]);
+    const rows = new Set(judged(report).map(({ finding }) => finding));
+    const notes = new Set([...(report?.warnings ?? []), ...(report?.structure?.warnings ?? [])].filter((note) => !rows.has(note)));
     return notes.size ? [this.notes(notes)] : [];
   }
 
@@ -103,6 +104,8 @@ export class Verdict {
     text.className = "orishell-finding";
     text.textContent = ` ${this.said(row.finding)}`;
     const item = this.item(row.sign, row.subject, first, text);
+    // What a row says in a note's words is mended as the note is.
+    item.firstElementChild!.append(...[this.beside(row.finding) ?? []].flat());
     if (!row.remedy) return item;
     const mends = document.createElement("p");
     mends.textContent = `\u2192 ${this.said(row.remedy)}`;

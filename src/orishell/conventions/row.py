@@ -26,6 +26,7 @@ About = Literal[
     "idle columns",
     "depth",
     "board",
+    "roll",
     "unit",
     "stock",
     "reach",

@@ -220,12 +220,17 @@ def _unfolded(mechanism: Mechanism) -> Booleans:
 
 
 def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
-    """A sheet larger than any board; solid panels are cut one by one."""
+    """A sheet larger than any board, or than boards that cloth is no board of.
+
+    Solid panels are cut one by one.
+    """
     if design.panel is not None and design.panel.is_solid:
         return
     width, height, _ = extents(flat)
     metres = conversion(unit, "m")
     long, short = (metres * side for side in (max(width, height), min(width, height)))
+    if design.panel is not None and workshop.stock is not None and workshop.roll is None:
+        yield from _of_roll((width, height), workshop.stock, unit)
     if workshop.stock is not None or (long <= LARGEST_BOARD[0] and short <= LARGEST_BOARD[1]):
         return
     board = " x ".join(plain(side / metres) for side in LARGEST_BOARD)
@@ -237,12 +242,26 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
     )
 
 
+def _of_roll(membrane: tuple[float, float], stock: tuple[float, float], unit: str) -> Iterator[str]:
+    """A membrane that is split as if it were sold as boards are."""
+    if max(membrane) <= max(stock) and min(membrane) <= min(stock):
+        return
+    wide, high = (plain(side, 3) for side in membrane)
+    sheets = " x ".join(plain(side, 3) for side in stock)
+    yield Note(
+        f"the membrane, {wide} x {high} {unit}, is split for sheets of {sheets} {unit}, as boards "
+        "are: say how wide and long the rolls are that it comes on (roll in [workshop])",
+        "roll",
+    )
+
+
 def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[str]:
     depth = lock.corrugation_depth
-    if design.swept is not None and depth > DEEP * height:
+    if design.swept is not None and depth > DEEP * height > 0:
         seen = "curve f" if design.targets else "surface"
         yield Note(
-            f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
-            f"high: one sees them rather than the {seen}; more rows make them shallower",
+            f"the folds are {plain(100 * depth / height, 2)} % as deep as the shell is high "
+            f"({plain(depth, 3)} of {plain(height, 3)} {unit}): "
+            f"one sees them rather than the {seen}; more rows make them shallower",
             "depth",
         )

@@ -22,7 +22,9 @@ from orishell.structure.refine import LADDER
 
 BOARDS = ((2.5, 1.25), (3.05, 1.525))
 """Sizes in which plywood is commonly sold (metres), the usual one first."""
-MORE_ROWS = (1.25, 1.5, 2.0)
+ROLLS = ((1.5, 50.0), (1.6, 50.0), (2.0, 50.0), (3.0, 50.0))
+"""Sizes in which fabric is commonly sold (metres), the usual one first."""
+MORE_ROWS = (1.25, 1.5, 2.0, 3.0)
 """Rows are tried by so many times as many as there are, where folds are deep."""
 LESS = (0.75, 0.5, 0.25)
 """Flaps are made narrower, and boards thinner, to these shares of what they are."""
@@ -90,6 +92,14 @@ def _boards(noted: Noted) -> Iterator[Remedy]:
         sides = [rounded(side / conversion(unit, "m"), 6) for side in board]
         words = " x ".join(plain(side) for side in sides)
         yield Remedy({"workshop.stock": sides}, f"boards of {words} {unit}")
+
+
+def _rolls(noted: Noted) -> Iterator[Remedy]:
+    unit = noted.file.unit
+    for roll in ROLLS:
+        sides = [rounded(side / conversion(unit, "m"), 6) for side in roll]
+        words = " x ".join(plain(side) for side in sides)
+        yield Remedy({"workshop.roll": sides}, f"rolls of {words} {unit} for the membrane")
 
 
 def _other_unit(noted: Noted) -> Iterator[Remedy]:
@@ -220,6 +230,7 @@ CANDIDATES: Mapping[About, Callable[[Noted], Iterator[Remedy]]] = {
     "idle columns": _fewer_columns,
     "depth": _more_rows,
     "board": _boards,
+    "roll": _rolls,
     "unit": _other_unit,
     "stock": _stock_in_other_units,
     "reach": _elsewhere_or_narrower,

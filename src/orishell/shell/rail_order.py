@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.structure.model import Model
 from orishell.structure.rail import mass_by_length
-from orishell.workshop.order import OrderRow
+from orishell.workshop.order_row import OrderRow
 
 
 def rail_order(model: Model) -> tuple[OrderRow, ...]:

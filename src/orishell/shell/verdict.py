@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.quantities import box, plain, size
-from orishell.conventions.row import ORDER, Row, Sign
+from orishell.conventions.row import ORDER, Note, Row, Sign
 from orishell.deployment.report import DeploymentReport
 from orishell.deployment.verdict import air_rows, ground_rows, weight_rows
 from orishell.design.design import Fixing
@@ -28,7 +28,7 @@ from orishell.shell.steps import (
     STRUCTURE,
 )
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
-from orishell.workshop.order import order_in_words
+from orishell.workshop.order_row import order_in_words
 
 SAID = {CONTACT, STOCK, STRUCTURE, FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED}
 """What other rows say, or the booklet."""
@@ -66,6 +66,7 @@ def find_verdict(
     """
     rows = [
         *_stands(report, stronger or Remedy({})),
+        *_deep(report),
         *folds_rows(report, _way(report), joining),
         *carried_rows(report),
         *_locks(report),
@@ -99,6 +100,13 @@ def _stands(report: Report, stronger: Remedy) -> Iterator[Row]:
         yield Row(structure.sign, "stands", structure.in_words(), str(stronger), stronger.changes)
     elif STRUCTURE in report.not_checked:
         yield Row("warns", "stands", "not known: the structure was not analysed", known=False)
+
+
+def _deep(report: Report) -> Iterator[Row]:
+    """Folds that are deep in a shell of its height: what its note says, before all that holds."""
+    for note in report.warnings:
+        if isinstance(note, Note) and note.about == "depth":
+            yield Row("warns", "depth", str(note))
 
 
 def _way(report: Report) -> Iterator[Row]:

@@ -99,14 +99,14 @@ def cut_bars(
             rest, number = left.pop(place)
         of[piece] = number
         insort(left, (rest - size, number))
-    least = _least(sizes[whole == 0], room)
+    least = fewest_bars(sizes[whole == 0], room)
     if whole.any():
         least = max(least, int(np.ceil(float(lengths.sum()) / bar * (1 - SLACK))))
     return CutBars(bar, count, least, of, whole, first)
 
 
-def _least(sizes: Array, room: float) -> int:
-    """How few bars hold pieces of sizes (N,) at least."""
+def fewest_bars(sizes: Array, room: float) -> int:
+    """How few bars hold pieces of sizes (N,) at least: the bound of Martello and Toth."""
     if not len(sizes):
         return 0
     ascending = np.sort(sizes)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array
+from orishell.workshop.bars import fewest_bars
 from orishell.workshop.fitting import find_turns
 from orishell.workshop.placing import Placement, turned
 
@@ -19,10 +20,38 @@ if TYPE_CHECKING:
 
 CLEARANCE = 1e-9
 """Rounding, relative to the stock: four times as much is added to the spacing."""
-MOST_NESTED = 120
+MOST_NESTED = 800
 """So many parts, the largest, are laid where there is room for them; others are laid in rows."""
+REFUSED = 0.9
+"""A sheet that had no room for a part is tried again with parts smaller than this share of it."""
 SLIDES = 16
 """Steps in which a part is moved on into the hollows of others."""
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """How far along a sheet a part lies: what of it counts, and along which side of the stock."""
+
+    part: Literal["end", "middle"]
+    side: Literal["long", "short"]
+
+
+RULES = (_Rule("middle", "long"), _Rule("middle", "short"), _Rule("end", "long"))
+"""In the order in which they are tried: as many as lay MOST_NESTED parts between them."""
+
+
+def fewest_sheets(areas: Array, sheet: float) -> int:
+    """How few sheets parts of areas (P,) take at least, whichever way they are laid.
+
+    Two parts that are larger than a sheet between them are not on the same one: that is the bound
+    of pieces cut from bars, of areas in place of lengths.
+
+    Parameters
+    ----------
+    sheet
+        Area of one, within its margins.
+    """
+    return fewest_bars(areas, sheet * (1 + CLEARANCE))
 
 
 def nest_parts(
@@ -30,37 +59,66 @@ def nest_parts(
 ) -> tuple[Placement, ...]:
     """Lay parts on as few sheets as it takes, the largest first.
 
-    Every part goes to the first sheet that has room for it, as far as possible towards the
-    left of a landscape sheet or the foot of a portrait one, so that what is left of the last
-    one is in one piece. Parts keep clear of each other's convex hulls, found exactly (the
-    places where two hulls meet are the hull of the differences of their corners), then slide
-    on into hollows. Of more than :data:`MOST_NESTED` parts the smaller ones are laid side by side
-    in rows, on sheets of their own.
+    Every part goes to the first sheet that has room for it, as far as possible towards one side,
+    so that what is left of the last one is in one piece. Parts keep clear of each other's convex
+    hulls, found exactly (the places where two hulls meet are the hull of the differences of their
+    corners), then slide on into hollows. Towards which side, and by which point of a part, is
+    tried, and the fewest sheets are kept. Of more than :data:`MOST_NESTED` parts the smaller ones
+    are laid side by side in rows, on sheets of their own.
 
     Raises InputError if a part does not fit the stock.
     """
     import shapely
 
-    shapes = [shapely.Polygon(outline) for outline in outlines]
-    order = sorted(range(len(shapes)), key=lambda k: (-round(shapes[k].area, 12), k))
-    sheets: list[_Stock] = []
-    placements: list[Placement | None] = [None] * len(shapes)
+    areas = [shapely.Polygon(outline).area for outline in outlines]
+    order = sorted(range(len(areas)), key=lambda k: (-round(areas[k], 12), k))
+    closely, others = order[:MOST_NESTED], order[MOST_NESTED:]
     clear = spacing + 4 * CLEARANCE * max(width, height)
-    for k in order[:MOST_NESTED]:
-        turns = _choose_turns(outlines[k], width, height)
-        tried = (sheet.place(outlines[k], turns) for sheet in sheets)
-        number, placed = next(
-            ((n, found) for n, found in enumerate(tried) if found is not None), (len(sheets), None)
-        )
+    parts = [
+        _Part(k, outlines[k], areas[k], _choose_turns(outlines[k], width, height)) for k in closely
+    ]
+    fewest = fewest_sheets(np.array([part.area for part in parts]), width * height)
+    best: dict[int, Placement] | None = None
+    least = 0
+    for rule in RULES[: max(1, MOST_NESTED // max(1, len(parts)))]:
+        found, sheets = _nest(parts, (width, height), clear, rule)
+        if best is None or sheets < least:
+            best, least = found, sheets
+        if least <= fewest:
+            break
+    assert best is not None
+    for k, row in _lay_rows(outlines, others, width, height, clear).items():
+        best[k] = replace(row, sheet=least + row.sheet)
+    return tuple(best[k] for k in range(len(outlines)))
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A part that is laid, and the angles that are tried."""
+
+    number: int
+    outline: Array
+    area: float
+    turns: Array
+
+
+def _nest(
+    parts: Sequence[_Part], size: tuple[float, float], clear: float, rule: _Rule
+) -> tuple[dict[int, Placement], int]:
+    """Where parts lie by a rule, and on how many sheets."""
+    sheets: list[_Stock] = []
+    placements: dict[int, Placement] = {}
+    for part in parts:
+        tried = ((n, sheet.place(part)) for n, sheet in enumerate(sheets))
+        number, placed = next(((n, found) for n, found in tried if found is not None), (-1, None))
         if placed is None:
-            sheets.append(_Stock(width, height, clear))
-            placed = sheets[-1].place(outlines[k], turns)
+            number = len(sheets)
+            sheets.append(_Stock(*size, clear, rule))
+            placed = sheets[-1].place(part)
         if placed is None:
             raise AssertionError("a part that fits the stock has its place on an empty sheet")
-        placements[k] = Placement(number, *placed)
-    for k, row in _lay_rows(outlines, order[MOST_NESTED:], width, height, clear).items():
-        placements[k] = replace(row, sheet=len(sheets) + row.sheet)
-    return tuple(placement for placement in placements if placement is not None)
+        placements[part.number] = Placement(number, *placed)
+    return placements, len(sheets)
 
 
 def _lay_rows(
@@ -104,39 +162,44 @@ def _choose_turns(outline: Array, width: float, height: float) -> Array:
 class _Stock:
     """A sheet of stock that fills up."""
 
-    def __init__(self, width: float, height: float, clear: float) -> None:
+    def __init__(self, width: float, height: float, clear: float, rule: _Rule) -> None:
         self.size = np.array([width, height])
         self.clear = clear
         self.left = width * height
+        self.refused = np.inf  # area of the smallest part that there was no room for
         self.hulls: list[Array] = []
         self.shapes: list[Polygon] = []
+        self._by_end = rule.part == "end"
+        side = np.argmax if rule.side == "long" else np.argmin
+        self._along = int(side(self.size))
 
-    def place(self, outline: Array, turns: Array) -> tuple[float, Array] | None:
-        """Turn and shift of a part, which is laid there; None if there is no room for it."""
+    def place(self, part: _Part) -> tuple[float, Array] | None:
+        """Turn and shift of a part, which is laid there; None if no room was found for it."""
         import shapely
 
-        area = shapely.Polygon(outline).area
-        if area > self.left * (1 + CLEARANCE):
+        if part.area > min(self.left * (1 + CLEARANCE), REFUSED * self.refused):
             return None
-        along = int(np.argmax(self.size))
+        along = self._along
         best: tuple[tuple[float, float], float, Array] | None = None
-        for angle in turns.tolist():
-            lying = turned(outline, angle)
+        for angle in part.turns.tolist():
+            lying = turned(part.outline, angle)
             corner = lying.min(axis=0)
             places = self._free_places(lying - corner)
             if not len(places):
                 continue
-            ends = np.round((places + np.ptp(lying, axis=0)) / self.size, 9)
-            first = int(np.lexsort((ends[:, 1 - along], ends[:, along]))[0])
-            key = (float(ends[first, along]), float(ends[first, 1 - along]))
+            counts = lying.max(axis=0) if self._by_end else lying.mean(axis=0)
+            far = np.round((places + counts - corner) / self.size, 9)
+            first = int(np.lexsort((far[:, 1 - along], far[:, along]))[0])
+            key = (float(far[first, along]), float(far[first, 1 - along]))
             if best is None or key < best[0]:
                 best = (key, angle, places[first] - corner)
         if best is None:
+            self.refused = min(self.refused, part.area)
             return None
         _, angle, shift = best
-        shape = self._slid(shapely.Polygon(turned(outline, angle) + shift), along)
-        shift = shapely.get_coordinates(shape)[0] - turned(outline, angle)[0]
-        self.left -= area
+        shape = self._slid(shapely.Polygon(turned(part.outline, angle) + shift), along)
+        shift = shapely.get_coordinates(shape)[0] - turned(part.outline, angle)[0]
+        self.left -= part.area
         self.shapes.append(shape)
         self.hulls.append(_hull(shapely.get_coordinates(shape)))
         return angle, shift

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from math import prod
 
 import numpy as np
 
-from orishell.conventions.quantities import MILLIMETRES, conversion, plain, size
-from orishell.conventions.record import record
-from orishell.conventions.row import Row
+from orishell.conventions.quantities import MILLIMETRES, conversion, size
 from orishell.design.holes import Holes
 from orishell.document import Document
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars, cut_bars
@@ -21,42 +20,11 @@ from orishell.workshop.board_sheets import sheets_of_stocks
 from orishell.workshop.board_stock import BoardStock, stocks_of_boards
 from orishell.workshop.boards import cut_of_sheet, has_membrane, has_sheet
 from orishell.workshop.hinge_parts import fittings_of
-from orishell.workshop.layout import on_its_roll
+from orishell.workshop.layout import Layout, lay_out, on_its_roll
+from orishell.workshop.nesting import fewest_sheets
+from orishell.workshop.order_row import OrderRow
 from orishell.workshop.schedule import BY_LENGTH, WEIGHED, Schedule, find_schedule
 from orishell.workshop.settings import Workshop
-from orishell.workshop.sheets import Waste, measure_waste
-
-
-@record
-class OrderRow:
-    """One line of the order; lengths and areas in the document's unit, None where not known."""
-
-    item: str  # what it is for: "boards", "membrane", "sheet", "arms", "ties", "base rail", a hinge
-    what: str  # in words, with its thickness
-    count: int | None  # how many sheets, rolls, bars or coils; None if nobody says how it is sold
-    least: int | None  # how few would do at least, where it is proved that fewer cannot
-    size: tuple[float, ...]  # of one: width and height, or length; empty if nobody says
-    unit: str  # of what is used: "m2" for areas, "m" for lengths
-    used: float  # area or length of all parts
-    waste: float | None  # share of what is ordered that is not used
-    mass_kg: float | None  # of the parts
-    price: float | None  # of all that is ordered
-
-    def in_words(self) -> str:
-        """What is ordered, for one line; empty if nobody says how it is sold."""
-        if self.count is None or self.waste is None:
-            return ""
-        sides = " x ".join(plain(side, 3) for side in self.size)
-        length = self.unit.removesuffix("2")
-        lost = f"{plain(100 * self.waste, 2)} % waste"
-        return f"{self.count} {self.what} of {sides} {length} for {self.item} ({lost})"
-
-
-def order_in_words(order: Sequence[OrderRow]) -> Iterator[Row]:
-    """A row of the verdict that says what to order, where it is known how it is sold."""
-    rows = [text for row in order if (text := row.in_words())]
-    if rows:
-        yield Row("says", "order", "; ".join(rows))
 
 
 def find_order(
@@ -86,7 +54,7 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
     if has_sheet(everything):
         laid = nested and on_its_roll(document, workshop).stock is not None
         of_sheet = laid_flat(cut_of_sheet(document))
-        yield _sheet(of_sheet, workshop, measure_waste(document, workshop) if laid else None)
+        yield _sheet(of_sheet, workshop, lay_out(document, workshop) if laid else None)
     if fittings_of(everything) is not None:
         yield from _arms(everything)
     schedule = find_schedule(document, workshop)
@@ -112,17 +80,21 @@ def _boards(
         ("sheet", stock.thickness),
         sides=workshop.stock if sheets is not None else None,
         count=sheets,
-        used=float(boards.areas().sum()),
+        areas=boards.areas(),
+        usable=None if sheets is None else workshop.usable_stock,
         mass=mass_of_boards(document, stock.boards) or 0.0,
         price=0.0 if stock.kind else workshop.stock_price,  # which is that of the sheet's boards
     )
     return replace(row, what=row.what + stock.of)
 
 
-def _sheet(document: Document, workshop: Workshop, stock: Waste | None) -> OrderRow:
-    """The membrane, or the sheet if panels have no thickness."""
+def _sheet(document: Document, workshop: Workshop, layout: Layout | None) -> OrderRow:
+    """The membrane, or the sheet if panels have no thickness; its parts where they are laid."""
     build, area = document.panel, float(document.areas().sum())
     laid = on_its_roll(document, workshop)
+    areas = document.areas()
+    if layout is not None:
+        areas = np.array([sum(map(signed_areas, part.outlines)) for part in layout.parts])
     thick, weight = 0.0, _metres(document.unit) ** 2 * workshop.areal_density
     if build is not None:
         thick = build.membrane
@@ -131,9 +103,10 @@ def _sheet(document: Document, workshop: Workshop, stock: Waste | None) -> Order
         document.unit,
         "sheet" if build is None else "membrane",
         ("roll" if laid is not workshop else "sheet", thick),
-        sides=None if stock is None else laid.stock,
-        count=None if stock is None else stock.sheets,
-        used=area if stock is None else stock.used_area,
+        sides=None if layout is None else laid.stock,
+        count=None if layout is None else layout.sheets,
+        areas=areas,
+        usable=None if layout is None else laid.usable_stock,
         mass=weight * area,
         price=workshop.roll_price if laid is not workshop else workshop.stock_price,
     )
@@ -163,18 +136,19 @@ def _flat_row(
     *,
     sides: tuple[float, float] | None,
     count: int | None,
-    used: float,
+    areas: Array,
+    usable: tuple[float, float] | None,
     mass: float,
     price: float,
 ) -> OrderRow:
     """A row of what is cut from sheets or rolls, sold as something of a thickness."""
-    name, thick = sold
+    (name, thick), used = sold, float(areas.sum())
     words = f"{name}{'' if count == 1 else 's'}"
     return OrderRow(
         item=item,
         what=f"{words} {size(thick, unit)} thick" if thick else words,
         count=count,
-        least=None if count is None or not sides else _fewest(used, prod(sides)),
+        least=None if count is None or not usable else fewest_sheets(areas, prod(usable)),
         size=sides or (),
         unit=f"{unit}2",
         used=used,
@@ -182,11 +156,6 @@ def _flat_row(
         mass_kg=mass or None,
         price=price * count if count is not None and price else None,
     )
-
-
-def _fewest(used: float, one: float) -> int:
-    """How few sheets have the area of all parts."""
-    return int(np.ceil(used / one * (1 - 1e-9)))
 
 
 def _arms(document: Document) -> Iterator[OrderRow]:

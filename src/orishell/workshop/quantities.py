@@ -23,7 +23,8 @@ from orishell.workshop.masses import (
     mass_of_hinges,
     mass_of_ties,
 )
-from orishell.workshop.order import OrderRow, find_order
+from orishell.workshop.order import find_order
+from orishell.workshop.order_row import OrderRow
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
 

@@ -72,7 +72,7 @@ export class ProofCard {
 
   /** Of notes that are read it is looked for what mends them. */
   private opened(row: HTMLDetailsElement): void {
-    if (row.open && row.closest("[data-row=notes]")) this.mends.look();
+    if (row.open && row.querySelector(".note-mend")) this.mends.look();
   }
 
   /** What is said of rows that are not known; where time was over, with what looks again. */
