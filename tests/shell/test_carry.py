@@ -30,7 +30,7 @@ from orishell.shell import (
 )
 from orishell.shell.carry import find_carrying
 from orishell.shell.carry_change import Change
-from orishell.shell.carry_found import CarrySearch
+from orishell.shell.carry_found import Carrying, CarrySearch
 from orishell.shell.instead import shell_of, trying
 from orishell.shell.load_trials import LOADED, LoadTrials, Refused
 from orishell.shell.steps import MEASURES, Step
@@ -147,6 +147,28 @@ def test_what_was_tried_is_said(found: tuple[DesignFile, CarrySearch]) -> None:
     confirmed = [each for each, trial in zip(others, said, strict=True) if trial is None]
     assert all(" with cells as the file asks: " in each for each in confirmed)
     assert sum(": carries: " in each for each in confirmed) == len(search.found)
+
+
+def test_what_only_just_carries_with_few_cells_is_not_the_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where nothing carries with the file's cells, what spares some with fewer is looked for."""
+    confirmed, asked = carry._Search._confirmed, list[list[carry_state.State]]()
+
+    def in_vain_at_first(search: carry._Search) -> tuple[Carrying, ...]:
+        asked.append(list(search.carrying))
+        return confirmed(search) if len(asked) > 1 else ()
+
+    monkeypatch.setattr(carry._Search, "_confirmed", in_vain_at_first)
+    monkeypatch.setattr(carry, "SPARING", 0.2)  # of this arch the first that carries uses 26 %
+    order = (carry_steps.ties_across_folds, carry_steps.flaps, *[carry_boards.thicker] * 2)
+    monkeypatch.setattr(carry, "BUILDER", order)
+    monkeypatch.setattr(carry, "DESIGNER", ())
+    search = find_carrying(arch(tmp_path, snow=1900))
+    just, spared = asked
+    assert max(each.lacks[-1] for each in spared) <= 0.2 < just[-1].lacks[-1] <= 1
+    assert search.found
+    assert not search.ended
 
 
 def test_a_file_that_carries_is_left_alone(tmp_path: Path) -> None:

@@ -32,6 +32,8 @@ ROUNDS = 3
 """So many times all steps of an order are taken, as one may help after another."""
 WORK = 90.0
 """Beyond so many predicted seconds nothing more is tried, and in the first order beyond half."""
+SPARING = 0.9
+"""Where none of what carries with few cells does with those of the file, it may use so much."""
 LEFT = 8.0
 """So many predicted seconds are left at least for what a shell that carries does not need."""
 PER_PANEL = 0.012
@@ -74,6 +76,7 @@ class _Search:
         self.carrying: list[State] = []
         self.nearest: State | None = None
         self.panels, self.until, self.ended = 0.0, WORK, False
+        self.most = 1.0  # of what it bears, a shell of few cells may use so much
 
     @property
     def work(self) -> float:
@@ -96,6 +99,13 @@ class _Search:
                 self.until = share * WORK
                 self._walk(first, order)
         found = self._confirmed()
+        if self.carrying and not found and isinstance(first, State):
+            # With more cells it uses more than it bears: what is found with less is to spare some.
+            self.most, self.carrying = SPARING, []
+            for order in (BUILDER, DESIGNER):
+                self.until = max(WORK, self.work + LEFT)
+                self._walk(first, order)
+            found = self._confirmed()
         best = None if found else self.nearest
         near = None if best is None else (best.change, best.analysis)
         return CarrySearch(self.begun, found, tuple(self.tried), near, self.ended)
@@ -122,19 +132,31 @@ class _Search:
         begun = len(at.changes)
         for step in chain.from_iterable(repeat(order, ROUNDS)):
             at = self._best(at, step, State.is_nearer) or at
-            if at.carries or self.work > self.until:
-                self.ended = self.ended or not at.carries
+            if self._carries(at) or self.work > self.until:
+                self.ended = self.ended or not self._carries(at)
                 break
-        if not at.carries:
+        if not self._carries(at):
             return
         self.carrying.append(at)
         self.until = max(self.until, self.work + LEFT)
         at = self._without_useless(at, begun)
         for step in LIGHTER:
-            lighter = self._best(at, step, lambda new, old: new.carries and new.weight < old.weight)
+            lighter = self._best(at, step, self._is_lighter)
             if lighter is not None:
                 at = lighter
                 self.carrying.append(at)
+
+    def _carries(self, at: State) -> bool:
+        """Whether a shell of few cells carries, and uses no more of what it bears than it may."""
+        return at.carries and at.lacks[-1] <= self.most
+
+    def _is_lighter(self, new: State, old: State) -> bool:
+        return self._carries(new) and new.weight < old.weight
+
+    def _rank(self, at: State) -> tuple[bool, tuple[float, ...], tuple[float, int]]:
+        """By which those that one step proposes are ranked: what carries by its weight."""
+        carries = self._carries(at)
+        return not carries, () if carries else at.lacks, at.weight
 
     def _without_useless(self, at: State, begun: int) -> State:
         """A shell that carries without the changes that it carries without, at no more weight.
@@ -148,7 +170,7 @@ class _Search:
                 continue
             rest = tuple(each for each in at.changes if each != change)
             made = self._trial(rest, f"{at.name} - {change.words}")
-            if isinstance(made, State) and made.carries and made.weight <= at.weight:
+            if isinstance(made, State) and self._carries(made) and made.weight <= at.weight:
                 at = made
                 self.carrying.append(at)
         return at
@@ -163,7 +185,7 @@ class _Search:
             state = self._changed(at, change)
             if state is not None and better(state, at):
                 found.append(state)
-        return min(found, key=lambda each: each.rank, default=None)
+        return min(found, key=self._rank, default=None)
 
     def _changed(self, at: State, change: Change) -> State | None:
         """A shell with one more change, or with what its refusal offers in its place."""

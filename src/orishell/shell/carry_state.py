@@ -60,8 +60,3 @@ class State:
     def weight(self) -> tuple[float, int]:
         """By which designs that carry are ranked: mass, then parts on the site."""
         return round(self.analysis.model.mass or 0.0, 3), parts_on_site(self.facts)
-
-    @property
-    def rank(self) -> tuple[bool, tuple[float, ...], tuple[float, int]]:
-        """By which those that one step proposes are ranked: what carries by its weight."""
-        return not self.carries, () if self.carries else self.lacks, self.weight
