@@ -181,7 +181,7 @@ def test_two_are_compared_at_one_scale_with_one_slider(
         assert figures(page).count(" of panels without a thickness") == 2
 
         # The same size on the screen is the same size in the world, before and after a turn.
-        arms = "orishell.shells.drawn.map((shell) => shell.arm().toArray())"
+        arms = "orishell.shells.drawn.map((shell) => shell.eye.arm.toArray())"
         before = np.array(page.evaluate(arms))
         np.testing.assert_allclose(before[0], before[1], rtol=1e-9)
         box = page.locator(".orishell-scene canvas").nth(1).bounding_box()

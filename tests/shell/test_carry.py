@@ -149,6 +149,7 @@ def test_what_was_tried_is_said(found: tuple[DesignFile, CarrySearch]) -> None:
     assert sum(": carries: " in each for each in confirmed) == len(search.found)
 
 
+@pytest.mark.slow
 def test_what_only_just_carries_with_few_cells_is_not_the_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -160,13 +161,13 @@ def test_what_only_just_carries_with_few_cells_is_not_the_end(
         return confirmed(search) if len(asked) > 1 else ()
 
     monkeypatch.setattr(carry._Search, "_confirmed", in_vain_at_first)
-    monkeypatch.setattr(carry, "SPARING", 0.2)  # of this arch the first that carries uses 26 %
-    order = (carry_steps.ties_across_folds, carry_steps.flaps, *[carry_boards.thicker] * 2)
+    monkeypatch.setattr(carry, "SPARING", 0.095)  # the first that carries uses 10.8 %
+    order = (carry_steps.flaps, *[carry_boards.thicker] * 2)
     monkeypatch.setattr(carry, "BUILDER", order)
     monkeypatch.setattr(carry, "DESIGNER", ())
-    search = find_carrying(arch(tmp_path, snow=1900))
+    search = find_carrying(arch(tmp_path, snow=1900, lines=1e7))
     just, spared = asked
-    assert max(each.lacks[-1] for each in spared) <= 0.2 < just[-1].lacks[-1] <= 1
+    assert max(each.lacks[-1] for each in spared) <= 0.095 < just[-1].lacks[-1] <= 1
     assert search.found
     assert not search.ended
 
