@@ -29,7 +29,7 @@ from orishell.families.parallel_repeating import ParallelRepeatingPattern, desig
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion
 from orishell.shell.designed import designed
-from orishell.solids import build_panels, largest_folds, largest_height
+from orishell.solids import build_panels, largest_folds, thickness_between
 from orishell.verification.residuals import measure_residuals
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -183,7 +183,7 @@ def with_boards(bare: Design, *, to_pack: bool = False) -> Design:
     """Sandwiches of a third of the largest thickness, with a gap of a tenth of theirs."""
     mechanism = bare.mechanism
     folds = largest_folds(mechanism, mechanism.target_drive)
-    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    most = thickness_between(mechanism.positions(0.0), mechanism.grid, folds)
     build = PanelSpec(thickness=most / 3, membrane=most / 100, gap=most / 30)
     return replace(bare, panel=build, opens_from_pack=to_pack)
 

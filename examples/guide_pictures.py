@@ -316,6 +316,7 @@ def draw_hinge(path: Path, build: PanelSpec) -> None:
     sheet = design.mechanism
     folds = largest_folds(sheet, sheet.target_drive)
     boards = build_boards(sheet.positions(0.0), sheet.grid, build, folds)
+    boards = boards.chosen(~boards.arms)
     section = find_hinge_section(FoldingMotion(sheet, 2), boards, build)
     assert section is not None
     figure = Figure(figsize=(WIDTH, section_height(section)), facecolor="white")
@@ -382,6 +383,9 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "tolerance.png": draw_choice,
     "thickness-sandwich.png": partial(
         draw_hinge, build=PanelSpec(thickness=0.1, construction="sandwich", membrane=0.01)
+    ),
+    "thickness-one-side.png": partial(
+        draw_hinge, build=PanelSpec(thickness=0.06, sides="top", membrane=0.01)
     ),
     "thickness-bevel.png": partial(
         draw_hinge, build=PanelSpec(thickness=0.1, construction="bevel", gap=0.02)

@@ -24,7 +24,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.solids import build_boards, find_stop, largest_folds, largest_height
+from orishell.solids import build_boards, find_stop, largest_folds, thickness_between
 from orishell.structure.mesh.sheet import mesh_sheet
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -123,7 +123,7 @@ def thick_document(
     if build is None:
         sheet = design.with_clipped_flaps().mechanism
         folds = largest_folds(sheet, sheet.target_drive)
-        most = largest_height(sheet.positions(0.0), sheet.grid, folds)
+        most = 0.5 * thickness_between(sheet.positions(0.0), sheet.grid, folds)
         membrane = 0.05 * most if construction == "sandwich" else 0.0
         build = PanelSpec(
             thickness=0.5 * most, construction=construction, membrane=membrane, gap=0.02 * most

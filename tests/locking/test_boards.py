@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from mechanisms import random_net
 from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
-from orishell.design import Design, PanelSpec
+from orishell.design import Design, PanelSpec, Sides
 from orishell.design_file import read_design_file
 from orishell.families.flat_foldable.design import completed
 from orishell.locking import Lock, find_lock
-from orishell.solids import largest_folds, largest_height
+from orishell.solids import largest_folds, thickness_between
 from overlaps import NOTHING, overlap
 from samples import THOROUGH, examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
@@ -30,16 +30,22 @@ FEW = {
 }
 
 
+SIDES: tuple[Sides | None, ...] = (None, "both", "top", "bottom")
+
+
 def with_panels(design: Design, draw: st.DataObject) -> Design:
     """Random boards, of at most nine tenths of what the target leaves room for."""
     design = replace(design.with_clipped_flaps(), clipped=None)
     mechanism = design.mechanism
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    size = float(np.ptp(mechanism.positions(0.0), axis=(0, 1)).max())
+    flat, folds = mechanism.positions(0.0), largest_folds(mechanism, mechanism.target_drive)
+    size = float(np.ptp(flat, axis=(0, 1)).max())
+    sides = draw.draw(st.sampled_from(SIDES))
+    of_size = PanelSpec(thickness=size, membrane=0.05 * size, sides=sides or "both")
+    most = thickness_between(flat, mechanism.grid, folds, of_size)
     thickness = draw.draw(st.floats(0.05, 0.9)) * min(most, 0.1 * size)
-    if draw.draw(st.booleans()):
-        build = PanelSpec(thickness=thickness, membrane=0.05 * thickness)
+    event("solid" if sides is None else f"boards on {sides}")
+    if sides is not None:
+        build = PanelSpec(thickness=thickness, membrane=0.05 * thickness, sides=sides)
     else:
         build = PanelSpec(
             thickness=thickness,
@@ -55,7 +61,7 @@ def check(design: Design) -> Lock:
     mechanism = design.mechanism
     if lock.built is None:
         reject()  # its panels meet before the target, whatever boards do
-    boards = lock.built.boards
+    boards = lock.built.bodies
     for drive in np.linspace(0.0, lock.closes_to, STATES):
         assert overlap(mechanism, boards, drive) < NOTHING
     meet = lock.first_contact is not None and lock.first_contact.kind == "boards"

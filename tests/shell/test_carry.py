@@ -37,6 +37,7 @@ from orishell.shell.steps import MEASURES, Step
 from orishell.structure.materials import materials
 from orishell.structure.plausibility import panel_widths
 from orishell.structure.results import Analysis
+from samples import thorough
 from small_arch import SMALL_ARCH
 
 ARCH = (
@@ -149,7 +150,7 @@ def test_what_was_tried_is_said(found: tuple[DesignFile, CarrySearch]) -> None:
     assert sum(": carries: " in each for each in confirmed) == len(search.found)
 
 
-@pytest.mark.slow
+@thorough
 def test_what_only_just_carries_with_few_cells_is_not_the_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from pypdf import PdfReader
 
 from command_line import orishell
-from design_tables import formula, made, mended, refused, tables
-from orishell.design_file import read_design_file
+from design_tables import Tables, formula, made, mended, refused, tables
+from orishell.conventions.errors import InputError
+from orishell.design_file import check_design, read_design_file
 from orishell.motion import largest_fold
 from orishell.shell.candidate import ended
 from orishell.shell.designed import designed
-from orishell.shell.make import Shell, design_shell
+from orishell.shell.kit import write_kit
+from orishell.shell.make import Shell, design_shell, make_shell
 from orishell.shell.steps import Work
 from samples import thorough
 
@@ -66,6 +70,9 @@ def with_panel(panel: str) -> str:
             "'foam'",
             "'sandwich', 'bevel' or 'hinged'",
         ),
+        (SANDWICH + 'sides = "outside"', "sides", "'outside'", "'both', 'top' or 'bottom'"),
+        (BEVEL + 'sides = "top"', "sides", "'top'", "boards on a membrane may be on one"),
+        ('sides = "top"', "thickness", "0", "because sides says"),
         (SANDWICH + "gap = -1", "gap", "-1", "at least 0"),
         (SANDWICH + "density = inf", "density", "inf", "a finite number"),
     ],
@@ -99,6 +106,17 @@ def test_bad_values_are_one_message_and_nothing_is_written(
             marks=thorough,
         ),
         (SANDWICH + "stop_deg = 45", "stop", ["panel.stop_deg"]),
+        (
+            'sides = "top"\nthickness = 30\nmembrane = 0.2',
+            "boards on flaps would stand",
+            ["panel.thickness"],
+        ),
+        pytest.param(
+            'sides = "bottom"\nthickness = 30\nmembrane = 25',
+            "leave room for",
+            ["panel.thickness", "panel.membrane"],
+            marks=thorough,
+        ),
     ],
 )
 def test_what_is_offered_for_too_much_works(panel: str, says: str, offers: list[str]) -> None:
@@ -119,6 +137,73 @@ def test_what_is_offered_for_too_much_works(panel: str, says: str, offers: list[
     assert set(offers) <= set(error.remedies[0].changes)
     for remedy in error.remedies:
         assert refused(mended(design, remedy)) is None
+
+
+THIN: Tables = {"thickness": 0.0105, "membrane": 0.0005, "density": 680}
+LAMP: Tables = {
+    "shell": {"family": "orthodiagonal", "unit": "m"},
+    "target": {"f": formula("-x**2", -1, 1), "g": formula("0.1*cos(2*pi*x)", 0, 2)},
+    "pattern": {"rows": 5, "columns": 5, "flap": 0, "heading_deg": 90, "spacing": "equal"},
+    "motion": {"frames": 3},
+}
+
+
+@pytest.mark.parametrize(
+    ("side", "letter", "step"), [("top", "T", "on top"), ("bottom", "B", "turn the membrane over")]
+)
+def test_boards_on_one_side_are_half_of_all(
+    tmp_path: Path, side: str, letter: str, step: str
+) -> None:
+    """Those that there are on that side of a membrane with boards of 10 mm on both, and no others.
+
+    Its drawings, bill and booklet have one board for every panel, and the back of the membrane
+    where these are below.
+    """
+    shell, whole = (
+        make_shell(check_design({**LAMP, "panel": {**THIN, **more}}, tmp_path / "lamp.toml"))
+        for more in ({"sides": side}, {"thickness": 0.0205})
+    )
+    assert shell.document.boards is not None
+    assert whole.document.boards is not None
+    sign = 1 if side == "top" else -1
+    assert set(shell.document.boards.sides) == {sign}
+    alike = whole.document.boards.chosen(whole.document.boards.sides == sign)
+    assert list(shell.document.boards.panels) == list(alike.panels)
+    np.testing.assert_allclose(shell.document.boards.outlines, alike.outlines, atol=1e-12)
+    assert shell.report.panel is not None
+    assert shell.report.panel.boards == len(alike)
+    assert shell.report.panel.path is not None
+
+    write_kit(shell, tmp_path / "kit")
+    names = {path.name for path in (tmp_path / "kit").rglob("*.dxf")}
+    assert ("pattern-back.dxf" in names) == (side == "bottom")
+    assert {f"pattern-{each}.dxf" in names for each in ("top", "bottom") if each == side} == {True}
+    assert not {f"pattern-{each}.dxf" for each in ("top", "bottom") if each != side} & names
+    words = " ".join(
+        " ".join(page.extract_text().split())
+        for page in PdfReader(tmp_path / "kit" / "booklet" / "booklet.pdf").pages
+    )
+    assert f"its column, and {letter}." in words
+    assert step in words
+    rows = list(csv.DictReader((tmp_path / "kit" / "cut" / "boards.csv").read_text().splitlines()))
+    assert len(rows) == len(alike)
+
+
+@pytest.mark.parametrize(
+    ("table", "value"),
+    [
+        (
+            "structure",
+            {"material": "birch plywood", "supports": [{"at": "feet", "kind": "pinned"}]},
+        ),
+        ("stiffeners", {"kind": "gussets"}),
+    ],
+)
+def test_boards_on_one_side_bear_no_loads(tmp_path: Path, table: str, value: object) -> None:
+    panel = {**THIN, "sides": "top"}
+    with pytest.raises(InputError, match=r"one side|both sides") as refusal:
+        check_design({**LAMP, "panel": panel, table: value}, tmp_path / "lamp.toml")
+    assert refusal.value.keys == ("panel.sides", table)
 
 
 def test_too_thick_names_the_crease_and_the_largest_that_works() -> None:

@@ -13,8 +13,9 @@ from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.layout import Layout
+from orishell.numerics.arrays import Array
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, largest_height
+from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, thickness_between
 from orishell.solids.setbacks import bare_faces
 from orishell.solids.sides import SideFolds
 from samples import THOROUGH, examples, thorough
@@ -32,6 +33,9 @@ def shelter(thickness: float) -> Shell:
     )
 
 
+THIN = PanelSpec()
+
+
 def panels(gap: float = 0.0, *, share: float = 0.5, length: float | None = None) -> PanelSpec:
     setback = Setback(share=share, length=length)
     return PanelSpec(thickness=1.0, membrane=0.5, gap=gap, largest_setback=setback)
@@ -40,6 +44,36 @@ def panels(gap: float = 0.0, *, share: float = 0.5, length: float | None = None)
 def thick(height: float) -> PanelSpec:
     """Panels that stand so high over their hinge plane."""
     return PanelSpec(thickness=2 * height, membrane=height)
+
+
+def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec = THIN) -> float:
+    """How high boards on both faces may stand."""
+    return 0.5 * thickness_between(flat, grid, folds, build)
+
+
+def test_boards_on_one_face_have_the_room_of_both() -> None:
+    """The strip below: a mountain takes nothing from upper boards, but for half the membrane.
+
+    With a membrane of 2 mm its face without boards takes 1 mm times tan 60 degrees.
+    """
+    grid = Grid(3, 2)
+    x, y = np.meshgrid(np.arange(2.0), -np.arange(3.0))
+    flat, turn = np.stack([x, y, 0 * x], axis=-1), np.deg2rad(120)
+    whole = PanelSpec(membrane=0.002, thickness=0.1)
+    thin = PanelSpec(membrane=0.01, thickness=0.1, largest_setback=Setback(length=0.005))
+    for sign, closing, other in ((1, "top", "bottom"), (-1, "bottom", "top")):
+        fold = CreaseValues(row=np.array([[sign * turn]]), column=np.zeros((2, 0)))
+        within, outside, narrow = (
+            whole.model_copy(update={"sides": closing}),
+            whole.model_copy(update={"sides": other}),
+            thin.model_copy(update={"sides": other}),
+        )
+        most = thickness_between(flat, grid, fold, within)
+        assert most == pytest.approx(0.5 / np.sqrt(3) + 0.001)
+        assert within.board == pytest.approx(0.098)
+        assert thickness_between(flat, grid, fold, outside) == np.inf
+        # The membrane asks for 5 mm times sqrt(3), and has 5: all of it is as much thinner.
+        assert thickness_between(flat, grid, fold, narrow) == pytest.approx(0.1 / np.sqrt(3))
 
 
 def test_a_strip_of_squares_by_hand() -> None:

@@ -242,6 +242,13 @@ def test_panels_with_a_thickness(page: Page) -> None:
     switch.click()
     type_into(page, "panel-membrane", "0.003")
     assert page.evaluate(table) == {"thickness": 0.1, "membrane": 0.003}
+    boards = page.evaluate("window.__orishell.report.panel.boards")
+    type_into(page, "panel-thickness", "0.05")
+    page.locator("label:has([data-testid=panel-sides-top])").click()
+    settle(page)
+    assert page.evaluate(table) == {"thickness": 0.05, "membrane": 0.003, "sides": "top"}
+    assert 2 * page.evaluate("window.__orishell.report.panel.boards") == boards
+    type_into(page, "panel-thickness", "0.1")
     page.locator("label:has([data-testid=panel-construction-bevel])").click()
     settle(page)
     assert page.evaluate(table) == {"thickness": 0.1, "construction": "bevel", "gap": 0.005}

@@ -345,7 +345,7 @@ export interface Contact {
   kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels" | "boards";
   /** Depth of the corrugation there (length). */
   corrugation_depth: number;
-  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; arms of whole boards by their edge, "arm left"; None if panels without a thickness do. */
+  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; arms of whole boards by their edge, "arm left"; "membrane" on a face without boards; None if panels without a thickness do. */
   sides: [string, string] | null;
   /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way (length). */
   overlap: number | null;
@@ -1452,6 +1452,8 @@ export interface PanelReport {
   membrane: number;
   /** What they are made of. */
   gap: number;
+  /** The faces of the flat sheet that boards of a membrane are on. */
+  sides: "both" | "top" | "bottom";
   /** By how much flaps stop short of folding flat. */
   stop_deg: number;
   /** The drive up to which boards are set back. */

@@ -10,7 +10,7 @@ from orishell.design.design import (
 )
 from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
-from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback
+from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback, Sides
 from orishell.design.path import Path
 from orishell.design.piece import Piece
 from orishell.design.plan_rectangle import PlanRectangle
@@ -35,6 +35,7 @@ __all__ = [
     "PlanRectangle",
     "Rail",
     "Setback",
+    "Sides",
     "Sliding",
     "Surface",
     "Turning",

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Size, Table
+from orishell.numerics.arrays import Array
 
 Length = Annotated[Number, Field(gt=0)] | Literal["auto"]
 
@@ -51,9 +52,12 @@ class HingeSpec(Table):
 
 
 Construction = Literal["sandwich", "bevel", "hinged"]
-"""Boards on both faces of a membrane that is the hinge, cut square; solid panels about the hinge
-plane, chamfered where they close; or whole boards on hinges beside them, of sheets that fold flat.
+"""Boards on a membrane that is the hinge, cut square; solid panels about the hinge plane, chamfered
+where they close; or whole boards on hinges beside them, of sheets that fold flat.
 """
+
+Sides = Literal["both", "top", "bottom"]
+"""The faces of the flat sheet on which a membrane has boards."""
 
 ARM_WIDTH = 0.1
 """Thickness of the fins that carry hinges off the faces, in thicknesses of the boards, where none
@@ -78,14 +82,16 @@ class PanelSpec(Table):
     """What panels are made of, lengths in the unit of the curves; without a thickness of nothing.
 
     ``thickness`` is that of a panel, boards and membrane together, half of it over the hinge plane;
-    ``gap`` what is cut away between two panels where they open; ``stop_deg`` by how much flaps stop
-    short of folding flat: half of what their row creases lack to 180 degrees, at the crease that
-    folds most, or as little as set-backs allow. Densities are masses per volume, of boards or solid
-    panels, of the membrane and of arms; 0 if unknown (kg/m^3).
+    of boards on one of the ``sides`` of a membrane, all but half the membrane. ``gap`` is what is
+    cut away between two panels where they open; ``stop_deg`` by how much flaps stop short of
+    folding flat: half of what their row creases lack to 180 degrees, at the crease that folds most,
+    or as little as set-backs allow. Densities are masses per volume, of boards or solid panels, of
+    the membrane and of arms; 0 if unknown (kg/m^3).
     """
 
     thickness: Size = 0.0
     construction: Construction = "sandwich"
+    sides: Sides = "both"
     membrane: Size = 0.0
     gap: Size = 0.0
     largest_setback: Setback = Setback()
@@ -132,6 +138,13 @@ class PanelSpec(Table):
                 "the thickness of the membrane between the boards, above 0 and below thickness "
                 '({most}): it is their hinge. Without one, construction = "bevel"',
                 {"most": self.thickness, "key": "membrane", "got": self.membrane},
+            )
+        if self.sides != "both" and self.is_solid:
+            raise PydanticCustomError(
+                "no_sides",
+                'construction = "sandwich", because only boards on a membrane may be on one of its '
+                "sides alone",
+                {"key": "sides", "got": self.sides},
             )
         if self.construction != "hinged":
             for key in HINGED_ONLY:
@@ -191,14 +204,53 @@ class PanelSpec(Table):
         return hinged and not (self.arm_density and self.hinge.linear_density)
 
     @property
+    def one_side(self) -> str:
+        """The face of the flat sheet that alone has boards, "top" or "bottom"; empty if both do."""
+        return "" if self.sides == "both" else self.sides
+
+    @property
+    def heights(self) -> tuple[float, float]:
+        """How high a panel stands over its hinge plane on its upper and lower face (length).
+
+        Where there is no board it is as high as half the membrane.
+        """
+        if self.sides == "both":
+            return 0.5 * self.thickness, 0.5 * self.thickness
+        low, high = 0.5 * self.membrane, self.thickness - 0.5 * self.membrane
+        return (high, low) if self.sides == "top" else (low, high)
+
+    @property
     def height(self) -> float:
-        """How high a panel stands over its hinge plane (length)."""
-        return 0.5 * self.thickness
+        """How high a panel stands over its hinge plane, on the face where that is more (length)."""
+        return max(self.heights)
 
     @property
     def board(self) -> float:
         """How thick each of its boards is (length)."""
-        return self.thickness if self.is_solid else 0.5 * (self.thickness - self.membrane)
+        if self.is_solid:
+            return self.thickness
+        return (self.thickness - self.membrane) / (2 if self.sides == "both" else 1)
+
+    def has_boards(self, face: int) -> bool:
+        """Whether there are boards on a face of the flat sheet: 1 for the upper one, -1."""
+        return self.sides == "both" or face == (1 if self.sides == "top" else -1)
+
+    def thickness_for(self, heights: Array) -> Array:
+        """The thickness with which panels have heights (2, ...) on the upper and the lower face.
+
+        On a face without boards any thickness does whose membrane has room; if it has none, the
+        membrane is taken to be thinner in proportion, and panels with it.
+        """
+        if self.sides == "both":
+            return 2 * heights
+        half = 0.5 * self.membrane
+        bare = np.where(heights >= half, np.inf, heights / half * self.thickness)
+        return np.stack(
+            [
+                high + half if self.has_boards(face) else least
+                for face, high, least in zip((1, -1), heights, bare, strict=True)
+            ]
+        )
 
     @property
     def share(self) -> float:

@@ -87,6 +87,25 @@ def _require_room(structure: Structure, board: float, keys: tuple[str, ...]) -> 
         )
 
 
+def require_both_sides(
+    structure: Structure | None, asked: Stiffeners | None, panel: PanelSpec | None
+) -> None:
+    """Refuse loads on boards that are on one side of a membrane, and what stiffens them."""
+    if panel is None or panel.sides == "both":
+        return
+    for key, there in (("structure", structure), ("stiffeners", asked)):
+        if there is not None:
+            raise InputError(
+                "boards on one side of a membrane are no structure"
+                if key == "structure"
+                else "what stiffens a shell stands between boards on both sides of a membrane",
+                keys=("panel.sides", key),
+                got=f'"{panel.sides}"',
+                expected='"both", of boards that are half as thick',
+                remedy=f"remove one of both: sides, or [{key}]",
+            )
+
+
 def require_inner(given: bool, asked: Stiffeners | None) -> None:
     """Refuse a curve of a second skin where there is none, or where it is asked to be moved.
 

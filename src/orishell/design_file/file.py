@@ -23,6 +23,7 @@ from orishell.design_file.constructions import (
     plate_density,
     plates_of,
     require_boards,
+    require_both_sides,
     require_frames,
     require_inner,
     require_one_hinge_density,
@@ -267,6 +268,7 @@ def _checked(
                 file.target.fit.require_lengths(pattern.lengths())
         if known is None:
             known = Known() if file.target is None else file.target.known(directory, unit)
+        require_both_sides(structure, stiffeners, panel)
         require_inner(known.inner is not None, stiffeners)
     except InputError as error:
         raise error.in_file(path) from None

@@ -123,7 +123,7 @@ def prove_boards(
         others = [0.0] if hinges.beside else np.linspace(0.0, built.limit, STATES)
         drives = np.unique([*others, drive]).tolist()
         return Corners(
-            mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.boards
+            mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.bodies
         )
 
     def first_contact(built: BuiltPanels) -> PathResult:

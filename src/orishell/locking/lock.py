@@ -138,7 +138,7 @@ def find_lock(
         built, path = prove_boards(design, end, size, progress, only=only)
         lock = replace(lock, boards_proof=path.proof)
         if path.contact is not None:
-            found = sheet.contact_of_boards(path.contact, built.boards)
+            found = sheet.contact_of_boards(path.contact, built.bodies)
             lock = replace(lock, drive=found.drive, cause=_cause(found), first_contact=found)
     lock = replace(lock, built=built)
     if lock.early:

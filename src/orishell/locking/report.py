@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.clash import ProofRecord
 from orishell.conventions.record import Angle, record
-from orishell.design import Construction, Design
+from orishell.design import Construction, Design, Sides
 from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
@@ -90,6 +90,7 @@ class PanelReport:
     thickness: float
     membrane: float
     gap: float
+    sides: Sides  # the faces of the flat sheet that boards of a membrane are on
     stop_deg: float  # by how much flaps stop short of folding flat
     set_back_for: Angle  # the drive up to which boards are set back
     largest_fold: Angle  # the largest fold angle of a crease on the way there
@@ -117,14 +118,16 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     build = built.build
     sides = SideFolds.of(Layout.of(design.mechanism), built.folds, built.beside)
     # Whole boards stand back by the gap alone.
-    height = 0.0 if design.set_back is None else build.height
-    back = set_backs_of(sides, height, build.gap)
-    longest = np.concatenate([back.top, back.bottom])
+    heights = (0.0, 0.0) if design.set_back is None else build.heights
+    back = set_backs_of(sides, heights, build.gap)
+    faces = zip((1, -1), (back.top, back.bottom), strict=True)
+    longest = np.concatenate([found for face, found in faces if build.has_boards(face)])
     return PanelReport(
         construction=build.construction,
         thickness=build.thickness,
         membrane=build.membrane,
         gap=build.gap,
+        sides=build.sides,
         stop_deg=design.stop_deg,
         set_back_for=built.limit,
         largest_fold=float(sides.largest.max()),

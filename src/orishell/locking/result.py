@@ -7,6 +7,7 @@ from typing import Literal
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import Angle, record
+from orishell.motion.boards import BARE, SIDES
 from orishell.motion.grid import Panel
 from orishell.solids import BuiltPanels
 
@@ -41,7 +42,8 @@ class Contact:
     kind: Kind
     corrugation_depth: float  # depth of the corrugation there (length)
     # which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; arms of
-    # whole boards by their edge, "arm left"; None if panels without a thickness do
+    # whole boards by their edge, "arm left"; "membrane" on a face without boards; None if panels
+    # without a thickness do
     sides: tuple[str, str] | None = None
     # how far one reaches into the other, if they were looked at in one state only; None if they
     # touch on the way (length)
@@ -68,6 +70,8 @@ def _called(panel: Panel, side: str) -> str:
     if kind == "arm":
         return f"the {edge} arm of panel {list(panel)}"
     whole = f"panel {list(panel)}"
+    if side == SIDES[BARE]:
+        return f"the {side} of {whole}"
     return f"the {side} board of {whole}" if side in {"top", "bottom"} else whole
 
 

@@ -14,9 +14,10 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""
 
-ARM, KNUCKLE = 2, 3
-"""Sides of what is no board: arms, which stand on one and carry a hinge, and knuckles of hinges."""
-SIDES = {1: "top", -1: "bottom", 0: "panel", ARM: "arm", KNUCKLE: "knuckle"}
+ARM, KNUCKLE, BARE = 2, 3, 4
+"""Sides of what is no board: arms, which stand on one and carry a hinge, knuckles of hinges, and a
+face of the membrane that has no boards."""
+SIDES = {1: "top", -1: "bottom", 0: "panel", ARM: "arm", KNUCKLE: "knuckle", BARE: "membrane"}
 """What a board is called after its side."""
 EDGES = ("left", "bottom", "right", "top")
 """Edges of a panel, as :meth:`~orishell.motion.grid.Grid.faces_edges` has them."""

@@ -106,7 +106,9 @@ def _draw_state(axes: Axes, section: HingeSection, fold: float) -> None:
 def _write_sizes(axes: Axes, section: HingeSection, unit: str) -> None:
     """Set-back and thickness, with dimension lines."""
     build, back, closing = section.build, section.setback, section.closing
-    beyond = closing * (build.height + 0.15 * (back + build.thickness))
+    top, bottom = build.heights
+    outer = top if closing > 0 else -bottom
+    beyond = outer + closing * 0.15 * (back + build.thickness)
     look = {"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0, "color": LINE, "linewidth": 0.8}
 
     def measure(start: tuple[float, float], end: tuple[float, float]) -> None:
@@ -116,15 +118,15 @@ def _write_sizes(axes: Axes, section: HingeSection, unit: str) -> None:
 
     if back:
         for x in (0.0, back):
-            axes.plot([x, x], [closing * build.height, beyond], color=LINE, linewidth=0.5)
+            axes.plot([x, x], [outer, beyond], color=LINE, linewidth=0.5)
         measure((0.0, beyond), (back, beyond))
         words = f"s = {back:.3g} {unit}"
         axes.annotate(words, (back, beyond), (5, 0), textcoords="offset points", va="center")
     place = -0.5 * (back + min(section.ends[0], _reach(section)))
-    measure((place, -build.height), (place, build.height))
+    measure((place, -bottom), (place, top))
     axes.annotate(
         f"t = {build.thickness:.3g} {unit}",
-        (place, closing * build.height),
+        (place, outer),
         (0, closing * 4),
         textcoords="offset points",
         ha="center",

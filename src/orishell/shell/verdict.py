@@ -267,7 +267,8 @@ def _boards(report: Report) -> Iterator[Row]:
         text += _in_pieces(panel.hinged, unit)
     else:
         back = size(panel.largest_setback, unit, bound=True)
-        text = f"{panel.boards}, of panels {thick} thick, set back by up to {back}"
+        one = "" if panel.sides == "both" else f" on the {panel.sides} of a membrane"
+        text = f"{panel.boards}{one}, of panels {thick} thick, set back by up to {back}"
     yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
 
 

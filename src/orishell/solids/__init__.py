@@ -16,8 +16,8 @@ from orishell.solids.setbacks import (
     drive_for_height,
     find_set_backs,
     largest_folds,
-    largest_height,
     set_backs_of,
+    thickness_between,
 )
 from orishell.solids.sides import FlapFolds, SideFolds
 from orishell.solids.thickness_limit import (
@@ -45,11 +45,11 @@ __all__ = [
     "find_stop",
     "find_thickness_limit",
     "largest_folds",
-    "largest_height",
     "largest_thickness",
     "limit_in_words",
     "set_backs_of",
     "settled_vertices",
+    "thickness_between",
     "thinner",
     "wide_gap",
 ]

@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError
 from orishell.design import PanelSpec
-from orishell.motion.boards import Boards
+from orishell.motion.boards import BARE, Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
@@ -121,9 +121,11 @@ def boards_on(
     """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
     A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
-    panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
-    plane it stands back by half the gap, on its faces as far as boards do, and it is straight in
-    between. Whole boards on hinges, square cut, stand back by half the gap; arms follow on each.
+    panels beside it have none on its closing side. On a face without boards half the membrane takes
+    their place (:data:`~orishell.motion.boards.BARE`), from which no gap is cut. A bevelled panel
+    is one solid: on the hinge plane it stands back by half the gap, on its faces as far as boards
+    do, and it is straight in between. Whole boards on hinges, square cut, stand back by half the
+    gap; arms follow on each.
 
     Parameters
     ----------
@@ -145,7 +147,7 @@ def boards_on(
     """
     faces, grid, at_sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
     panels = flat[faces, :2]
-    back = set_backs_of(at_sides, build.height, build.gap)
+    back = set_backs_of(at_sides, build.heights, build.gap)
     cut = None if reliefs is None else _at_corners(reliefs, faces)
     there: list[Booleans] = [
         np.asarray(np.isfinite(each).all(axis=1)) for each in (back.top, back.bottom)
@@ -167,15 +169,21 @@ def boards_on(
         outlines = np.stack([_at(outline(d, solid), z) for d, z in levels], axis=1)
         return Boards(np.flatnonzero(solid), np.zeros(int(solid.sum()), np.int64), outlines)
 
-    low, high = 0.5 * build.membrane, build.height
+    whole = set_backs_of(at_sides, build.heights)  # what no gap is cut from
     made = []
-    for side, ends, distance, present in (
-        (1, (low, high), back.top, there[0]),
-        (-1, (-high, -low), back.bottom, there[1]),
+    for side, high, distance, uncut, present in zip(
+        (1, -1),
+        build.heights,
+        (back.top, back.bottom),
+        (whole.top, whole.bottom),
+        there,
+        strict=True,
     ):
-        kept, number = outline(distance, present), np.flatnonzero(present)
-        outlines = np.stack([_at(kept, z) for z in ends], axis=1)
-        made.append((number, np.full(len(number), side), outlines))
+        boards, number = build.has_boards(side), np.flatnonzero(present)
+        kept = outline(distance if boards else uncut, present)
+        ends = (0.5 * build.membrane if boards else 0.0, high)
+        outlines = np.stack([_at(kept, z) for z in sorted(side * each for each in ends)], axis=1)
+        made.append((number, np.full(len(number), side if boards else BARE), outlines))
     panels_of, sides, outlines = (np.concatenate(each) for each in zip(*made, strict=True))
     order = np.lexsort([-sides, panels_of])
     return Boards(panels_of[order], sides[order], outlines[order])

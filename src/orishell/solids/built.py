@@ -18,7 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
-from orishell.motion.boards import SIDES, Boards, join_boards
+from orishell.motion.boards import BARE, SIDES, Boards, join_boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
 from orishell.motion.layout import Layout, SlitFlaps, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -40,6 +40,9 @@ class BuiltPanels:
     boards: Boards
     # boards of flaps that are clipped on at its target; None if there are none
     flaps: Boards | None
+    # the membranes of both where they have boards on one face; none of others
+    bare: Boards | None = None
+    bare_flaps: Boards | None = None
     # the largest folds of flaps that fold with the sheet but are no columns of it, if there are any
     beside: FlapFolds | None = None
 
@@ -47,11 +50,21 @@ class BuiltPanels:
         """Inner vertices (rows-2, columns-2) about which opposite boards are apart all the way."""
         return settled_vertices(self.folds)
 
+    @property
+    def bodies(self) -> Boards:
+        """All that must not meet on the way: boards, and membranes with boards on one face."""
+        return (
+            self.boards if self.bare is None else join_boards([self.boards, self.bare]).in_order()
+        )
+
     def with_flaps(self, clipped: Mechanism) -> Boards:
-        """All boards, as panels of the sheet with its flaps: ``clipped``."""
+        """All that must not meet, as panels of the sheet with its flaps: ``clipped``."""
         assert self.flaps is not None
-        own = _with_flaps_columns(self.boards.panels, clipped)
-        return join_boards([replace(self.boards, panels=own), self.flaps]).in_order()
+        bodies, beside = self.bodies, [self.flaps]
+        if self.bare_flaps is not None:
+            beside.append(self.bare_flaps)
+        own = _with_flaps_columns(bodies.panels, clipped)
+        return join_boards([replace(bodies, panels=own), *beside]).in_order()
 
 
 def _with_flaps_columns(panels: Integers, clipped: Mechanism) -> Integers:
@@ -106,13 +119,21 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
             hinges=hinges,
             least=0.0 if design.stand_off is None else design.stand_off,
         )
-        return BuiltPanels(build, limit, folds, cut, boards, None, beside)
+        boards, bare = _parted(boards)
+        return BuiltPanels(build, limit, folds, cut, boards, None, bare, beside=beside)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     own = _with_flaps_columns(np.arange(grid.panel_count), design.clipped)
     mine = np.isin(everything.panels, own)
     boards = everything.chosen(mine)
-    boards = replace(boards, panels=np.searchsorted(own, boards.panels))
-    return BuiltPanels(build, limit, folds, cut, boards, everything.chosen(~mine))
+    boards, bare = _parted(replace(boards, panels=np.searchsorted(own, boards.panels)))
+    flaps, bare_flaps = _parted(everything.chosen(~mine))
+    return BuiltPanels(build, limit, folds, cut, boards, flaps, bare, bare_flaps)
+
+
+def _parted(boards: Boards) -> tuple[Boards, Boards | None]:
+    """Boards, and membranes with boards on one face; None if there are none."""
+    bare = boards.sides == BARE
+    return (boards.chosen(~bare), boards.chosen(bare)) if bare.any() else (boards, None)
 
 
 def _with_flaps(
@@ -240,7 +261,7 @@ def find_meetings(
     ]
     start, stop = np.maximum(*ends)[:, 0], np.minimum(*ends)[:, 1]
 
-    found = set_backs_of(SideFolds.of(layout, folds, beside), build.height, build.gap)
+    found = set_backs_of(SideFolds.of(layout, folds, beside), build.heights, build.gap)
     above = creases.panels[:, 0], creases.sides[:, 0]
     back = np.where(closing > 0, found.top[above], found.bottom[above])
     fold = np.abs(creases.folds)

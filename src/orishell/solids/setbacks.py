@@ -8,10 +8,10 @@ plane that bisects it; at a height b over the membrane they are clear of it if t
     s = b tan(phi/2)
 
 on the closing side. On the opening side they move apart, and need no more than half the gap that
-the tool cuts. Between opposite edges of a panel its boards stand back by s from one and by s' from
-the other. Both together may take a share of the panel's shortest width between these, and neither
-may be longer than is allowed: so this limits the height b of boards for given fold angles, and fold
-angles for given boards.
+the tool cuts. On a face without boards b is half the thickness of the membrane. Between opposite
+edges of a panel its boards stand back by s from one and by s' from the other. Both together may
+take a share of the panel's shortest width between these, and neither may be longer than is allowed:
+so this limits the height b of boards for given fold angles, and fold angles for given boards.
 
 Limit: hinges of a membrane are ideal, and glue has no thickness. Boards touch where the motion
 ends. Without a table ``[panel]`` panels have no thickness.
@@ -96,7 +96,11 @@ def _largest_of(
     return first, second
 
 
-def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetBacks:
+Heights = float | tuple[float, float]
+"""How high boards stand on either face, or on the upper and the lower one (length)."""
+
+
+def find_set_backs(folds: CreaseValues, height: Heights, gap: float = 0.0) -> SetBacks:
     """Set-backs of boards from all edges, for the largest fold angles, in [-pi, pi].
 
     Beside a crease that folds flat there is no room for a board: its set-back is infinite.
@@ -113,7 +117,7 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
     return _set_backs(np.maximum(angle, 0.0), np.maximum(-angle, 0.0), crease, height, gap)
 
 
-def set_backs_of(sides: SideFolds, height: float, gap: float = 0.0) -> SetBacks:
+def set_backs_of(sides: SideFolds, height: Heights, gap: float = 0.0) -> SetBacks:
     """Set-backs of boards from the sides of panels (F, 4): see :func:`find_set_backs`.
 
     Parameters
@@ -127,16 +131,17 @@ def set_backs_of(sides: SideFolds, height: float, gap: float = 0.0) -> SetBacks:
 
 
 def _set_backs(
-    valley: Array, mountain: Array, crease: Booleans, height: float, gap: float
+    valley: Array, mountain: Array, crease: Booleans, height: Heights, gap: float
 ) -> SetBacks:
     least = np.where(crease, gap / 2, 0.0)
+    top, bottom = np.broadcast_to(height, 2).tolist()
 
-    def of(angle: Array) -> Array:
+    def of(angle: Array, height: float) -> Array:
         shut = angle >= np.pi - SHUT
         closing = height * np.tan(np.where(shut, 0.0, angle) / 2)
         return np.asarray(np.maximum(np.where(shut & (height > 0), np.inf, closing), least))
 
-    return SetBacks(top=of(valley), bottom=of(mountain))
+    return SetBacks(top=of(valley, top), bottom=of(mountain, bottom))
 
 
 def _larger(first: Array, second: Array) -> Array:
@@ -170,8 +175,10 @@ ANY = PanelSpec()
 """Panels of which only the share of set-backs is said."""
 
 
-def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec = ANY) -> float:
-    """How high boards may stand over the hinge plane (length); infinite where no crease folds.
+def thickness_between(
+    flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec = ANY
+) -> float:
+    """How thick panels of a grid may be (length); infinite where no crease folds.
 
     Parameters
     ----------
@@ -180,7 +187,8 @@ def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpe
     """
     layout = Layout.of_grid(grid)
     sides = SideFolds.of(layout, folds)
-    return float(allowed_heights(flat.reshape(-1, 3), layout, sides, build).min())
+    heights = allowed_heights(flat.reshape(-1, 3), layout, sides, build)
+    return float(build.thickness_for(heights).min())
 
 
 def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None = None) -> float:
@@ -195,10 +203,11 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
     across = _ways_across(points_of(mechanism, 0.0), layout)
     end = mechanism.end_drive if end is None else end
     bare = bare_faces(SideFolds.at(mechanism, mechanism.target_drive), layout.flaps)
+    asked = np.reshape(build.heights, (2, 1, 1))
 
     def works(drive: float) -> bool:
         heights = _heights(across, SideFolds.at(mechanism, drive), build)
-        return bool((heights[~bare] >= build.height).all())
+        return bool((heights >= asked)[~bare].all())
 
     good = 0.0
     for drive in np.linspace(0.0, end, SOUGHT_AMONG)[1:].tolist():

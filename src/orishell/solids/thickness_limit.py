@@ -21,7 +21,7 @@ from orishell.solids.setbacks import (
     bare_faces,
     largest_flap_folds,
     largest_folds,
-    largest_height,
+    thickness_between,
 )
 from orishell.solids.sides import FlapFolds, SideFolds
 
@@ -53,8 +53,9 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     sides = SideFolds.of(layout, folds, beside)
     heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
     heights[bare_faces(sides, layout.flaps)] = np.inf
-    _, panel, way = (int(k) for k in np.unravel_index(first_smallest(heights), heights.shape))
-    most = 2 * float(heights.min())
+    thick = build.thickness_for(heights)
+    _, panel, way = (int(k) for k in np.unravel_index(first_smallest(thick), thick.shape))
+    most = float(thick.min())
     if not np.isfinite(most):
         return ThicknessLimit(most, "", on_flap=False)
     crease = _crease(layout, panel, way + 2 * first_largest(sides.largest[panel, way::2]))
@@ -159,7 +160,7 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
         return 0.0
 
     def works(steps: int) -> bool:
-        return _most(mechanism, steps, build) >= build.height
+        return _most(mechanism, steps, build) >= build.thickness
 
     good = 1
     while good < LARGEST_STOP and not works(good):
@@ -196,7 +197,7 @@ def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     most = find_thickness_limit(mechanism.with_stop(0.0), build).thickness
     if not has_flaps(mechanism) or build.stop == 0:
         return most
-    return min(most, 2 * _most(mechanism, _last(mechanism), build))
+    return min(most, _most(mechanism, _last(mechanism), build))
 
 
 def _angle(steps: int) -> float:
@@ -218,7 +219,7 @@ def _allowed(mechanism: Mechanism, steps: int) -> bool:
 
 
 def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
-    """How high boards may stand between the row creases of flaps with this stop (length)."""
+    """How thick panels may be between the row creases of flaps with this stop (length)."""
     if not _allowed(mechanism, steps):
         return -np.inf
     stopped = mechanism.with_stop(_angle(steps))
@@ -227,7 +228,7 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
     flat, folds = stopped.positions(0.0), stopped.fold_angles(stopped.target_drive).row
     strip, no_columns = Grid(stopped.grid.rows, 2), np.zeros((stopped.grid.rows - 1, 0))
     return min(
-        largest_height(
+        thickness_between(
             flat[:, flap : flap + 2],
             strip,
             CreaseValues(folds[:, flap : flap + 1], no_columns),
@@ -247,4 +248,4 @@ def _most_beside(stopped: Mechanism, layout: Layout, build: PanelSpec) -> float:
     )
     sides = SideFolds.of(layout, still, FlapFolds(0 * beside.hinges, beside.pairs))
     heights = allowed_heights(points_of(stopped, 0.0), layout, sides, build)
-    return float(heights[:, layout.flaps].min())
+    return float(build.thickness_for(heights[:, layout.flaps]).min())

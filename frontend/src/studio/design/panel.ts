@@ -11,13 +11,14 @@ import { withPanel } from "../structure/table.ts";
 /** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
 const HINGE = 0.05;
 /** Keys that whole boards on hinges have not, and those that only they have. */
-const SET_BACK = ["membrane", "membrane_density", "largest_setback", "stop_deg"];
+const SET_BACK = ["sides", "membrane", "membrane_density", "largest_setback", "stop_deg"];
 const ARMS = ["largest_arm", "arm_width", "pieces", "arm_density", "hinge"];
 type Size = "thickness" | "membrane" | "gap" | "largest_arm" | "pieces";
 
 export class PanelControls {
   readonly element: HTMLElement;
   private readonly construction: Segmented<string>;
+  private readonly sides: Segmented<string>;
   private readonly boxes: Record<Size, HTMLInputElement>;
   private readonly units: HTMLElement[] = [];
   private readonly more: HTMLElement[];
@@ -37,8 +38,15 @@ export class PanelControls {
       Object.entries(construction.choices).map(([value, text]) => ({ value, text, testid: `panel-construction-${value}` })),
       (value) => this.setConstruction(value),
     );
+    const sides = keys["sides"]!;
+    this.sides = segmented<string>(
+      sides.label,
+      Object.entries(sides.choices).map(([value, text]) => ({ value, text, testid: `panel-sides-${value}` })),
+      (value) => this.change(value === "both" ? without(this.table, ["sides"]) : { ...this.table, sides: value }),
+    );
     this.more = [
       h("div", { class: "parameter-head", title: construction.help }, h("span", {}, construction.label), this.construction.element),
+      h("div", { class: "parameter-head", title: sides.help }, h("span", {}, sides.label), this.sides.element),
       this.row("membrane", keys),
       this.row("gap", keys),
       this.row("largest_arm", keys),
@@ -82,7 +90,7 @@ export class PanelControls {
   }
 
   private setConstruction(construction: string): void {
-    const { membrane: _, construction: __, ...rest } = this.table;
+    const { membrane: _, construction: __, sides: ___, ...rest } = this.table;
     const hinge = hingeOf(Number(rest["thickness"]));
     if (construction === "hinged") return this.change({ ...without(rest, SET_BACK), construction });
     const table = without(rest, ARMS);
@@ -98,7 +106,7 @@ export class PanelControls {
   }
 
   private show(): void {
-    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich", largest_arm: arm, pieces } = this.table;
+    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich", sides = "both", largest_arm: arm, pieces } = this.table;
     setNumber(this.boxes.thickness, short(Number(thickness)));
     setNumber(this.boxes.membrane, short(Number(membrane)));
     setNumber(this.boxes.gap, short(Number(gap)));
@@ -106,10 +114,11 @@ export class PanelControls {
     setNumber(this.boxes.pieces, typeof pieces === "number" ? String(pieces) : "");
     this.boxes.pieces.placeholder = String(pieces ?? "whole");
     this.construction.set(String(construction));
+    this.sides.set(String(sides));
     for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
     for (const row of this.more) row.hidden = !Number(thickness);
-    this.more[1]!.hidden ||= this.solid;
-    for (const row of this.more.slice(3)) row.hidden ||= construction !== "hinged";
+    for (const row of this.more.slice(1, 3)) row.hidden ||= this.solid;
+    for (const row of this.more.slice(4)) row.hidden ||= construction !== "hinged";
   }
 
   private get solid(): boolean {

@@ -23,6 +23,7 @@ class KitFacts:
 
     starts_packed: bool  # whether it opens from a pack, or else is folded from the flat sheet
     construction: str  # as in [panel]; empty where panels have no thickness
+    one_side: str  # "top" or "bottom" if its membrane has boards on that face alone; empty else
     # sides of the boxes around the flat sheet and around the shell at its target, as its report has
     # them: what folds, with its boards, and that with all other parts
     sheet: tuple[float, float]
@@ -74,6 +75,7 @@ def find_facts(document: Document) -> KitFacts:
     return KitFacts(
         starts_packed=packed,
         construction=document.panel.construction if document.panel and built else "",
+        one_side="" if document.panel is None else document.panel.one_side,
         sheet=(width, height),
         opened=opened,
         whole=whole,

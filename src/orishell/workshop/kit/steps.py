@@ -72,11 +72,12 @@ def _making(
         return
     planed = ("chamfers",) if facts.construction == "bevel" else ()
     cut = (*planed, *_also(parts, CUT))
-    yield Step(f"cut_{facts.construction}", said, check="all_parts", more=cut)
+    one_side = f"_{facts.one_side}" if facts.one_side else ""
+    yield Step(f"cut_{facts.construction}{one_side}", said, check="all_parts", more=cut)
     if split:
         yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
     if facts.construction == "sandwich":
-        yield Step("glue", said, FLAT, plan=True, check="" if split else check)
+        yield Step(f"glue{one_side}", said, FLAT, plan=True, check="" if split else check)
         return
     yield Step("lay_out", said, FLAT, plan=True)
     joins = "hinge" if facts.construction == "bevel" else "screw"
