@@ -108,7 +108,7 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
         ("columns", r'"\u001b[2Jcolumns"', 2, r"[pattern] \x1b[2Jcolumns: unknown key"),
         ("columns", '"a\x1b[2J"', 2, "not TOML"),
         ("flap = 0.3 ", "flap = nan ", 2, "a finite number"),
-        ("columns", "colums", 2, "write columns"),
+        ("columns", "colums", 2, "Did you mean columns?"),
         ("[0, 20]", "[20, 0]", 2, "reversed"),
         ('"-x**2"', "\"__import__('os')\"", 2, "character 12"),
         ('"-x**2"', '"1/x"', 2, "not finite"),

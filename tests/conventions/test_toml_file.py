@@ -39,8 +39,9 @@ def test_what_stands_in_texts_and_comments_does_not_nest(quote: str) -> None:
         ("a = 1\nb = 2,5", "numbers have a decimal point: write 2.5", "b = 2,5"),
         ("b = -2,5 # half", "numbers have a decimal point: write -2.5", "b = -2,5 # half"),
         ("unit = mm", 'put texts in quotes: "mm"', "unit = mm"),
-        ("a = [1, 2", "", None),
-        ("a b = 1", "", "a b = 1"),
+        ("a = [1, 2", "a bracket or a quote is opened and never closed", None),
+        ("a b = 1", "a key is one word: a_b = 1", "a b = 1"),
+        ("a b c", "", "a b c"),
         ("x = \x07" + " " * 10**6, "", None),
     ],
 )
@@ -52,6 +53,50 @@ def test_what_is_no_toml_is_shown(text: str, remedy: str, shown: str | None) -> 
     assert len(caught.value.detail) < 250
     if shown is not None:
         assert caught.value.detail.splitlines()[0].strip() == shown
+
+
+@pytest.mark.parametrize(
+    ("line", "remedy"),
+    [
+        ("rows: 5", "write rows = 5"),
+        ("rows := 5", "write rows = 5"),
+        ("rows 5", "write rows = 5"),
+        ("reverse = Yes", "write true"),
+        ("flap = .3", "write 0.3"),
+        ("flap =", "a value is missing: write it behind flap ="),
+        ("xi_deg = 50\u00b0", "write 50, without a unit"),
+        ("width = 30 cm", "write 0.3, without a unit: lengths are in m"),
+        ("range = -1..1", "lists have square brackets, and commas between entries: [-1, 1]"),
+        ("range = [-1 1]", "lists have square brackets, and commas between entries: [-1, 1]"),
+        ("range = (-1,1)", "lists have square brackets, and commas between entries: [-1, 1]"),
+        ("rows = 5;", "write rows = 5, without what follows it"),
+        ("rows = 5 // odd", "comments begin with #: rows = 5  #odd"),
+        ("[target f]", "write [target.f]"),
+        ("pattern:", "write [pattern]"),
+        ("[[load_case]", "write [[load_case]]"),
+        ("unit = \u201ccm\u201d", 'write straight quotes: unit = "cm"'),
+        ('svg = "C:\\Users\\a.svg"', "in single quotes, or C:/Users/a.svg"),
+        ('a = "b', "close the quotes"),
+        ("a = -x**2 + 1", 'put texts in quotes: "-x**2 + 1"'),
+    ],
+)
+def test_what_to_write_instead_is_said(line: str, remedy: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_toml(f'unit = "m"\n{line}\nlast = 1\n')
+    assert caught.value.where == "line 2"
+    assert caught.value.remedy.endswith(remedy)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_files_as_notepad_writes_them(encoding: str, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_bytes('# f\u00fcr\r\na = "\u03c0"\r\n'.encode(encoding))
+    assert read_toml(tmp_path / "a.toml") == {"a": "\u03c0"}
+
+
+@pytest.mark.parametrize("head", ["{", "<!DOCTYPE html>", "PK\x03\x04"])
+def test_what_it_looks_like_is_said(head: str) -> None:
+    with pytest.raises(InputError, match=r"this is not TOML\. Remedy: this looks like"):
+        parse_toml(head)
 
 
 def test_a_design_nests_as_deep_as_it_needs_to() -> None:

@@ -42,6 +42,26 @@ def test_what_is_no_range_in_degrees(x: str, y: str, ends: tuple[float, float]) 
     assert pair(x, y, *ends).start == ends[0]
 
 
+@pytest.mark.parametrize(
+    ("text", "ends", "asked"),
+    [
+        ("5*sin(18*x)", (0, 10), "write sin(18*x*pi/180)"),
+        ("5*cos(x*9) + x", (-10, 10), "write cos(x*9*pi/180)"),
+        ("0.1*sin(x)", (0, 180), "write sin(x*pi/180)"),
+        ("5*sin(18.0*x)", (0, 10), ""),
+        ("5*sin(18*pi*x)", (0, 10), ""),
+        ("sin(18*x)", (0, 4), ""),  # 11 waves in radians, 72 degrees
+        ("sin(7*x)", (0, 20), ""),  # 140 degrees, no eighth of a turn
+    ],
+)
+def test_waves_that_look_like_degrees_are_asked_about(
+    text: str, ends: tuple[float, float], asked: str
+) -> None:
+    notes = graph(text, *ends).notes
+    assert len(notes) == bool(asked)
+    assert all(note.startswith("formulas take radians") and asked in note for note in notes)
+
+
 def test_it_does_not_wait_for_the_curve_to_be_followed() -> None:
     # A graph of the same range has no tangent that turns round; it is followed as ever.
     assert trace_curve(graph("0.1*sin(x)", 0, 180)).length > 180

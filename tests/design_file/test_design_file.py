@@ -67,9 +67,13 @@ def test_points_are_read_beside_the_design_file(tmp_path: Path) -> None:
 FAULTS = {
     "unknown family": (("parallel-repeating", "miura"), "[shell] family", "parallel-repeating"),
     "unknown unit": (('unit = "m"', 'unit = "yd"'), "[shell] unit", "'ft'"),
-    "unknown key": (("rows", "row"), "[pattern] row:", "write rows"),
-    "unknown key in a target": (("range = [-1", "rang = [-1"), "[target.f] rang", "write range"),
-    "unknown table": (("[pattern]", "[patern]"), "[patern]", "write pattern"),
+    "unknown key": (("rows", "row"), "[pattern] row:", "Did you mean rows?"),
+    "unknown key in a target": (
+        ("range = [-1", "rang = [-1"),
+        "[target.f] rang",
+        "Did you mean range?",
+    ),
+    "unknown table": (("[pattern]", "[patern]"), "[patern]", "Did you mean [pattern]?"),
     "missing key": (("columns = 11", ""), "[pattern] columns", "missing"),
     "missing table": (("[shell]", "[motion]"), "[shell]", "missing"),
     "text for a number": (("rows = 9", 'rows = "nine"'), "[pattern] rows", "a whole number"),
@@ -166,7 +170,7 @@ def test_all_faults_are_named_at_once(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         read_design_file(write(tmp_path, text))
     message = str(caught.value)
-    assert message.count("shell.toml") == 3  # rows, columns missing, colums unknown
+    assert message.count("shell.toml") == 2  # rows; colums, which is meant for columns
 
 
 def test_missing_and_unreadable_files(tmp_path: Path) -> None:

@@ -221,7 +221,11 @@ BAD = {
     "half a cell": (f"{STRUCTURE}cells = 2.5", "[structure] cells: ", "a whole number"),
     "refine": (f"{STRUCTURE}refine = 1", "[structure] refine: ", "less than 1"),
     "unknown key": (f"{STRUCTURE}colour = 1", "[structure] colour: ", "unknown key"),
-    "slip of a key": (f"{STRUCTURE}tie_strenght = 1", "tie_strenght: ", "write tie_strength"),
+    "slip of a key": (
+        f"{STRUCTURE}tie_strenght = 1",
+        "tie_strenght: ",
+        "Did you mean tie_strength?",
+    ),
     "no place": (
         STRUCTURE.replace('"feet"', '"toes"'),
         "[structure] supports[0] at: ",
@@ -231,7 +235,7 @@ BAD = {
     "unknown key of a support": (
         STRUCTURE.replace('"pinned"', '"pinned", frction = 1'),
         "[structure] supports[0] frction: ",
-        "write friction",
+        "Did you mean friction?",
     ),
     "no friction": (
         STRUCTURE.replace("pinned", "friction"),
@@ -313,10 +317,10 @@ BAD = {
         "[[load_case]][0] combine dead: ",
         "a finite number",
     ),
-    "unknown key of a case": (with_case("snw = 5"), "[[load_case]][0] snw: ", "write snow"),
+    "unknown key of a case": (with_case("snw = 5"), "[[load_case]][0] snw: ", "Did you mean snow?"),
     "a number for snow": (with_case("snow = 500"), "[[load_case]][0] snow: ", "a table"),
     "no snow": (with_case("snow = { ground = 0 }"), "[0] snow ground: ", "greater than 0"),
-    "slip of snow": (with_case("snow = { grund = 5 }"), "[0] snow ", "this key is missing"),
+    "slip of snow": (with_case("snow = { grund = 5 }"), "[0] snow grund: ", "Did you mean ground?"),
     "shape of snow": (
         with_case('snow = { ground = 5, shape = "ball" }'),
         "[[load_case]][0] snow shape: ",
@@ -362,7 +366,7 @@ BAD = {
     "slip of a zone": (
         with_wind("zones = [{ rows = [0, 4], coefficient = 1, row = 2 }]"),
         "[[load_case]][0] wind zones[0] row: ",
-        "write rows",
+        "Did you mean rows?",
     ),
     "flat force": (
         with_case("points = [{ at = [0, 0], force = [0, 1] }]"),

@@ -339,7 +339,7 @@ FAULTS = {
         "its layer or its handle",
     ),
     "an unknown unit": ('svg = "arc.svg"\nunit = "yd"', "[target.f] unit", "'ft'"),
-    "an unknown key": ('svg = "arc.svg"\nlayr = "x"', "[target.f] layr", "write layer"),
+    "an unknown key": ('svg = "arc.svg"\nlayr = "x"', "[target.f] layr", "Did you mean layer?"),
     "no such file": ('svg = "none.svg"', "none.svg", "does not exist"),
     "no such id": ('svg = "arc.svg"\nid = "arch"', "[target.f]", "one of arc"),
     "no such layer": ('dxf = "arc.dxf"\nlayer = "arch"', "[target.f]", "one of ARC"),

@@ -100,8 +100,8 @@ def test_labels() -> None:
 @pytest.mark.parametrize(
     ("name", "remedy"),
     [
-        ("pannels", "write panels"),
-        ("deviation.surface.rmss", "write deviation.surface.rms"),
+        ("pannels", "did you mean panels?"),
+        ("deviation.surface.rmss", "did you mean deviation.surface.rms?"),
         ("warnings", ""),
         ("structure.cases", ""),
         ("", ""),

@@ -73,7 +73,7 @@ BAD: list[tuple[dict[str, Any], str]] = [
         'got "target.f.scale" beside it',
     ),
     ({"variables": {"pattern.rows": {"low": 3, "high": 5}}}, "got 4, expected an odd number"),
-    ({"variables": {"pattern": {"rows": {"low": 3, "hgih": 5}}}}, "pattern.rows high: this key"),
+    ({"variables": {"pattern": {"rows": {"low": 3, "hgih": 5}}}}, "Did you mean high?"),
     ({"method": "annealing"}, "[search] method"),
     ({"objectives": ["panels"]}, "[search] objectives: unknown key"),
     ({"method": "grid", "variables": {"pattern.flap": {"low": 0.1, "high": 0.2}}}, "needs steps"),

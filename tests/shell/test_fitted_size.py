@@ -217,7 +217,7 @@ BAD: dict[str, tuple[Tables, tuple[str, ...]]] = {
     "infinite": ({"depth": float("inf")}, ("[target.fit] depth", "got inf", "a finite number")),
     "with its unit": ({"width": "4 m"}, ("[target.fit] width", "got '4 m'", "a number")),
     "of": ({"width": 3, "of": "around"}, ("[target.fit] of", "'around'", "'outside' or 'inside'")),
-    "no such key": ({"widht": 3}, ("[target.fit] widht", "unknown key", "write width")),
+    "no such key": ({"widht": 3}, ("[target.fit] widht", "unknown key", "Did you mean width?")),
     "a list": ({"width": [3, 4]}, ("[target.fit] width", "got [3, 4]", "a number")),
     "a head outside": (
         {"width": 3, "head_height": 2.0},

@@ -50,7 +50,7 @@ def with_panel(panel: str) -> str:
         ("stop_deg = 0", "thickness", "0", "because stop_deg says"),
         ("thickness = 0\ngap = 1", "thickness", "0", "because gap says"),
         (SANDWICH + "colour = 1", "colour", "", "unknown key"),
-        (SANDWICH + "largest_setback = {shares = 0.3}", "shares", "", "write share"),
+        (SANDWICH + "largest_setback = {shares = 0.3}", "shares", "", "Did you mean share?"),
         (SANDWICH + "largest_setback = {share = 0}", "share", "0", "greater than 0"),
         (SANDWICH + "largest_setback = {share = 1}", "share", "1", "less than 1"),
         (SANDWICH + "largest_setback = {share = 1.5}", "share", "1.5", "less than 1"),
@@ -129,6 +129,7 @@ def test_what_is_offered_for_too_much_works(panel: str, says: str, offers: list[
         flap=11,
         xi_deg=50,
     )
+    design["shell"]["unit"] = "mm"  # a model of card
     design["panel"] = _values(panel)
     error = refused(design)
     assert error is not None
@@ -216,6 +217,7 @@ def test_too_thick_names_the_crease_and_the_largest_that_works() -> None:
         flap=0,
         xi_deg=50,
     )
+    design["shell"]["unit"] = "mm"
     design["panel"] = {"thickness": 3.0, "membrane": 0.01}
     error = refused(design)
     assert error is not None

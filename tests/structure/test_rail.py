@@ -220,7 +220,7 @@ STRUCTURE = (
         ('material = "steel", width = 0.05, height = 0.05, wall = 0.025', "solid bar has none"),
         ('material = "steel", width = 0.05, height = 0.05, wall = 0', "wall"),
         ('material = "steel", width = "50 mm", height = 0.05', "width"),
-        ('material = "steel", width = 0.05, height = 0.05, walls = 0.003', "write wall"),
+        ('material = "steel", width = 0.05, height = 0.05, walls = 0.003', "Did you mean wall?"),
     ],
 )
 def test_bad_values_are_refused(tmp_path: Path, rail: str, says: str) -> None:

@@ -60,7 +60,7 @@ def test_labelled_keys_are_keys_of_the_file() -> None:
         first, *within = table.split(".")
         assert first in FileTable.model_fields
         if words["keys"]:
-            assert set(words["keys"]) <= set(keys((first, *within, "")))
+            assert set(words["keys"]) <= set(keys.beside((first, *within, "")))
 
 
 @pytest.mark.parametrize(("table", "key", "choice"), CHOICES)

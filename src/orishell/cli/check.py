@@ -23,6 +23,7 @@ from orishell.cli.files import (
     weld_as_option,
 )
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.conventions.quantities import MILLIMETRES, Unit, counted, plain
 
 if TYPE_CHECKING:
@@ -222,12 +223,7 @@ def convert(
     from orishell.shell.export import convert_fold
 
     if unit is not None and unit not in MILLIMETRES:
-        raise InputError(
-            "there is no such unit",
-            where="--unit",
-            got=repr(unit),
-            expected="one of " + ", ".join(MILLIMETRES),
-        )
+        raise no_such("there is no such unit", unit, MILLIMETRES, where="--unit")
     if os.path.isdir(file):  # a name that is too long is none
         file /= FOLD.file
     read = (file,) if workshop is None else (file, workshop)

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from orishell.conventions.errors import InputError, printable
+from orishell.conventions.errors import DesignError, InputError, printable
+from orishell.conventions.meant import no_such
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import SPACE
 from orishell.io.formats import ALL, format_modules
@@ -115,8 +116,13 @@ def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
     """The shell of a design file; its warnings are printed."""
     from orishell.shell.make import make_shell
 
-    with bar() as progress:
-        shell = make_shell(asked, progress, clash=clash)
+    try:
+        with bar() as progress:
+            shell = make_shell(asked, progress, clash=clash)
+    except DesignError as error:
+        for note in asked.notes:
+            error.add_note(f"Beside that, {note}.")
+        raise
     for warning in shell.report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     return shell
@@ -156,12 +162,8 @@ def state_named(text: str | None) -> int | str | None:
         return text
     if text.isascii() and text.isdecimal() and len(text) < 10:
         return int(text)
-    raise InputError(
-        "there is no such state",
-        where="--state",
-        got=repr(text),
-        expected=f"{', '.join(STATES)}, or the number of a frame from 0",
-    )
+    expected = f"{', '.join(STATES)}, or the number of a frame from 0"
+    raise no_such("there is no such state", text, STATES, where="--state", expected=expected)
 
 
 def shortened(paths: Iterable[Path]) -> list[str]:

@@ -19,6 +19,7 @@ from orishell.cli.files import (
     weld_as_option,
 )
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.conventions.quantities import MILLIMETRES, Unit
 
 MOST_FRAMES = 1000
@@ -64,9 +65,7 @@ def fold(
     output = OutputDirectory(out, inputs=(file,), force=force)
     output.require_usable([each.file for each in FORMATS if each.ready()], replacing=True)
     if unit is not None and unit not in MILLIMETRES:
-        raise InputError(
-            "this is no unit", where="--unit", got=repr(unit), expected=", ".join(MILLIMETRES)
-        )
+        raise no_such("there is no such unit", unit, MILLIMETRES, where="--unit")
     if angle is not None and not 0 < angle <= 180:
         raise InputError(
             "this is no fold angle",

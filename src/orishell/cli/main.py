@@ -29,7 +29,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # it takes [workshop] for markup, and leaves it out
 )
-for command in (new, design, kit, structure, search, solve, check, convert, fold, studio):
+# What stands behind a size in several words, as in 6 x 3, is asked about by the command itself.
+app.command(context_settings={"allow_extra_args": True})(new)
+for command in (design, kit, structure, search, solve, check, convert, fold, studio):
     app.command()(command)
 
 

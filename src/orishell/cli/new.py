@@ -11,10 +11,14 @@ import typer
 from orishell.cli.files import say
 from orishell.conventions.errors import InputError
 
-SIZE = re.compile(r"\s*([\d.]+)\s*[x×*]\s*([\d.]+)\s*")
+_METRES = r"\s*(\d+\.?\d*|\.\d+)\s*m?\s*"
+NUMBER = re.compile(_METRES)
+SIZE = re.compile(rf"{_METRES}[x×*]{_METRES}")
+MESHES = (".obj", ".stl", ".ply", ".glb", ".gltf")
 
 
 def new(
+    context: typer.Context,
     task: Annotated[
         str | None, typer.Argument(help="What is to be built; without one, tasks are listed.")
     ] = None,
@@ -23,7 +27,7 @@ def new(
     mesh: Annotated[
         str | None, typer.Option(help="The surface of a canopy: OBJ, STL, PLY or glTF.")
     ] = None,
-    diameter: Annotated[float | None, typer.Option(help="Of a dome, in metres.")] = None,
+    diameter: Annotated[str | None, typer.Option(help="Of a dome, in metres.")] = None,
     size: Annotated[str | None, typer.Option(help="Of a screen, in metres: 6x3.")] = None,
     family: Annotated[
         str | None, typer.Option(help="In place of a task: a family, with all of its keys.")
@@ -34,7 +38,8 @@ def new(
     from orishell.design_file.tasks import task_file
 
     if family is not None:
-        if file is not None or mesh is not None or diameter is not None or size is not None:
+        given = (file, mesh, diameter, size)
+        if context.args or any(each is not None for each in given):
             raise InputError(
                 "a family's file has no sizes, and one name",
                 where="--family",
@@ -49,7 +54,9 @@ def new(
         )
     else:
         _require_task(task)
-        text = task_file(task, mesh=mesh, diameter=diameter, size=_sides(size))
+        words = [str(each) for each in (file, *context.args) if each is not None]
+        _require_name([size, *words] if size is not None and context.args else words, task)
+        text = task_file(task, mesh=mesh, diameter=_metres(diameter), size=_sides(size))
         path = file if file is not None else Path(f"{task}.toml")
     try:
         with path.open("x", encoding="utf-8") as stream:
@@ -76,6 +83,7 @@ def _listed() -> str:
 
 def _require_task(name: str) -> None:
     """Refuse what is no task but something else that could be meant."""
+    from orishell.design_file.tasks import TASKS
     from orishell.families.registry import FAMILIES
 
     if name in FAMILIES:
@@ -85,18 +93,57 @@ def _require_task(name: str) -> None:
             got=name,
             remedy=f"orishell new --family {name}",
         )
+    if name.endswith(".toml"):
+        task = next((each for each in TASKS if each in name), "TASK")
+        raise InputError(
+            "what is to be built comes before the file",
+            where="TASK",
+            got=name,
+            expected="one of " + ", ".join(TASKS),
+            remedy=f"orishell new {task} {name}",
+        )
+
+
+def _require_name(words: list[str], task: str) -> None:
+    """Refuse what stands behind a task and is no name of a file: a size, or the mesh."""
+    from orishell.design_file.tasks import TASKS
+
+    said, option = "".join(words), TASKS[task].option.partition(" ")[0] if task in TASKS else ""
+    mesh, sized = said.lower().endswith(MESHES), NUMBER.fullmatch(said) or SIZE.fullmatch(said)
+    if not mesh and not sized and len(words) < 2:
+        return
+    fits = option and (mesh if option == "--mesh" else sized)
+    raise InputError(
+        "this is no name of a design file",
+        where="FILE",
+        got=" ".join(words),
+        expected=f"a name as {task}.toml, or none",
+        remedy=f"did you mean {option} {said}?" if fits else "",
+    )
+
+
+def _metres(text: str | None) -> float | None:
+    """A length in metres as people type it: 5, 5.5, 5 m."""
+    if text is None:
+        return None
+    found = NUMBER.fullmatch(text)
+    if found is None:
+        raise InputError(
+            "a length in metres is asked for", where="--diameter", got=repr(text), expected="as 5"
+        )
+    return float(found[1])
 
 
 def _sides(size: str | None) -> tuple[float, float] | None:
-    """Width and depth as people type them: 6x3."""
+    """Width and depth as people type them: 6x3, 6 x 3 m."""
     if size is None:
         return None
     found = SIZE.fullmatch(size)
-    try:
-        if found is not None:
-            return float(found[1]), float(found[2])
-    except ValueError:
-        found = None
-    raise InputError(
-        "width and depth are asked for", where="--size", got=repr(size[:40]), expected="as 6x3"
-    )
+    if found is None:
+        raise InputError(
+            "width and depth are asked for",
+            where="--size",
+            got=repr(size[:40]),
+            expected="as 6x3, in metres with decimal points",
+        )
+    return float(found[1]), float(found[2])

@@ -54,7 +54,7 @@ class InputError(OrishellError):
     got, expected
         What was found there and what would have been accepted.
     remedy
-        What to do about it.
+        What to do about it, or a question that says what may have been meant.
     changes
         What of it a program may do: values by the names under which the reader takes them.
     detail
@@ -119,7 +119,9 @@ class InputError(OrishellError):
             if text
         ]
         sentence = "; ".join([self.what, ", ".join(facts)] if facts else [self.what]) + "."
-        if self.remedy:
+        if self.remedy.endswith("?"):
+            sentence += f" {self.remedy[0].upper()}{self.remedy[1:]}"
+        elif self.remedy:
             sentence += f" Remedy: {self.remedy}."
         where = self.where.removesuffix(":")
         if len(where) > LONGEST_PLACE:
@@ -186,14 +188,23 @@ class Remedy:
 
 def _written(key: str, value: Value) -> str:
     table, _, name = key.rpartition(".")
-    return f"{name} = {_toml(value)}" + ("" if table == "pattern" else f" in [{table}]")
+    return f"{name} = {as_toml(value)}" + ("" if table == "pattern" else f" in [{table}]")
 
 
-def _toml(value: Value) -> str:
+def as_toml(value: Value) -> str:
+    """A value as a design file has it, tables within their line.
+
+    Parameters
+    ----------
+    value
+        The value.
+    """
     if isinstance(value, dict):
-        return f"{{ {', '.join(f'{key} = {_toml(each)}' for key, each in value.items())} }}"
+        return f"{{ {', '.join(f'{key} = {as_toml(each)}' for key, each in value.items())} }}"
     if isinstance(value, list):
-        return f"[{', '.join(map(_toml, value))}]"
+        return f"[{', '.join(map(as_toml, value))}]"
+    if isinstance(value, bool):
+        return str(value).lower()
     return f'"{value}"' if isinstance(value, str) else repr(value).removesuffix(".0")
 
 

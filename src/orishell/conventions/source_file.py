@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from pathlib import Path
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import question, spelt_nearly
+
+MOST = 5000
+"""Files beside it that are looked at for what was meant by a name."""
 
 
 def read_source_file(path: Path, what: str, most: int, remedy: str = "") -> bytes:
@@ -41,7 +46,7 @@ def require_source_file(path: Path, what: str, most: int, remedy: str = "") -> N
             raise InputError("this is not a file", got=_kind(path))
         size = path.stat().st_size
     except FileNotFoundError:
-        raise InputError(f"the {what} does not exist", remedy=remedy) from None
+        raise InputError(f"the {what} does not exist", remedy=_meant(path) or remedy) from None
     except (OSError, ValueError) as error:  # a name with a zero in it is a ValueError
         raise _unreadable(what, error) from None
     if size > most:
@@ -51,6 +56,22 @@ def require_source_file(path: Path, what: str, most: int, remedy: str = "") -> N
             expected=f"at most {most} bytes",
             remedy="copy what is meant into a file of its own",
         )
+
+
+def _meant(path: Path) -> str:
+    """What may be meant by the name of a file that there is not."""
+    name = str(path)
+    if not name.isprintable():  # "C:\temp" has a tab in it
+        return (
+            "a backslash in double quotes has a meaning of its own: write the path in single "
+            "quotes, or with /"
+        )
+    try:
+        there = [each.name for each in islice(path.parent.iterdir(), MOST) if each.is_file()]
+    except OSError:
+        return ""
+    ending = [each for each in there if each.startswith(f"{path.name}.")]
+    return question((ending or spelt_nearly(path.name, there))[:1])
 
 
 def _kind(path: Path) -> str:

@@ -9,6 +9,7 @@ from typing import (
     TYPE_CHECKING,
     Annotated,
     Any,
+    ClassVar,
     Final,
     Literal,
     Self,
@@ -31,9 +32,16 @@ TRACE = 1e-15
 Number = Annotated[float, Field(allow_inf_nan=False)]
 
 
-def misfit(expected: str, got: Any, key: str = "") -> PydanticCustomError:
-    """The error about a value that does not fit; ``key`` names it within what is checked."""
-    return PydanticCustomError("misfit", expected, {"got": got, **({"key": key} if key else {})})
+def misfit(
+    expected: str, got: Any, key: str = "", choices: Collection[str] = ()
+) -> PydanticCustomError:
+    """The error about a value that does not fit.
+
+    key: Names it within what is checked.
+    choices: Texts of which one may have been meant.
+    """
+    more = {"key": key} if key else {}
+    return PydanticCustomError("misfit", expected, {"got": got, "choices": list(choices), **more})
 
 
 def _no_trace(value: float) -> float:
@@ -73,6 +81,9 @@ class Table(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    SAMPLE: ClassVar[Mapping[str, Any]] = {}
+    """Some of its keys as messages show it; a value in place of the table is that of the first."""
 
     if not TYPE_CHECKING:  # else every attribute would be known
 

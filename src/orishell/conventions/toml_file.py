@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import tomllib
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from pathlib import Path
 from typing import Any
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.source_file import read_source_file
+from orishell.conventions.toml_faults import no_toml
 
 MAX_BYTES = 1_000_000
 DEEPEST = 8
@@ -27,31 +29,17 @@ _TOKEN = re.compile(
 """Texts and comments, which do not count, and what nests, joins and separates."""
 
 
-_PLACE = re.compile(r"\(at line (\d+), column (\d+)\)")
-_VALUE = re.compile(r"\s*[\w.-]+\s*=\s*([^#]*?)\s*(?:#.*)?$")
-_DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+")
-_WORD = re.compile(r"[A-Za-z][\w./-]*")
-LONGEST = 500
-"""Characters of a line that is looked at for what was meant."""
-WIDTH = 80
-"""Characters of a line that a message shows."""
-
-
 def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[str, Any]:
     """The tables of a TOML file, or an InputError that says what it should be.
 
     ``remedy`` is what to do if it does not exist.
     """
     try:
-        text = read_source_file(path, what, MAX_BYTES, remedy).decode("utf-8-sig")
+        data = read_source_file(path, what, MAX_BYTES, remedy)
     except InputError as error:
         raise error.located(str(path)) from None
-    except UnicodeDecodeError as error:
-        raise InputError(
-            f"the {what} cannot be read", where=str(path), got=str(error), expected="UTF-8"
-        ) from None
     try:
-        return parse_toml(text)
+        return parse_toml(_text(data, what))
     except InputError as error:
         raise error.located(f"{path}:") from None
 
@@ -62,36 +50,32 @@ def parse_toml(text: str) -> dict[str, Any]:
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise _no_toml(text, str(error)) from None
+        raise no_toml(text, str(error)) from None
     except ValueError:  # Python reads no more digits than these
         raise _too_large("more than 4300 digits") from None
     _require_numbers(tables)
     return tables
 
 
-def _no_toml(text: str, said: str) -> InputError:
-    """The error about a text that is no TOML, with the line that it is about."""
-    place = _PLACE.search(said)
-    if place is None:
-        return InputError("this is not TOML", got=said)
-    line = text.split("\n")[int(place[1]) - 1].rstrip()
-    column = int(place[2]) - 1
-    value = _VALUE.match(line) if len(line) <= LONGEST else None
-    remedy = ""
-    if value is not None and _DECIMAL_COMMA.fullmatch(value[1]):
-        remedy = f"numbers have a decimal point: write {value[1].replace(',', '.')}"
-    elif value is not None and _WORD.fullmatch(value[1]):
-        remedy = f'put texts in quotes: "{value[1]}"'
-    elif text.lstrip().startswith("{"):
-        remedy = "this looks like JSON: orishell check, fold and convert read FOLD files"
-    begin = max(0, column - WIDTH // 2)
-    shown = "".join(each if each.isprintable() else " " for each in line[begin : begin + WIDTH])
-    return InputError(
-        "this is not TOML",
-        got=said,
-        remedy=remedy,
-        detail=f"    {shown}\n    {' ' * (column - begin)}^",
-    )
+def _text(data: bytes, what: str) -> str:
+    """The text of a file: UTF-8, or UTF-16 that says so at its beginning, as Notepad writes it."""
+    if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        return data.decode("utf-16", "replace")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        byte = data[error.start : error.start + 1]
+        likely = byte.decode("cp1252", "replace")
+        binary = b"\0" in data
+        raise InputError(
+            f"the {what} cannot be read" if binary else f"the {what} is not in UTF-8",
+            where="" if binary else f"line {line}",
+            got="what is no text" if binary else f"a byte {byte.hex()}, in Latin 1 {likely}",
+            remedy=""
+            if binary
+            else "save it with the encoding UTF-8 (in Notepad: Save as, Encoding)",
+        ) from None
 
 
 def _require_depth(text: str) -> None:

@@ -14,7 +14,7 @@ from orishell.conventions.errors import CurveError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.record import record
 from orishell.curves.formula import Formula
-from orishell.curves.radians import require_radians
+from orishell.curves.radians import note_degrees, require_radians
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array
 
@@ -248,6 +248,8 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
         across = Enclosure.variable(low, high) if x is None else x.enclosure(low, high)
         return across, y.enclosure(low, high)
 
-    curve = Curve(jet, enclosure, float(start), float(stop), key="range")
+    texts = [y.text] if x is None else [x.text, y.text]
+    notes = [note for text in texts for note in note_degrees(text, float(start), float(stop))]
+    curve = Curve(jet, enclosure, float(start), float(stop), key="range", notes=tuple(notes[:1]))
     require_radians(jet, curve.start, curve.stop)
     return curve

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import field
 from typing import cast
 
 import numpy as np
@@ -20,6 +21,7 @@ from orishell.curves.formula_arithmetic import (
     one_of,
     the_variable,
 )
+from orishell.curves.formula_signs import mended, name_meant
 from orishell.curves.formula_syntax import MAX_DEPTH, syntax_tree
 from orishell.numerics import FUNCTIONS, Enclosure, Jet, power
 from orishell.numerics.arrays import Array
@@ -37,6 +39,7 @@ class Formula:
     text: str  # as the user wrote it
     variable: str | None  # the name of the variable, or None for a constant
     _run: Run
+    head: str = field(default="", repr=False)  # what it says it gives, as "y" of "y = x**2"
 
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""
@@ -65,6 +68,7 @@ class FormulaOfTwo:
     text: str  # as the user wrote it
     variables: tuple[str, str]  # the names of the variables, in their order
     _run: Run
+    head: str = field(default="", repr=False)  # what it says it gives, as "z" of "z = x*y"
 
     def slopes(self, s: Array, t: Array) -> tuple[Array, Array, Array]:
         """Value, and derivatives by the first and the second variable, at ``s``, ``t`` (...)."""
@@ -118,8 +122,6 @@ class _Compiler:
                 return combine(
                     type(op), self.compile(left, depth + 1), self.compile(right, depth + 1)
                 )
-            case ast.BinOp(op=ast.BitXor()):
-                raise self.fault("^ is not a power here", node.right, remedy="write ** for powers")
             case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
                 name in FUNCTIONS
             ):
@@ -132,19 +134,23 @@ class _Compiler:
                     node,
                     got=repr(name),
                     expected="one of " + ", ".join(FUNCTIONS),
+                    remedy=name_meant(name, tuple(FUNCTIONS)),
                 )
         raise self.fault(
             "this is not allowed in a formula",
             node,
             expected="numbers, one variable, + - * / **, parentheses, pi, e and "
             + ", ".join(FUNCTIONS),
+            remedy=mended(self.text)[0],
         )
 
     def name(self, node: ast.expr, name: str) -> float | Run:
         if name in CONSTANTS:
             return CONSTANTS[name]
         if name in FUNCTIONS:
-            raise self.fault(f"{name} needs an argument", node, remedy=f"write {name}(...)")
+            remedy, at = mended(self.text)
+            remedy = f"write {name}(...)" if at is None else remedy
+            raise self.fault(f"{name} needs an argument", node, remedy=remedy)
         if name in self.names:
             return one_of(self.names.index(name))
         if self.names:
@@ -153,10 +159,15 @@ class _Compiler:
                 node,
                 got=repr(name),
                 expected=f"the variables {' and '.join(self.names)}, pi or e",
+                remedy=name_meant(name, (*self.names, *CONSTANTS)),
             )
         if len(name) > 1 or not name.isascii() or name == "y":
             raise self.fault(
-                "unknown name", node, got=repr(name), expected="the variable (x or t), pi or e"
+                "unknown name",
+                node,
+                got=repr(name),
+                expected="the variable (x or t), pi or e",
+                remedy=name_meant(name, tuple(CONSTANTS)),
             )
         if self.variable not in (None, name):
             raise self.fault(
@@ -195,8 +206,9 @@ def parse_formula(text: str) -> Formula:
     ----------
     text
         Numbers, one variable (a single letter), ``+ - * / **``, parentheses, ``pi``, ``e`` and
-        :data:`FUNCTIONS`. At most :data:`MAX_LENGTH` characters, :data:`MAX_DEPTH` levels,
-        exponents up to :data:`MAX_EXPONENT`.
+        :data:`FUNCTIONS`; ``^``, ``π``, ``²`` and typographic signs are read as what they stand
+        for, and "y =" or "f(x) =" may stand in front. At most :data:`MAX_LENGTH` characters,
+        :data:`MAX_DEPTH` levels, exponents up to :data:`MAX_EXPONENT`.
 
     Raises
     ------
@@ -210,8 +222,8 @@ def parse_formula(text: str) -> Formula:
     (np.float64(10.0), np.float64(6.0), np.float64(2.0))
     """
     compiler = _Compiler(text)
-    run = _compiled(compiler)
-    return Formula(text.strip(), compiler.variable, run)
+    run, head = _compiled(compiler)
+    return Formula(text.strip(), compiler.variable, run, head)
 
 
 @checked()
@@ -236,11 +248,20 @@ def parse_formula_of_two(text: str, first: str, second: str) -> FormulaOfTwo:
     >>> float(value), float(by_x), float(by_y)
     (18.0, 12.0, 9.0)
     """
-    run = _compiled(_Compiler(text, (first, second)))
-    return FormulaOfTwo(text.strip(), (first, second), run)
+    run, head = _compiled(_Compiler(text, (first, second)))
+    return FormulaOfTwo(text.strip(), (first, second), run, head)
 
 
-def _compiled(compiler: _Compiler) -> Run:
-    """The formula as a function, checked; the compiler then knows its variable."""
-    result = compiler.compile(syntax_tree(compiler.text))
-    return lift(result) if isinstance(result, float) else result
+def _compiled(compiler: _Compiler) -> tuple[Run, str]:
+    """The formula as a function, checked, and what it gives; the compiler knows its variable."""
+    tree, plain = syntax_tree(compiler.text)
+    result = compiler.compile(tree)
+    own = compiler.names or ((compiler.variable,) if compiler.variable else plain.of)
+    if plain.head in own or not {*plain.of} <= {*own}:
+        raise FormulaError(
+            "what stands before = does not go with what stands behind it",
+            compiler.text,
+            0,
+            expected="the formula alone, or as in y = x**2 or f(x) = x**2",
+        )
+    return lift(result) if isinstance(result, float) else result, plain.head

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import ast
-import re
 import warnings
 
 from orishell.conventions.errors import FormulaError
+from orishell.curves.formula_signs import ALLOWED, DECIMAL_COMMA, Plain, mended, plainly
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
-DECIMAL_COMMA = re.compile(r"\d+(,)\d+")
 
 
-def syntax_tree(text: str) -> ast.expr:
-    """The syntax tree of a formula, columns as in its text; what may stand in it is not checked.
+def syntax_tree(text: str) -> tuple[ast.expr, Plain]:
+    """The syntax tree of a formula, columns as in its text, and what it is in plain signs.
 
-    Raises FormulaError with the place of the fault.
+    What may stand in it is not checked. Raises FormulaError with the place of the fault.
     """
     if len(text) > MAX_LENGTH:
         raise FormulaError(
@@ -26,9 +25,10 @@ def syntax_tree(text: str) -> ast.expr:
             got=f"{len(text)} characters",
             expected=f"at most {MAX_LENGTH}",
         )
-    if not text.strip():
+    plain = plainly(text)
+    if not plain.text.strip():
         raise FormulaError("the formula is empty", text, 0)
-    _check_characters(text)
+    _check_characters(text, plain.columns[0])
     comma = DECIMAL_COMMA.search(text)
     if comma is not None:
         raise FormulaError(
@@ -38,9 +38,9 @@ def syntax_tree(text: str) -> ast.expr:
             got=repr(comma[0]),
             remedy=f"write {comma[0].replace(',', '.')}",
         )
-    lead = len(text) - len(text.lstrip())
+    lead = len(plain.text) - len(plain.text.lstrip())
     # Inside parentheses the parser minds neither leading blanks nor line ends.
-    source = "(" + text[lead:] + "\n)"
+    source = "(" + plain.text[lead:] + "\n)"
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -49,27 +49,32 @@ def syntax_tree(text: str) -> ast.expr:
         column = (
             error.offset - 2 + lead
             if isinstance(error, SyntaxError) and error.offset and error.lineno == 1
-            else len(text)
+            else len(plain.text)
         )
-        raise FormulaError(
-            "this is not a formula",
-            text,
-            max(0, min(column, len(text))),
-            remedy="write products with *, as in 2*x, and arguments in parentheses, as in sin(x)",
-        ) from None
+        remedy, at = mended(text)
+        at = plain.column(max(0, column)) if at is None else at
+        raise FormulaError("this is not a formula", text, at, remedy=remedy) from None
     for node in ast.walk(tree):
         if isinstance(node, ast.expr):
-            node.col_offset += lead - 1
-    return tree.body
+            node.col_offset = plain.column(node.col_offset + lead - 1)
+    return tree.body, plain
 
 
-def _check_characters(text: str) -> None:
-    """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place."""
+def _check_characters(text: str, begin: int) -> None:
+    """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place.
+
+    begin: Where the formula begins, behind what it is said to give.
+    """
     opened: list[int] = []
-    for column, character in enumerate(text):
-        if not (character.isascii() and (character.isalnum() or character in " .+-*/()^,_")):
+    for column in range(begin, len(text)):
+        character = text[column]
+        if not ((character.isascii() and character.isalnum()) or character in ALLOWED):
             raise FormulaError(
-                "this character is not allowed in a formula", text, column, got=repr(character)
+                "this character is not allowed in a formula",
+                text,
+                column,
+                got=repr(character),
+                remedy=mended(text)[0] if character in "|√" else "",
             )
         if character == "(":
             opened.append(column)

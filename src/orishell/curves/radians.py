@@ -1,12 +1,14 @@
-"""Curves whose formulas were given degrees: they run along themselves many times."""
+"""Curves whose formulas were given degrees: they run along themselves, or wave, many times."""
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable
 
 import numpy as np
 
 from orishell.conventions.errors import CurveError
+from orishell.curves.formula_syntax import syntax_tree
 from orishell.numerics.arrays import Array
 
 WINDINGS = 4
@@ -19,6 +21,10 @@ SPAN, LARGEST_NUMBER = 30, 720
 """Degrees are whole numbers, the ends at least this far apart and no larger than this."""
 CELLS = 8192
 """Steps along the range, none of which may turn by half a turn or more."""
+
+RIGHT, HALF_RIGHT = 90, 45
+"""Waves of whole numbers from end to end, as many as these degrees or more and in steps of those,
+may be meant in degrees."""
 
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 
@@ -61,3 +67,44 @@ def _runs_again(jet: CurveJet, start: float, stop: float) -> bool:
     one = np.linspace(start, stop - 2 * np.pi, CELLS + 1)
     here, there = jet(one)[0], jet(one + 2 * np.pi)[0]
     return bool(np.abs(there - here).max() <= AGAIN * np.ptp(here, axis=0).max())
+
+
+def note_degrees(text: str, start: float, stop: float) -> tuple[str, ...]:
+    """What to ask of a formula whose waves look as if they were given degrees.
+
+    Parameters
+    ----------
+    text
+        The formula.
+    start, stop
+        The range of its variable.
+    """
+    tree, _ = syntax_tree(text)
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Name(id="sin" | "cos" as name), args=[argument]):
+                slope = _slope(argument)
+                ends = (slope or 0.0) * start, (slope or 0.0) * stop
+                span = abs(ends[1] - ends[0])
+                whole = not ends[0] % 1 and not ends[1] % 1 and not span % HALF_RIGHT
+                if whole and span >= RIGHT:
+                    said = ast.unparse(argument).replace(" ", "")
+                    waves = span / (2 * np.pi)
+                    return (
+                        f"formulas take radians: {name}({said}) goes through {waves:.0f} waves "
+                        f"from {start:g} to {stop:g}. If degrees were meant, write "
+                        f"{name}({said}*pi/180)",
+                    )
+    return ()
+
+
+def _slope(node: ast.expr) -> float | None:
+    """What an argument grows by with the variable, if it is a whole number times it, or alone."""
+    match node:
+        case ast.Name(id=name) if name not in ("pi", "e"):
+            return 1.0
+        case ast.BinOp(left=ast.Constant(value=int() as factor), op=ast.Mult(), right=ast.Name()):
+            return float(factor) if _slope(node.right) else None
+        case ast.BinOp(left=ast.Name(), op=ast.Mult(), right=ast.Constant(value=int() as factor)):
+            return float(factor) if _slope(node.left) else None
+    return None

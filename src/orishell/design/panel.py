@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -31,6 +31,8 @@ class HingeSpec(Table):
     ``screw_spacing`` is the distance of holes along a hinge, ``hole`` their diameter, and
     ``linear_density`` the mass of a hinge per length (kg/m), 0 if unknown.
     """
+
+    SAMPLE: ClassVar = {"knuckle": 0.003}
 
     leaf: Length = "auto"
     knuckle: Size = 0.0
@@ -73,6 +75,8 @@ class Setback(Table):
     ``share`` is the largest share of the way across a panel that the set-backs at both its sides
     may take, ``length`` the longest set-back.
     """
+
+    SAMPLE: ClassVar = {"share": 0.5}
 
     share: Annotated[Number, Field(gt=0, lt=1)] = 0.5
     length: Annotated[Number, Field(gt=0)] | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -35,6 +35,8 @@ class Bolts(Table):
     ``hole`` is the diameter of holes, ``spacing`` their distance, ``edge`` how far their middles
     are from the edges of a gusset.
     """
+
+    SAMPLE: ClassVar = {"hole": 0.008, "spacing": 0.08}
 
     hole: Length
     spacing: Length
@@ -74,6 +76,8 @@ class Stiffeners(Table):
     have room for one, every so many of these with the last, or those of a list. It moves with the
     shell. ``gap`` "auto" moves it by half the shortest edge of its columns.
     """
+
+    SAMPLE: ClassVar = {"kind": "gussets"}
 
     kind: Literal["gussets", "boxes", "skin"]
     rows: Literal["valleys", "crests", "all"] | Several[Index] = "valleys"

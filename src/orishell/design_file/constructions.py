@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import conversion
+from orishell.conventions.meant import no_such
+from orishell.conventions.quantities import MILLIMETRES, conversion
 from orishell.deployment import Deployment
 from orishell.design import PanelSpec
 from orishell.design.stiffeners import Stiffeners
@@ -131,6 +136,37 @@ def require_inner(given: bool, asked: Stiffeners | None) -> None:
         )
 
 
+BOARDS: Final = (2e-5, 0.5)
+"""How thick panels are, at least and at most (metres): from foil to boards of foam."""
+USUAL: Final = (2e-4, 0.1)
+"""How thick most are (metres): from card to sandwich boards."""
+
+
+def require_meant_thickness(raw: Mapping[str, Any], path: Path) -> None:
+    """Refuse panels that nobody makes as thick, where in another unit of length they are usual.
+
+    raw: The tables of a design file, not checked yet.
+    """
+    shell, panel = raw.get("shell"), raw.get("panel")
+    unit = shell.get("unit") if isinstance(shell, dict) else None
+    thickness = panel.get("thickness") if isinstance(panel, dict) else None
+    if unit not in MILLIMETRES or not isinstance(thickness, int | float) or thickness <= 0:
+        return
+    least, most = BOARDS
+    if least < thickness * conversion(unit, "m") <= most:
+        return
+    for other in MILLIMETRES:
+        if USUAL[0] <= thickness * conversion(other, "m") <= USUAL[1]:
+            meant = f"{thickness * conversion(other, unit):.6g}"
+            raise InputError(
+                "panels are hardly as thick as that",
+                file=path,
+                keys=("panel.thickness",),
+                got=f"{thickness:g} {unit}, the unit of this file",
+                remedy=f"did you mean {thickness:g} {other}, which is thickness = {meant}?",
+            )
+
+
 def plates_of(
     asked: Stiffeners | None, structure: Structure | None, panel: PanelSpec | None, unit: str
 ) -> Stiffeners | None:
@@ -143,12 +179,9 @@ def plates_of(
         return None
     name, keys = asked.material, ("stiffeners.thickness", "stiffeners.material")
     if name is not None and name not in materials():
-        raise InputError(
-            "there is no such material",
-            keys=keys[1:],
-            got=f'"{name}"',
-            expected="one of " + ", ".join(f'"{each}"' for each in materials()),
-        )
+        expected = "one of " + ", ".join(f'"{each}"' for each in materials())
+        what = "there is no such material"
+        raise no_such(what, name, materials(), keys=keys[1:], expected=expected)
     own = [key for key, each in zip(keys, (asked.thickness, name), strict=True) if each is not None]
     needed = [*own, *([] if asked.bolts is None else ["stiffeners.bolts"])]
     if needed and panel is None:

@@ -2,25 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import takewhile
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from pydantic import ValidationError
 
-from orishell.conventions.arguments import Location, Place, first_fault
 from orishell.conventions.errors import InputError
+from orishell.conventions.faults import Place, first_fault
+from orishell.conventions.table_keys import Location, TableKeys
+from orishell.conventions.toml_file import read_toml
 
 LISTS = ("load_case",)
 """Tables of which there may be several."""
+
+
+OTHERS: Final = {
+    **dict.fromkeys(
+        (".obj", ".stl", ".ply", ".glb", ".gltf"),
+        "a design file names it: orishell new canopy --mesh {name} writes one",
+    ),
+    **dict.fromkeys(
+        (".svg", ".dxf"),
+        'a design file names it: {key} = "{name}" in [target.f]; a crease pattern is for orishell '
+        "check and fold",
+    ),
+    ".csv": 'a design file names it: points = "{name}" in [target.f]',
+    ".fold": "orishell check, fold and convert read FOLD files",
+    **dict.fromkeys(
+        (".3dm", ".dwg", ".step", ".stp", ".igs", ".ifc", ".skp", ".blend"),
+        "export what is meant from there, as DXF or SVG a curve, as OBJ a mesh",
+    ),
+    **dict.fromkeys(
+        (".docx", ".odt", ".rtf", ".pdf", ".xlsx"),
+        "a design file is plain text: orishell new shelter writes one",
+    ),
+}
+"""What files are for that are no design files, by their endings."""
+
+
+def read_tables(path: Path) -> dict[str, Any]:
+    """The tables of a design file, not checked; what is none is refused with what it is for."""
+    try:
+        return read_toml(path, "design file", "orishell new shelter writes one to begin with")
+    except InputError as error:
+        ending = path.suffix.lower()
+        if ending not in OTHERS or error.what.endswith("does not exist"):
+            raise
+        remedy = OTHERS[ending].format(name=path.name, key=ending[1:])
+        raise InputError("this is no design file", file=path, remedy=remedy) from None
 
 
 def explain(
     path: Path,
     raw: dict[str, Any],
     error: ValidationError,
-    keys: Callable[[Location], list[str]],
+    keys: TableKeys,
     inside: tuple[str, ...] = (),
 ) -> InputError:
     """One message for the first fault; the others follow, a line each."""

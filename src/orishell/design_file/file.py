@@ -14,7 +14,6 @@ from orishell.conventions.asked import Asked
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.table import placed
-from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec, PiecedSurface
@@ -26,9 +25,10 @@ from orishell.design_file.constructions import (
     require_both_sides,
     require_frames,
     require_inner,
+    require_meant_thickness,
     require_one_hinge_density,
 )
-from orishell.design_file.faults import explain
+from orishell.design_file.faults import explain, read_tables
 from orishell.design_file.fit import FitTable
 from orishell.design_file.inputs import input_files
 from orishell.design_file.memory import require_memory
@@ -194,8 +194,7 @@ def read_design_file(path: str | Path) -> DesignFile:
         Naming the file, the key, what was found and what is expected.
     """
     path = path_of(path, "design file")
-    remedy = "orishell new shelter writes one to begin with"
-    return check_design(read_toml(path, "design file", remedy), path)
+    return check_design(read_tables(path), path)
 
 
 def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:
@@ -215,6 +214,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     InputError
         Naming the file, the key, what was found and what is expected.
     """
+    require_meant_thickness(raw, path)
     return _checked(with_joined_keys(raw), path, files=files)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final, Literal, Self
+from typing import Annotated, ClassVar, Final, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -28,6 +28,8 @@ class FitTable(Table):
     ground to ``head_height`` through the whole shell, and ``height`` is the headroom:
     :mod:`orishell.shell.fit.built_size` says exactly what that is (all in the design's unit).
     """
+
+    SAMPLE: ClassVar = {"width": 6, "depth": 3}
 
     width: Length | None = None
     depth: Length | None = None

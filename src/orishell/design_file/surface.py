@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any, Final, Literal, Self
+from typing import Annotated, Any, ClassVar, Final, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -17,7 +17,14 @@ from orishell.curves import FormulaOfTwo, parse_formula_of_two
 from orishell.design import FormulaSurface, MeshSurface, PlanRectangle
 from orishell.design.mesh_files import Axis, MeshFile, read_mesh, turned_up
 from orishell.design.mesh_surface import lies_on_its_side
-from orishell.design_file.target import Ends, Factor, beside, numbers, one_source
+from orishell.design_file.target import (
+    Ends,
+    Factor,
+    beside,
+    numbers,
+    one_source,
+    require_heads,
+)
 
 FITTING: Final = {
     "formula": {"x", "y", "u", "v", "centre", "size", "turn_deg"},
@@ -63,6 +70,8 @@ class SurfaceTable(Table):
 
     A mesh is in a file, or listed by its vertices and triangles, which are numbered from 0.
     """
+
+    SAMPLE: ClassVar = {"formula": "x**2 - y**2", "x": [-1, 1], "y": [-1, 1]}
 
     formula: str | Three | None = None
     x: Ends | None = None
@@ -175,6 +184,7 @@ class SurfaceTable(Table):
         texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
         names = ("x", "y") if len(texts) == 1 else ("u", "v")
         formulas = tuple(_formula(text, names) for text in texts)
+        require_heads(formulas, "z" if len(texts) == 1 else "xyz")
         if self.size is not None:
             part = self._rectangle()
             first, second = ((-0.5 * size, 0.5 * size) for size in part.size)

@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BaseModel, Field, ValidationError, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.arguments import Location
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.conventions.quantities import Unit, conversion
 from orishell.conventions.table import Number, Several, Table
+from orishell.conventions.table_keys import TableKeys
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import require_a_core, require_one_thickness
-from orishell.design_file.faults import explain
+from orishell.design_file.faults import LISTS, explain
 from orishell.design_file.search import Search
 from orishell.design_file.targets import Targets
+from orishell.families.pattern import AnyPattern
 from orishell.families.registry import FAMILIES
 from orishell.families.tolerance import Tolerance
 from orishell.motion.drawing import Drawing
@@ -89,8 +91,7 @@ def read_workshop(path: Path) -> Workshop:
     try:
         table = Workshop.model_validate(raw["workshop"])
     except ValidationError as error:
-        keys = list(Workshop.model_fields)
-        raise explain(path, raw, error, lambda _: keys, ("workshop",)) from None
+        raise explain(path, raw, error, keys_of(), ("workshop",)) from None
     try:
         return table.beside(path.parent)
     except InputError as error:
@@ -169,14 +170,14 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
     for number, case in enumerate(cases):
         for name in case.combine:
             if name not in loaded:
-                raise InputError(
-                    "there is no such load case that has loads of its own",
-                    where=f"[[load_case]][{number}] combine",
-                    keys=("load_case",),
-                    got=repr(name),
-                    expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
-                    remedy="" if loaded else "add the cases that are to be combined",
-                )
+                said = {
+                    "where": f"[[load_case]][{number}] combine",
+                    "keys": ("load_case",),
+                    "expected": "one of " + ", ".join(map(repr, loaded)) if loaded else "",
+                    **({} if loaded else {"remedy": "add the cases that are to be combined"}),
+                }
+                what = "there is no such load case that has loads of its own"
+                raise no_such(what, name, loaded, **said)
 
 
 Ground = Literal["z0", "as-drawn"]
@@ -185,6 +186,8 @@ Ground = Literal["z0", "as-drawn"]
 
 class ShellTable(Table):
     """What is designed."""
+
+    SAMPLE: ClassVar = {"family": "auto", "unit": "m"}
 
     family: str
     unit: Unit
@@ -272,24 +275,6 @@ def sized(path: Path, file: FileTable, drawing: Drawing | None) -> dict[str, Any
     return {**file.pattern, "rows": size[0], "columns": size[1]}
 
 
-def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:
-    """The keys that may stand beside the last one of a location, in a family with this pattern."""
-
-    def keys(location: Location) -> list[str]:
-        table: type[BaseModel] = FileTable
-        for key in location[:-1]:
-            if table is FileTable and key == "pattern":
-                table = pattern
-            elif key in table.model_fields:
-                table = next(_tables_in(table.model_fields[str(key)].annotation), table)
-        return [field.alias or name for name, field in table.model_fields.items()]
-
-    return keys
-
-
-def _tables_in(annotation: Any) -> Iterator[type[BaseModel]]:
-    """The tables among the types that a value may have."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    for each in get_args(annotation):
-        yield from _tables_in(each)
+def keys_of(pattern: type[BaseModel] = AnyPattern) -> TableKeys:
+    """The keys of a design file of a family with this pattern."""
+    return TableKeys(FileTable, {"pattern": pattern}, LISTS)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any, Final, Self
+from typing import Annotated, Any, ClassVar, Final, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -18,6 +18,7 @@ from orishell.curves import (
     Chain,
     Curve,
     Formula,
+    FormulaOfTwo,
     curve_data,
     curve_from_formulas,
     curve_from_points,
@@ -77,6 +78,8 @@ def one_source(
 
 class Target(Table):
     """A target curve: one source, and what is done with it."""
+
+    SAMPLE: ClassVar = {"formula": "-x**2", "range": [-1, 1]}
 
     formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
     range: Ends | None = None
@@ -148,6 +151,7 @@ class Target(Table):
         else:
             texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
             *x, y = [_formula(text) for text in texts]
+            require_heads((*x, y), "xy" if x else "y")
             start, stop = numbers("range", self.range or [])
             curve = curve_from_formulas(x[0] if x else None, y, start, stop)
             curve = curve.reversed() if self.reverse else curve
@@ -229,6 +233,23 @@ def _constant(text: str, key: str, index: int) -> float:
         got=repr(text[:60]),
         expected='a number, or a formula of constants as in "pi/2"',
     )
+
+
+def require_heads(formulas: Sequence[Formula | FormulaOfTwo], names: str) -> None:
+    """Refuse formulas that say in front that they give another coordinate than theirs.
+
+    names: The coordinates, as in "xy".
+    """
+    for name, formula in zip(names, formulas, strict=True):
+        if formula.head in {*"xyz"} - {name}:
+            others = f"one formula for each of {', '.join(names)}, in this order"
+            raise InputError(
+                f"this formula is to give {name}",
+                where="formula",
+                keys=("formula",),
+                got=repr(formula.text[:60]),
+                expected=others if len(names) > 1 else f"{name} alone",
+            )
 
 
 def _formula(text: str) -> Formula:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import BeforeValidator, model_validator
 from pydantic_core import PydanticCustomError
@@ -49,6 +49,8 @@ class Known:
 
 class Targets(Table):
     """Both target curves, or a surface or a drawn sheet in their place."""
+
+    SAMPLE: ClassVar = {"f": Target.SAMPLE, "g": {"formula": "0.1*cos(2*pi*x)", "range": [0, 6]}}
 
     f: Target | None = None
     g: Target | None = None

@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import rounded
+from orishell.conventions.meant import no_such
 
 FILES = Path(__file__).with_name("starters")
 
@@ -63,12 +64,7 @@ def task_file(
         If there is no such task, or if it has no such size.
     """
     if task not in TASKS:
-        raise InputError(
-            "there is no such task",
-            where="TASK",
-            got=repr(task[:60]),
-            expected="one of " + ", ".join(TASKS),
-        )
+        raise no_such("there is no such task", task, TASKS, where="TASK")
     given = {"--mesh": mesh, "--diameter": diameter, "--size": size}
     own = TASKS[task].option
     for option, value in given.items():

@@ -10,7 +10,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.families.pattern import AnyPattern, Family, Pattern
 
 FOLDERS = (
@@ -73,10 +73,5 @@ def require_family(name: str, **place: Any) -> str:
         If there is none: with the names of all.
     """
     if name not in FAMILIES:
-        raise InputError(
-            "unknown family",
-            got=repr(name[:60]),
-            expected="one of " + ", ".join(FAMILIES),
-            **place,
-        )
+        raise no_such("unknown family", name, FAMILIES, **place)
     return name

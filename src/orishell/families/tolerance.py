@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Annotated, Generic, Self, TypeVar
+from typing import Annotated, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -24,6 +24,8 @@ class Tolerance(Table):
     share of a panel that a board covers, ``steepest_chamfer_deg`` how far a chamfer leans from a
     square cut at most, in the report's sense.
     """
+
+    SAMPLE: ClassVar = {"surface": 0.1}
 
     surface: Annotated[Number, Field(gt=0)]
     panel_min: Annotated[Number, Field(ge=0)] = 0.0

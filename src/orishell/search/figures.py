@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Union, get_args, get_origin
 
-from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.conventions.record import Angle, read_key, written_fields
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
@@ -55,13 +54,9 @@ def figure(name: str) -> Figure:
         state: LimitState = "SLS" if worst == "deflection" else "ULS"
         return Figure(name, unit, "structure", _worst(share, case, state))
     if name not in _keys():
-        close = difflib.get_close_matches(name, [*NAMES, *_keys()], n=1, cutoff=0.5)
-        raise InputError(
-            "the report has no such figure",
-            got=repr(name)[:80],
-            expected=f"{', '.join(NAMES)}, or the key of a number in report.json",
-            remedy=f"write {close[0]}, if that is what was meant" if close else "",
-        )
+        expected = f"{', '.join(NAMES)}, or the key of a number in report.json"
+        known = [*NAMES, *_keys()]
+        raise no_such("the report has no such figure", name, known, expected=expected)
     keys = name.split(".")
 
     def read_at(report: Report) -> float | None:

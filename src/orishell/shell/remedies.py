@@ -93,6 +93,9 @@ class _RemedySearch:
     @property
     def limit(self) -> str:
         """Why the first candidate does not work."""
+        ended = f"looking ended after {SECONDS:g} s of work"
+        if self.ended and not self.failures:
+            return ended
         if not self.failures:
             needed = "f or g" if self.file.target else "sheet"
             why = f"another {needed} is needed"
@@ -100,7 +103,7 @@ class _RemedySearch:
             remedy, reason = self.failures[0]
             place = f", {reason.place}" if reason.place else ""
             why = f"with {remedy}, {reason.condition}{place}"
-        return f"{why} (looking ended after {SECONDS:g} s of work)" if self.ended else why
+        return f"{why} ({ended})" if self.ended else why
 
     def run(self, refusal: DesignError) -> None:
         self._watch()

@@ -47,9 +47,10 @@ CALM = 10
 """From so many columns on errors rise and fall the less with their number, the more there are."""
 ALMOST = 1.02
 """Boards that are off by this factor more than the best, of fewer panels, are offered instead."""
-NEARER, FARTHER, MANY = 1.1, 5.0, 5_000
-"""Tolerances that may be met where one is not, relative to the smallest error found; the second
-where that takes so many panels, so that trying it takes less than the search that failed."""
+NEARER, MANY = 1.1, 500
+"""Tolerance that may be met where one is not, relative to the smallest error found of sheets of at
+most so many panels, so that the whole shell can be tried; of the smallest of all, if these are
+not."""
 
 V = TypeVar("V")
 
@@ -246,13 +247,17 @@ class SizeSearch(Generic[V]):
         ]
         variant, nearest = smallest_of(allowed or trials.made, lambda each: each[1].error)
         nearest = trials.carefully(variant, nearest)
-        share = NEARER if nearest.panels < MANY else FARTHER
+        few = [each for each in allowed if each[1].panels <= MANY]
+        offered = nearest.error
+        if nearest.panels > MANY and few:
+            variant, quick = smallest_of(few, lambda each: each[1].error)
+            offered = trials.carefully(variant, quick).error
         return refuse_distance(
             nearest,
             limits,
             "comes",
             f"{trials.sizes.most} rows and columns",
-            share if allowed else None,
+            NEARER * offered if allowed else None,
         )
 
 

@@ -49,7 +49,7 @@ def refuse_distance(
     """The error where no sheet is near enough to its surface, of the nearest that was made.
 
     said, sizes: What is said of shells, and of the sizes that were tried.
-    offered: What may be met, relative to the nearest; None to offer nothing.
+    offered: What may be met (length); None to offer nothing.
     """
     edges = f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
     return DesignError(
@@ -57,9 +57,7 @@ def refuse_distance(
         place=f"with {edges if limits.limits_edges else ''}at most {sizes}",
         size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {plain(nearest.error)} "
         f"away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
-        candidates=()
-        if offered is None
-        else [Remedy({"tolerance.surface": rounded(offered * nearest.error)})],
+        candidates=() if offered is None else [Remedy({"tolerance.surface": rounded(offered)})],
         excess=max(
             nearest.error / limits.surface,
             limits.panel_min / nearest.shortest,

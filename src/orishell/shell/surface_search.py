@@ -115,5 +115,5 @@ class SurfaceSearch:
             return refuse_boards(nearest.rows, nearest.columns, limits, boards)
         nearest = smallest_of(self.made, lambda each: each.error)
         return refuse_distance(
-            nearest, limits, "was found", f"{MOST_PANELS} panels along a side", SAFE
+            nearest, limits, "was found", f"{MOST_PANELS} panels along a side", SAFE * nearest.error
         )

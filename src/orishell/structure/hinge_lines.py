@@ -58,6 +58,8 @@ def hinge_lines() -> dict[str, HingeLine]:
 class LineStrength(Table):
     """What crease lines bear, by direction; None where that is not known."""
 
+    SAMPLE: ClassVar = {"kind": "piano hinge"}
+
     REPORTED: ClassVar = ("kind", *DIRECTIONS)
 
     # what lines are, by its name in hinge_lines.toml: what is not given is taken from there
@@ -73,7 +75,7 @@ class LineStrength(Table):
     def _require_kind(cls, kind: str | None) -> str | None:
         if kind is not None and kind not in hinge_lines():
             names = ", ".join(f'"{name}"' for name in hinge_lines())
-            raise misfit(f"one of {names}", kind)
+            raise misfit(f"one of {names}", kind, choices=tuple(hinge_lines()))
         return kind
 
     @classmethod

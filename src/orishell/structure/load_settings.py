@@ -6,7 +6,7 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
-from typing import Annotated, Final, Literal, NamedTuple, Self
+from typing import Annotated, ClassVar, Final, Literal, NamedTuple, Self
 
 import numpy as np
 from pydantic import Field, field_validator, model_validator
@@ -53,6 +53,8 @@ class Snow(Table):
     unless ``arrangement`` names one. By "slope" it slides off each panel as off a smooth roof
     (5.3.2). ``exposure_factor`` and ``thermal_factor`` are its C_e and C_t (5.2).
     """
+
+    SAMPLE: ClassVar = {"ground": 500}
 
     ground: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)]
     exposure_factor: Annotated[Number, Field(gt=0, le=2)] = 1.0
@@ -107,6 +109,8 @@ class Wind(Table):
     ``height`` over the ground is where its speed is taken; None for the top of the shell.
     """
 
+    SAMPLE: ClassVar = {"speed": 26, "terrain": "II", "direction_deg": 90}
+
     speed: Annotated[Number, Field(gt=0, le=200)]
     terrain: Terrain
     direction_deg: Annotated[Number, Field(ge=-360, le=360)]
@@ -155,6 +159,8 @@ class Wind(Table):
 class PointLoad(Table):
     """A force at a vertex, along x, y and z (N)."""
 
+    SAMPLE: ClassVar = {"at": [1, 2], "force": [0, 0, -1000]}
+
     at: GridVertex
     force: Annotated[tuple[Load, Load, Load], entries(3)]
 
@@ -164,6 +170,8 @@ class Person(Table):
 
     Without ``at``, row and column of a panel of the folding sheet, the worst place is found.
     """
+
+    SAMPLE: ClassVar = {"force": 1000}
 
     force: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)] = 1000.0
     at: GridVertex | None = None
@@ -201,6 +209,8 @@ class LoadCase(Table):
     combine is not analysed on its own. ``action`` says what it is where a code combines cases, and
     ``duration`` how long it lasts, if its loads do not.
     """
+
+    SAMPLE: ClassVar = {"name": "dead", "self_weight": True}
 
     name: str
     action: Action | None = None

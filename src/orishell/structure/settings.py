@@ -167,7 +167,7 @@ class StructureTable(Table):
     def _require_material(cls, material: str | None) -> str | None:
         if material is not None and material not in materials():
             names = ", ".join(f'"{name}"' for name in materials())
-            raise PydanticCustomError("material", "one of {names}", {"names": names})
+            raise misfit(f"one of {names}", material, choices=tuple(materials()))
         return material
 
     @field_validator("grain")

@@ -22,6 +22,8 @@ Place = Literal["feet", "ends"]
 class Support(Table):
     """What holds some vertices."""
 
+    SAMPLE: ClassVar = {"at": "feet", "kind": "pinned"}
+
     REPORTED: ClassVar = ("at", "kind", "friction", "edges", "patch", "ballast")
 
     # the rows that are feet, the first and last columns, or vertices

@@ -15,6 +15,7 @@ from typing import Any, Literal, get_args
 
 from orishell.conventions.colours import LIGHT
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import no_such
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import parse_toml, read_toml
 from orishell.numerics.arrays import Array
@@ -130,12 +131,9 @@ def load_palette(name: str) -> Palette:
     if name.endswith(".toml"):
         return _read_palette(Path(name))
     if name not in _known():
-        raise InputError(
-            "there is no such palette",
-            keys=("workshop.palette",),
-            got=f'"{name}"',
-            expected=", ".join(_known()) + ", or the path of a .toml file",
-        )
+        expected = ", ".join(_known()) + ", or the path of a .toml file"
+        place = ("workshop.palette",)
+        raise no_such("there is no such palette", name, _known(), keys=place, expected=expected)
     return _known()[name]
 
 

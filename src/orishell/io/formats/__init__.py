@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.meant import meant, no_such, question
 
 if TYPE_CHECKING:
     from orishell.document import Document
@@ -59,11 +60,12 @@ def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
     asked = _asked(names)
     unknown = sorted(asked - {*format_modules(), ALL})
     if unknown:
-        raise InputError(
-            "there is no such format",
-            got=", ".join(map(repr, unknown)),
-            expected=f"some of {', '.join(format_modules())}; or {ALL}",
-        )
+        known = tuple(format_modules())
+        said = {
+            "got": ", ".join(map(repr, unknown)),
+            "expected": f"some of {', '.join(known)}; or {ALL}",
+        }
+        raise no_such("there is no such format", unknown[0], known, **said)
     return tuple(
         each for each in all_formats() if each.name in asked or (ALL in asked and each.ready())
     )
@@ -115,5 +117,6 @@ def format_of(path: Path) -> Format:
             where=str(path),
             got=path.suffix or "none",
             expected="one of " + ", ".join(endings),
+            remedy=question(meant(path.suffix, endings)),
         )
     return endings[max(fitting, key=len)]
