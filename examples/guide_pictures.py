@@ -6,6 +6,7 @@ Run it with ``python examples/guide_pictures.py [DIRECTORY]``; it writes docs/im
 from __future__ import annotations
 
 import sys
+import tomllib
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
@@ -39,9 +40,12 @@ from orishell.plot import DrawnContact, find_hinge_section, plot_overview, plot_
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.scene import WIDTH
 from orishell.polylines import fit_staircase, place_zigzags
+from orishell.shell import make_shell
+from orishell.shell.steps import MEASURES
 from orishell.shell.tolerance import meet_tolerance
 from orishell.solids import build_boards, largest_folds
 from orishell.workshop import Drawing, Workshop
+from orishell.workshop.kit.line_drawing import draw_lines
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.sheets import draw_sheet_files
 
@@ -375,6 +379,39 @@ def draw_skin(path: Path) -> None:
     save(figure, path)
 
 
+def draw_end_wall(path: Path) -> None:
+    """The shelter of the guide's page, closed behind, and its wall as seen from outside."""
+    page = path_of_guide("end-walls.md").read_text(encoding="utf-8")
+    tables = tomllib.loads(page.split("```toml\n")[1].split("```")[0])
+    shell = make_shell(check_design(tables, Path("bus.toml")), skip=MEASURES)
+    figure, (front, behind) = new_figure(11, 4.2, 2)
+    seen = draw_lines(shell.document, "target")
+    for outline, up, beside in zip(seen.outlines, seen.fronts, seen.beside, strict=True):
+        colour = "#9a9a9a" if beside else ("white" if up else "#e2e2e2")
+        front.fill(*outline.T, facecolor=colour, edgecolor="#333333", linewidth=0.7)
+    to_scale(front, "open in front, closed behind")
+    for part, state in shell.document.parts_in("target"):
+        if part.kind != "end_wall":
+            continue
+        strip = state.positions[part.mesh.faces]
+        for name, corners in zip(part.names, strip[..., [1, 2]], strict=True):
+            behind.fill(*corners.T, facecolor="#d9d9d9", edgecolor="#333333", linewidth=0.9)
+            x, y = corners.mean(axis=0).tolist()
+            number = name.rpartition(" ")[2]
+            behind.text(x, y, number, ha="center", va="center", fontsize=7)
+    (wall,) = shell.design.end_walls
+    points = shell.document.shell.positions.reshape(*shell.document.grid_shape or (), 3)
+    behind.plot(*points[:, wall.laced[0, 1], 1:].T, color=OTHER_COLOUR, linewidth=1.6)
+    behind.plot(*points[tuple(wall.laced.T)][:, 1:].T, "o", color=OTHER_COLOUR, markersize=5)
+    to_scale(behind, "from outside: strips, the border, and where it is tied")
+    save(figure, path)
+
+
+def path_of_guide(name: str) -> Path:
+    """A page of the guide."""
+    return Path(__file__).parents[1] / "docs" / "guide" / name
+
+
 PICTURES: Mapping[str, Callable[[Path], None]] = {
     "parallel-xi.png": draw_staircases,
     "parallel-plane.png": draw_planes,
@@ -394,6 +431,7 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,
     "second-skin.png": draw_skin,
+    "end-walls.png": draw_end_wall,
 }
 
 

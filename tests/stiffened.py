@@ -195,7 +195,7 @@ def thin_solids(points: Array, faces: Integers) -> list[Any]:
 
 
 def common(
-    names: list[str], found: list[Any], kind: str = "gusset"
+    names: list[str], found: list[Any], kind: str | tuple[str, ...] = "gusset"
 ) -> dict[tuple[str, str], float]:
     """Volume that parts of a kind have in common with what is no board of theirs, by both names."""
     boxes = np.array([each.bounding_box() for each in found])

@@ -210,6 +210,32 @@ export interface BoxStress {
   part: string;
 }
 
+/** A wall that closes an end, as it stands. */
+export interface BuiltEndWall {
+  /**  */
+  at: "first" | "last";
+  /** Strips, those over its door too. */
+  panels: number;
+  /** Along the ground (length). */
+  width: number;
+  /** Of its top over the ground (length). */
+  height: number;
+  /** Without its door. */
+  area: number;
+  /** From its inner face to what is nearest of the shell, square to it (length). */
+  clearance: number;
+  /** From its inner face to that vertex of the border that is farthest from it (length). */
+  farthest: number;
+  /** How many vertices it is tied to. */
+  strings: number;
+  /** The length of the shortest of them. */
+  shortest_string: number;
+  /** The length of the longest of them. */
+  longest_string: number;
+  /** The opening in it; None if there is none. */
+  door: Opening | null;
+}
+
 /** How large a shell is, by the keys of the table [target.fit] (lengths). */
 export interface BuiltSizes {
   outside: Record<string, number>;
@@ -1310,6 +1336,16 @@ export interface Objective {
   label: string;
 }
 
+/** The opening of a door, from the ground up. */
+export interface Opening {
+  /** Length. */
+  width: number;
+  /** Length. */
+  height: number;
+  /** How far its middle is from that of the wall, to the right as seen from outside (length). */
+  offset: number;
+}
+
 /** One line of the order; lengths and areas in the document's unit, None where not known. */
 export interface OrderRow {
   /** What it is for: "boards", "membrane", "sheet", "arms", "ties", "base rail", a hinge. */
@@ -1704,6 +1740,8 @@ export interface Report {
   stands: Feet | null;
   /** How close it is to its target; None without one. */
   deviation: DeviationReport | null;
+  /** What closes its ends. */
+  end_walls: BuiltEndWall[];
   /** Size of the flat sheet. */
   sheet: SheetReport;
   /** The box around what folds, its boards where panels have a thickness; and around all that is built, with flaps that are clipped on. */

@@ -36,7 +36,9 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
     """Lines that say what was designed, what was found, and which files were written."""
     report = shell.report
     bill = report.quantities
-    clipped = f", {bill.clipped} of them clipped on" if bill.clipped else ""
+    walls = sum(each.panels for each in report.end_walls)
+    on = bill.clipped - walls
+    clipped = f", {on} of them clipped on" * (on > 0) + f", {walls} in end walls" * (walls > 0)
     yield (
         f"{report.family}: {report.rows} x {report.columns} inner vertices, "
         f"{bill.panels} panels{clipped}"

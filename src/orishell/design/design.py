@@ -16,6 +16,7 @@ from orishell.curves.nearest import Closeness
 from orishell.design.asked import AskedSurface
 from orishell.design.boxes import Box
 from orishell.design.carried import CarriedPart
+from orishell.design.end_walls import BuiltEndWall
 from orishell.design.panel import PanelSpec
 from orishell.design.part import Part
 from orishell.motion import Mechanism
@@ -77,6 +78,8 @@ class Design:
     fixed_by: Fixing | None = None
     # what moves with the sheet: sleeves that close rows of it to box girders, or a second skin
     carried: tuple[CarriedPart, ...] = ()
+    # walls among them that close its ends once it stands
+    end_walls: tuple[BuiltEndWall, ...] = ()
     largest_fold: float = np.pi  # how far its hinges close (radians)
     # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None

@@ -100,7 +100,8 @@ class Part:
     bears: HungLines | None = field(default=None, repr=False)
     # what the booklet calls parts of its kind: "sheet", "flap"
     kind: str = field(default="sheet", repr=False)
-    # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself
+    # rows and columns (K, 2) of the sheet's vertices that bear it; None for the sheet itself, and
+    # for what stands on the ground by itself
     borne_at: Integers | None = field(default=None, repr=False)
     # the share (K,) of its mass that each of these bears; None if they bear as much each
     borne_shares: Array | None = field(default=None, repr=False)

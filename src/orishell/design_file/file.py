@@ -17,6 +17,7 @@ from orishell.conventions.table import placed
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec, PiecedSurface
+from orishell.design.end_walls import EndWall, require_one_wall_each
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import (
     plate_density,
@@ -79,6 +80,7 @@ class DesignFile:
     stiffeners: Stiffeners | None = None
     # mass by volume of its boards, where these are its own; 0 if it is not known (kg/m^3)
     plate_density: float = 0.0
+    end_walls: tuple[EndWall, ...] = ()  # what closes its ends once it stands
     # how it is analysed as a structure; None if that was not asked for
     structure: Structure | None = None
     search: Search | None = None  # what is searched for among its variants; None if nothing is
@@ -270,6 +272,7 @@ def _checked(
             known = Known() if file.target is None else file.target.known(directory, unit)
         require_both_sides(structure, stiffeners, panel)
         require_inner(known.inner is not None, stiffeners)
+        require_one_wall_each(file.end_wall)
     except InputError as error:
         raise error.in_file(path) from None
     return DesignFile(
@@ -292,6 +295,7 @@ def _checked(
         panel=panel,
         stiffeners=stiffeners,
         plate_density=density,
+        end_walls=file.end_wall,
         structure=structure,
         search=file.search,
         tables=raw,

@@ -18,6 +18,7 @@ from orishell.conventions.table_keys import TableKeys
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
+from orishell.design.end_walls import EndWall
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import require_a_core, require_one_thickness
 from orishell.design_file.faults import LISTS, explain
@@ -216,6 +217,7 @@ class FileTable(Table):
     deployment: Deployment = FROM_FLAT
     panel: PanelSpec = PanelSpec()
     stiffeners: Stiffeners | None = None
+    end_wall: Several[EndWall] = ()
     structure: StructureTable | None = None
     load_case: Several[LoadCase] = ()
     workshop: Workshop = DEFAULT

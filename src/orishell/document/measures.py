@@ -53,3 +53,5 @@ class Measures:
     feet: tuple[int, int] | None
     points: tuple[Vertex, ...]
     freedom: FreedomOfSheet  # how many motions its sheet has
+    # lengths of the strings that tie end walls to it, from its vertices to their inner faces
+    strings: tuple[float, ...] = ()

@@ -41,6 +41,8 @@ NAMES = 26.0
 """Room beside a plan for names of panels."""
 PART = 56.0
 """Height of a part in the list."""
+LOOSE = ("flap", "end_wall")
+"""Parts that are carried beside the packs."""
 THIN, TIE = 0.45, 1.1
 """Widths of lines, and of those that are dashed."""
 DASHES = (4.0, 2.5)
@@ -222,7 +224,7 @@ class _Book:
         loose = [
             f"{say('times', count=part.count)} {say(f'parts.{part.name}')}"
             for part in parts
-            if part.name == "flap" or (part.name == "tie" and not facts.ties_early)
+            if part.name in LOOSE or (part.name == "tie" and not facts.ties_early)
         ]
         if loose:
             lines.append(say("packing.beside", what=", ".join(loose)))

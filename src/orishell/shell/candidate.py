@@ -22,6 +22,7 @@ from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.motion.lattice import InnerStaircase
 from orishell.shell.answers import Answers
 from orishell.shell.designed import designed
+from orishell.shell.end_walls import with_end_walls
 from orishell.shell.steps import Work
 from orishell.workshop.masses import mass_of_hinges
 
@@ -70,6 +71,8 @@ def prove(file: DesignFile, work: Work) -> Candidate:
         design, feet = stand(design, feet)
     design = with_box_plates(design, lock, file.stiffeners, file.contact_tolerance)
     design = with_gussets(design, lock, file.stiffeners, file.contact_tolerance, file.plate_density)
+    stock = None if file.workshop.stock is None else file.workshop.usable_stock
+    design = with_end_walls(design, lock, feet, file.end_walls, stock)
     site = find_site(
         design,
         feet,

@@ -19,6 +19,7 @@ from orishell.shell.rail_order import rail_order
 from orishell.shell.steps import (
     CONTACT,
     CUTTING,
+    END_WALLS_PLACED,
     FLAPS_PLACED,
     GUSSETS_PLACED,
     PLATES_PLACED,
@@ -92,6 +93,7 @@ def measure(found: Candidate, work: Work) -> Facts:
         FLAPS_PLACED: design.clipped is not None,
         GUSSETS_PLACED: bool(design.plates),
         PLATES_PLACED: any(part.kind == "plate" for part in design.attached),
+        END_WALLS_PLACED: bool(design.end_walls),
         "the ground that is needed on the way": deployment.lacks_ground,
         "distance from the surface": deviation is not None and deviation.surface is None,
         CUTTING: cutting is None and asks_for_cutting(file.workshop),

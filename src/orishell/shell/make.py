@@ -234,6 +234,7 @@ def _report(facts: Facts, work: Work) -> Report:
         not_checked=facts.not_checked,
         stands=found.feet,
         deviation=found.deviation,
+        end_walls=design.end_walls,
         sheet=SheetReport(width, height, area_of(design.mechanism)),
         deployed=opened,
         outside=_box(facts.drawn) if facts.drawn.attached else opened,
@@ -262,6 +263,7 @@ def _measures(report: Report) -> Measures:
         feet=None if stands is None else stands.rows,
         points=() if stands is None else stands.points,
         freedom=report.freedom,
+        strings=tuple(each for wall in report.end_walls for each in wall.lengths.tolist()),
     )
 
 

@@ -17,6 +17,7 @@ from orishell.deployment.cutting import CuttingReport
 from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
+from orishell.design.end_walls import BuiltEndWall
 from orishell.deviation.report import DeviationReport
 from orishell.document.measures import BoxReport, SheetReport
 from orishell.locking import Lock
@@ -80,6 +81,7 @@ class Report:
     not_checked: tuple[str, ...]  # what was left out on request
     stands: Feet | None  # what it stands on; None if it cannot stand
     deviation: DeviationReport | None  # how close it is to its target; None without one
+    end_walls: tuple[BuiltEndWall, ...]  # what closes its ends
     sheet: SheetReport  # size of the flat sheet
     # the box around what folds, its boards where panels have a thickness; and around all that is
     # built, with flaps that are clipped on
@@ -101,7 +103,7 @@ class Report:
     def as_dict(self) -> dict[str, object]:
         """The report as nested tables for JSON, without what was not asked for."""
         tables: dict[str, object] = as_table(self)
-        for key in ("families", "by_curves", "turned", "chosen", "fitted", "cutting"):
+        for key in ("families", "by_curves", "turned", "chosen", "fitted", "end_walls", "cutting"):
             if not getattr(self, key):
                 del tables[key]
         return tables

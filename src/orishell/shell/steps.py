@@ -48,10 +48,11 @@ CONTACT, STOCK, STRUCTURE, CUTTING = (
     "the play that errors of cutting ask for",
 )
 """What may be left out on request, of which a row says that it is not known."""
-FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED = (
+FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED, END_WALLS_PLACED = (
     "how clipped flaps are brought to their place",
     "how gussets are brought to their place",
     "how plates are brought into boxes",
+    "how end walls are brought to their place, and what holds them on the ground",
 )
 """What is never examined, and has no row: the booklet says so to those who do it."""
 

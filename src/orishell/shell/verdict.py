@@ -16,11 +16,13 @@ from orishell.locking import Contact
 from orishell.locking.report import HingedReport
 from orishell.shell.carried_rows import carried_rows
 from orishell.shell.drives import degrees_below
+from orishell.shell.end_wall_rows import end_wall_rows
 from orishell.shell.not_proved import not_proved
 from orishell.shell.one_motion import folds_rows, held_of_several, of_one_motion
 from orishell.shell.report import Report
 from orishell.shell.steps import (
     CONTACT,
+    END_WALLS_PLACED,
     FLAPS_PLACED,
     GUSSETS_PLACED,
     PLATES_PLACED,
@@ -30,7 +32,15 @@ from orishell.shell.steps import (
 from orishell.shell.two_thicknesses import TwoThicknesses, thickness_rows
 from orishell.workshop.order_row import order_in_words
 
-SAID = {CONTACT, STOCK, STRUCTURE, FLAPS_PLACED, GUSSETS_PLACED, PLATES_PLACED}
+SAID = {
+    CONTACT,
+    STOCK,
+    STRUCTURE,
+    FLAPS_PLACED,
+    GUSSETS_PLACED,
+    PLATES_PLACED,
+    END_WALLS_PLACED,
+}
 """What other rows say, or the booklet."""
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
@@ -77,6 +87,7 @@ def find_verdict(
         *of_one_motion(report, _boards(report)),
         *thickness_rows(report, two),
         *of_one_motion(report, _hinges(report)),
+        *end_wall_rows(report),
         *_feet(report),
         *surface_rows(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),

@@ -69,12 +69,15 @@ def lying(corners: Array) -> Array:
 
 
 def upright_boards(cut: Array, build: PanelSpec, levels: int) -> Boards:
-    """Boards of plates (G, K, 2) that are cut square: one to each, or two on a membrane.
+    """Boards of plates (G, K, 2) that are cut square: one to each, or those on a membrane.
 
     levels: At how many heights boards have outlines.
     """
-    half, inner = build.height, 0.5 * build.membrane
-    layers = {0: (-half, half)} if build.is_solid else {1: (inner, half), -1: (-half, -inner)}
+    (above, below), inner = build.heights, 0.5 * build.membrane
+    layers = {0: (-below, above)}
+    if not build.is_solid:
+        faces = {1: (inner, above), -1: (-below, -inner)}
+        layers = {face: each for face, each in faces.items() if build.has_boards(face)}
     low, high = np.transpose(list(layers.values()))
     heights = np.linspace(low, high, levels, axis=1)
     count, corners = cut.shape[:2]

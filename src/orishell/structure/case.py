@@ -23,6 +23,7 @@ from orishell.structure.verdict import (
     Finding,
     against_equilibrium,
     against_motion,
+    against_wind_on_walls,
     ranked,
 )
 
@@ -69,7 +70,9 @@ class CaseResult:
         assert self.equilibrium is not None
         strength, limited = self.limit_state in STRENGTH, self.limit_state in {None, "SLS"}
         within = against_equilibrium(self.equilibrium, strength=strength, limited=limited)
-        return ranked(chain(within, against_ballast(self.ballast)))
+        walled = self.equilibrium.model.has_end_walls
+        windy = walled and any(load.kind == "wind" for load in self.loads)
+        return ranked(chain(within, against_ballast(self.ballast), against_wind_on_walls(windy)))
 
     @cached_property
     def ballast(self) -> BallastedFoot | None:

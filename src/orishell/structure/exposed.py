@@ -53,7 +53,8 @@ def _attached_masses(
     """Mass (N,) at nodes of the other parts that go with the sheet, where these are borne."""
     found, (grid, before) = np.zeros(count), sheet
     for part in design.attached:
-        assert part.borne_at is not None, "what goes with a sheet is borne by it"
+        if part.borne_at is None:  # it stands on the ground
+            continue
         rows, columns = part.borne_at.T
         nodes = grid.vertices()[rows, columns - before]
         shares = 1 / len(nodes) if part.borne_shares is None else part.borne_shares

@@ -101,6 +101,11 @@ class MeshedShell:
         """Whether the sheet carries a second skin."""
         return bool(self.design.carried and not self.design.boxes)
 
+    @property
+    def has_end_walls(self) -> bool:
+        """Whether walls close its ends, which are no part of the model."""
+        return bool(self.design.end_walls)
+
     @cached_property
     def plates(self) -> tuple[Plates, ...]:
         """What stiffens the sheet: all gussets, or strips that it carries and plates across."""

@@ -100,6 +100,15 @@ def against_equilibrium(
             yield Finding(sign, "displaced", text, most.share / most_share)
 
 
+def against_wind_on_walls(blows: bool) -> Iterator[Finding]:
+    """That wind on end walls is not known to be borne, where it ``blows`` on some."""
+    if blows:
+        text = (
+            "is loaded by wind on its end walls, too, through their strings, which is not counted"
+        )
+        yield Finding("warns", "unknown", text, None)
+
+
 def _against_limit(found: Equilibrium) -> Iterator[Finding]:
     """What speaks against a shell that is displaced further than it may be."""
     limit, moved = found.model.displacement_limit, found.crept

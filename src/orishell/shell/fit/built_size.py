@@ -2,7 +2,8 @@
 
 All that is built counts, as files of the target have it: panels or, where these have a thickness,
 boards with their arms and knuckles; and what is clipped on. A membrane between boards does not, nor
-do ties. Heights are above the lowest point of all, on which it stands.
+do ties, nor walls that stand on the ground by themselves. Heights are above the lowest point of
+all, on which it stands.
 
 - *Outside* are the sizes of the box around it, along x, y and z.
 - *Clear width* (along x) is that of the room through which one can look along y. The shell, up to
@@ -17,6 +18,8 @@ Panels and boards are polygons, so all of these are exact but for rounding.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -44,19 +47,8 @@ class BuiltShell:
     @classmethod
     def of(cls, design: Design, lock: Lock) -> BuiltShell:
         """The shell of a design whose motion ends as ``lock`` says."""
-        motion, built = FoldingMotion(design.mechanism, STATES), lock.built
-        triangles = triangles_of(
-            document_of_motion(
-                motion,
-                "unit",
-                clipped=design.clipped,
-                carried=design.carried,
-                attached=design.attached,
-                panel=design.panel,
-                boards=None if built is None else built.boards,
-                flaps=None if built is None else built.flaps,
-            )
-        )
+        borne = tuple(part for part in design.attached if part.borne_at is not None)
+        triangles = standing_triangles(replace(design, attached=borne), lock)
         return cls(triangles - [0.0, 0.0, triangles[..., 2].min()])
 
     def outside(self) -> Array:
@@ -92,6 +84,26 @@ class BuiltShell:
         """The middle of its box along an axis."""
         along = self.triangles[..., axis]
         return float(0.5 * (along.min() + along.max()))
+
+
+def standing_triangles(design: Design, lock: Lock) -> Array:
+    """All that is built of a design at its target, as triangles (T, 3, 3) in the design's frame.
+
+    Its motion ends as ``lock`` says, with its boards.
+    """
+    built = lock.built
+    return triangles_of(
+        document_of_motion(
+            FoldingMotion(design.mechanism, STATES),
+            "unit",
+            clipped=design.clipped,
+            carried=design.carried,
+            attached=design.attached,
+            panel=design.panel,
+            boards=None if built is None else built.boards,
+            flaps=None if built is None else built.flaps,
+        )
+    )
 
 
 def triangles_of(document: Document) -> Array:

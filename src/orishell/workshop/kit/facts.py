@@ -48,6 +48,7 @@ class KitFacts:
     # how its sheet folds where that is not one motion: "known", "nearly" or "unknown", and how many
     # degrees of freedom; None where it is
     freedoms: tuple[str, str] | None
+    strings: tuple[float, ...] = ()  # lengths of those that tie end walls to it
 
     def opened_in_words(self, unit: str) -> str:
         """Its sizes at the target, as its verdict says them."""
@@ -96,6 +97,7 @@ def find_facts(document: Document) -> KitFacts:
         flap_panels=sum(len(each.mesh.faces) for each in document.attached),
         model=model,
         freedoms=None if known is None else _freedoms(known.freedom),
+        strings=() if known is None or model else tuple(factor * each for each in known.strings),
     )
 
 

@@ -76,6 +76,10 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
         parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
     parts += _beside(document, cut)
+    if facts.strings:
+        low, high = (size(each, unit) for each in (min(facts.strings), max(facts.strings)))
+        values = {"length": low if low == high else f"{low} - {high}"}
+        parts.append(KitPart("string", len(facts.strings), values, (_ring(np.zeros(2)),)))
     holes = laid_flat(document).holes
     if holes is not None:
         hole = size(float(holes.diameters.max()), unit)

@@ -7,6 +7,8 @@ from dataclasses import replace
 from math import ceil
 from typing import Final
 
+import numpy as np
+
 from orishell.conventions.quantities import PERSON_KG, box, plain, size
 from orishell.conventions.record import record
 from orishell.document import FLAT, SHELL, Document
@@ -128,11 +130,16 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
     if not facts.ties_early:
         yield from tie
     others = {part.kind for part in document.attached} - moving
-    yield from _fitted(document, others, SHELL)
+    yield from _fitted(document, others - LAST, SHELL)
     if facts.feet and not facts.model:
         check = "apart" if facts.apart is not None else ""
         values = {**said, "feet": plain(facts.feet)}
         yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
+    for step in _fitted(document, others & LAST, SHELL):
+        said = {**step.values, "strings": plain(len(facts.strings))}
+        name = f"{step.name}{'' if facts.strings else '_model'}"
+        high = ("high",) if _off_the_ground(document) else ()
+        yield replace(step, name=name, values=said, more=(*high, *step.more))
 
 
 def _fitted(document: Document, kinds: set[str], state: int | str) -> Iterator[Step]:
@@ -149,10 +156,23 @@ def _fitted(document: Document, kinds: set[str], state: int | str) -> Iterator[S
         yield Step(name, values, state, check=check, more=("placed",) * (kind in PLACED))
 
 
-PLACED = ("flap", "gusset", "plate")
+PLACED = ("flap", "gusset", "plate", "end_wall")
 """Kinds of parts whose way to their place nobody has looked at."""
+LAST = {"end_wall"}
+"""Kinds of parts that are put up beside a shell that is anchored."""
 CLIPPED = {"flap": ("clip", "all_shut")}
 """Step and check of parts that are clipped on; of others the step is that to fit them."""
+
+
+def _off_the_ground(document: Document) -> bool:
+    """Whether strips of end walls stand on others, or are over a door."""
+    walls = [part.shell.positions[:, 2] for part in document.attached if part.kind in LAST]
+    low = [float(each.min()) for each in walls]
+    return max(low) - min(low) > HIGH * max(float(np.ptp(each)) for each in walls)
+
+
+HIGH = 1e-6
+"""What is higher than this share of a wall is not on the ground."""
 
 
 def _mark_out(document: Document, plan: GroundPlan) -> Step:
