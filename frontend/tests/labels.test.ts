@@ -10,7 +10,7 @@ function family(keys: Record<string, string>): Info["families"][string] {
 const key = (label: string): Info["tables"][string]["keys"][string] => ({ label, help: "", unit: "", choices: {} });
 const TABLES: Info["tables"] = {
   pattern: { label: "Pattern", keys: {} },
-  deployment: { label: "Deployment", keys: { flap_attachment: key("Flaps"), largest_fold_deg: key("Hinges close to") } },
+  deployment: { label: "Deployment", keys: { flap_attachment: { ...key("Flaps"), choices: { clipped: "Clipped on" } }, largest_fold_deg: key("Hinges close to") } },
   motion: { label: "", keys: { frames: key("Frames") } },
   "target.fit": { label: "", keys: { width: { ...key("Width"), unit: "length" }, head_height: key("Head height") } },
 };
@@ -35,6 +35,11 @@ test.each([
   ["[target.surface] formula", "surface: formula"],
   ["add the table [structure]", "add the table Structure"],
   ["frames in [motion]", "frames under Motion"],
+  ['cylinders (shape = "cylinder" or "valleys" in [load_case])', "cylinders"],
+  ["is m the unit of its curves? (unit in [shell]; of a drawing, in [target.f] and [target.g])", "is m the unit of its curves?"],
+  ['turn it where y points up (up = "y" in [target.surface]), or not (up = "z")', "turn it where y points up, or not"],
+  ['ties across the folds (ties = "folds"), and more', "ties across the folds, and more"],
+  ['with flap_attachment = "clipped" in [deployment]', "with flaps: clipped on under Deployment"],
   ["stage_deg = 12 is beyond", "Stage = 12° is beyond"],
   ["a depth of no_such_key = 3", "a depth of no_such_key = 3"],
 ])("%s", (text, expected) => {
@@ -57,6 +62,9 @@ test("a remedy is said by the labels of what it changes", () => {
   const remedy = (changes: Record<string, number | string | number[] | null>): string => LABELS.remedy({ text: "", changes });
   expect(remedy({ "pattern.xi_deg": 53.08 })).toBe("crease angle ξ = 53.08°");
   expect(remedy({ "pattern.flap": 0.2, "deployment.flap_attachment": null })).toBe("flap = 0.2 m without flaps");
+  expect(remedy({ "pattern.rows": 5, "deployment.flap_attachment": "clipped" })).toBe("rows = 5 and flaps: clipped on");
+  expect(LABELS.remedy({ text: "", changes: { "structure.line_strength": { kind: "piano hinge" } } })).toBe("line strength: piano hinge");
+  expect(LABELS.remedy({ text: "", changes: { "structure.self_weight": true } })).toBe("self weight: yes");
   expect(remedy({ "target.g.range": [0, 6.1] })).toBe("range of g = 0, 6.1");
   expect(remedy({ "target.fit.width": 4.2, "target.fit.head_height": null })).toBe("width = 4.2 m without head height");
   expect(LABELS.of("xi_deg")).toBe("Crease angle ξ");

@@ -40,8 +40,8 @@ TURNS: Final = (0.0, 30.0, 60.0, 90.0, 120.0, 150.0)
 """Turns of a rectangle that are tried where the file leaves them open (degrees)."""
 ALWAYS: Final = {"scale"}
 LYING: Final = (
-    'the mesh lies on its side: its mean normal is along y. If y points up in it, up = "y" in '
-    '[target.surface] turns it; up = "z" says that it is meant so'
+    "the mesh lies on its side: its mean normal is along y. Turn it where y points up "
+    'in it (up = "y" in [target.surface]), or say that it is meant so (up = "z")'
 )
 
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]

@@ -71,18 +71,18 @@ def _of_unit(design: Design, shell: Array, unit: str, workshop: Workshop) -> Ite
     metres = conversion(unit, "m")
     size = max(extents(shell))
     if not SMALLEST_SHELL <= size * metres <= LARGEST_SHELL:
-        drawn = ", and unit in [target.f] and [target.g] says it of a drawing"
+        drawn = "; of a drawing, in [target.f] and [target.g]"
         yield Note(
             f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its "
-            f"{'curves' if design.targets else 'lengths'}? unit in [shell] says so"
-            f"{drawn if design.targets else ''}",
+            f"{'curves' if design.targets else 'lengths'}? (unit in [shell]"
+            f"{drawn if design.targets else ''})",
             "unit",
         )
     if workshop.stock is not None and max(workshop.stock) * metres > LONGEST_STOCK:
         stock = " x ".join(plain(side) for side in workshop.stock)
         yield Note(
-            f"sheets of {stock} {unit} are larger than any that is sold: lengths in [workshop] "
-            f"are in the unit of [shell], {unit}",
+            f"sheets of {stock} {unit} are larger than any that is sold: their sizes are in the "
+            f"unit of the shell, {unit}",
             "stock",
         )
 

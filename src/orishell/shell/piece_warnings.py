@@ -29,7 +29,7 @@ def warn_of_joints(design: Design, lock: Lock, unit: str) -> Iterator[str]:
     if apart > build.gap + OPEN * build.thickness:
         yield (
             f"boards of two pieces stay up to {plain(apart, 3)} {unit} apart where they are "
-            "joined: cover their joints, or change pieces in [panel]"
+            "joined: cover their joints, or make pieces of more rows (pieces in [panel])"
         )
     cut = float(np.max(design.hinges.cut_back))
     across = float(np.median(lengths(np.diff(mechanism.positions(0.0), axis=0))))

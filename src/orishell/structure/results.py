@@ -76,7 +76,7 @@ LINEAR_BUT_SOFT = (
 FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
 FOLDED = (
     "folding, contact and pack of panels of this thickness: all that is said of these is of panels "
-    "without one, as [panel] gives them none"
+    "without one, as they are designed with none"
 )
 ONE_WAY = "boards that are stiffer or stronger in one direction than in the other"
 ECCENTRIC = (

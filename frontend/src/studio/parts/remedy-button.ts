@@ -30,7 +30,8 @@ interface ChangeOptions {
 /** The button that changes values of the design, or does again what was refused with them. */
 export function changeButton(store: Store, changes: Remedy["changes"], { testid = "mend", text: done, again }: ChangeOptions = {}): HTMLButtonElement {
   const said = done ?? store.labels.remedy({ text: "", changes });
-  const text = done ? capital(done) : `Use ${said}`;
+  // "Use rows = 5", but "Set creases: rigid".
+  const text = done ? capital(done) : `${said.includes(":") ? "Set" : "Use"} ${said}`;
   return button({
     label: text,
     text,

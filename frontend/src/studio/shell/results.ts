@@ -52,7 +52,7 @@ export class Results {
       if (proof.state !== "done") return;
       this.showFigures();
       const rows = judged(store.report.value);
-      this.say(`${headline(rows)?.[0] ?? ""}: ${rows[0]?.finding ?? ""}. ${this.summary()}`);
+      this.say(`${headline(rows)?.[0] ?? ""}: ${this.store.labels.said(rows[0]?.finding ?? "")}. ${this.summary()}`);
     });
   }
 

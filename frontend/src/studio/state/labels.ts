@@ -49,6 +49,7 @@ export class Labels {
   said(text: string): string {
     return text
       .replace(/ \(([^()]*)\)/g, (whole, inner: string) => (this.isOfFile(inner) ? "" : whole))
+      .replace(/\b([a-z][a-z_]*) = "([^"]*)"/g, (_, key: string, value: string) => this.choice(key, value))
       .replace(/ (in|of) \[(\w+)\]/g, (_, __, table: string) => ` under ${this.section(table)}`)
       .replace(/\[(target\.)?([fg])\] ?/g, "curve $2: ")
       .replace(/\[target\.surface\] ?/g, "surface: ")
@@ -68,7 +69,13 @@ export class Labels {
   private isOfFile(words: string): boolean {
     const [, key, next] = /^([a-z][a-z_.]*)( = |, | or | and | in )/.exec(words) ?? [];
     if (key === undefined) return false;
-    return / in \[[a-z_]+\]$/.test(words) || (next === " = " && this.find(key) !== undefined);
+    return / in \[[a-z_.]+\]( and \[[a-z_.]+\])?$/.test(words) || / = ("[^"]*"|true|false)$/.test(words) || (next === " = " && this.find(key) !== undefined);
+  }
+
+  /** A value that is a word, in the words of its control. */
+  private choice(key: string, value: string): string {
+    const words = Object.values(this.tables).find(({ keys }) => keys[key]?.choices[value])?.keys[key]?.choices[value];
+    return `${small(this.find(key) ?? key.replaceAll("_", " "))}: ${words ? small(words) : value}`;
   }
 
   /** What a remedy changes, in words. */
@@ -83,9 +90,18 @@ export class Labels {
       const curve = table === "target" && words === table ? ofTarget(rest[0]!) : "";
       const label = `${small(this.at(words, key) ?? key.replaceAll("_", " "))}${curve}`;
       if (value === null) without.push(label);
-      else given.push(`${label} = ${written(value as Value)}${typeof value === "number" ? this.unit(words, key) : ""}`);
+      else if (typeof value === "number") given.push(`${label} = ${value}${this.unit(words, key)}`);
+      else if (Array.isArray(value)) given.push(`${label} = ${written(value as Value)}`);
+      else given.push(`${label}: ${typeof value === "object" ? written(value as Value) : this.worded(words, key, value as string | boolean)}`);
     }
-    return given.join(" with ") + (without.length ? ` without ${without.join(", ")}` : "");
+    return given.join(" and ") + (without.length ? ` without ${without.join(", ")}` : "");
+  }
+
+  /** A word or a switch as its control has it. */
+  private worded(table: string, key: string, value: string | boolean): string {
+    if (typeof value === "boolean") return value ? "yes" : "no";
+    const words = this.tables[table]?.keys[key]?.choices[value];
+    return words ? small(words) : value;
   }
 
   /** What follows a number. */

@@ -72,7 +72,8 @@ export class CarryCard {
     } catch (error) {
       if (signal.aborted) return;
       const { message, remedy } = faultOf(error);
-      this.show("failed", [sentence(message), remedy && !message.includes(remedy) ? sentence(remedy) : ""].join(" ").trim());
+      const words = [sentence(message), remedy && !message.includes(remedy) ? sentence(remedy) : ""].join(" ").trim();
+      this.show("failed", this.store.labels.said(words));
     }
   }
 
