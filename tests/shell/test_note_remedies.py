@@ -65,6 +65,19 @@ DEEP: dict[str, Any] = {
     "pattern": {"rows": 3, "columns": 5},
 }
 """Three rows, whose folds are deep in a shell so low."""
+WAVE = {"formula": "0.25*sin(pi*x/2)", "range": [0, 4]}
+STEEP: dict[str, Any] = {
+    **STRAIGHT,
+    "target": {"f": {"formula": "-0.3*x**2", "range": [-1, 1]}, "g": WAVE},
+    "pattern": {"rows": 9, "columns": 7, "flap": 0.2, "xi_deg": 50},
+}
+"""Steep creases, which take a sheet 2.5 times as large as the surface."""
+UNTRIMMED: dict[str, Any] = {
+    **ARCH,
+    "target": {"f": ARCH["target"]["f"], "g": WAVE},
+    "pattern": {"rows": 19, "columns": 13, "flap": 0.15, "depth": 0.06},
+}
+"""Folds so shallow that their ends cannot be trimmed."""
 PULLED: dict[str, Any] = {
     **LOADED,
     "load_case": [
@@ -89,6 +102,8 @@ PULLED: dict[str, Any] = {
         ({**ARCH, "workshop": {"stock": [2500, 1250]}}, "stock", {"workshop.stock": [2.5, 1.25]}),
         ({**ARCH, **SOLID}, "chamfers", None),
         ({**ARCH, **CLOTH}, "roll", {"workshop.roll": [1.5, 50.0]}),
+        (STEEP, "sheet", None),
+        (UNTRIMMED, "uneven", {"pattern.depth": 0.18}),
         (DEEP, "depth", {"pattern.rows": 9}),
         pytest.param({**ARCH, **PULLED}, "cells", None, marks=thorough),
         ({**ARCH, **PULLED}, "pulled", None),

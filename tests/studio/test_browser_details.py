@@ -95,6 +95,35 @@ ARROWS = """(() => {
     return found;
 })()"""
 """Arrows of loads: the middle of each, its size, how far up it points, whether a panel is above."""
+MOVED = """(() => {
+    const { shell3d, store } = window.__orishell, { loaded } = store.view.value;
+    const { deflection, scale } = shell3d.load, place = shell3d.camera.position.clone();
+    for (let k = 0; k < loaded.ofPanels; k++) {
+        place.set(0, 0, 0);
+        for (const node of loaded.triangles.slice(3 * k, 3 * k + 3)) {
+            for (const axis of [0, 1, 2]) {
+                const moved = scale * deflection.displacements[3 * node + axis];
+                const at = place.getComponent(axis);
+                place.setComponent(axis, at + (loaded.points[3 * node + axis] + moved) / 3);
+            }
+        }
+        const [x, y] = shell3d.onScreen(place), panel = loaded.panels[k];
+        if (document.elementFromPoint(x, y) !== shell3d.canvas) continue;
+        const { origin: o, direction: d } = shell3d.eye.ray(x, y);
+        const before = shell3d.motion.hit(o.x, o.y, o.z, d.x, d.y, d.z)?.panel;
+        if (before !== panel && shell3d.under(x, y)?.panel === panel) return [x, y, panel];
+    }
+})()"""
+"""The middle of a triangle that is seen where its panel was not without loads, and the panel."""
+FOOT = """(() => {
+    const { shell3d, store } = window.__orishell, { header } = store.view.value;
+    for (const { at: [row, column] } of header.report.deployment.ground.feet) {
+        const corner = shell3d.motion.faces.indexOf(row * header.grid[1] + column);
+        const [x, y] = shell3d.onScreen(shell3d.corner(corner));
+        if (document.elementFromPoint(x, y) === shell3d.canvas) return [x, y];
+    }
+})()"""
+CARD = "document.querySelector('[data-testid=inspect-card] h3').textContent"
 AXE = """axe.run({ runOnly: ["target-size"] }).then(({ violations }) =>
     violations.flatMap(({ nodes }) => nodes.map(({ html }) => html.slice(0, 160))))"""
 
@@ -222,6 +251,24 @@ def test_arrows_of_loads_stand_outside_at_both_ends(page: Page) -> None:
     wind = page.evaluate(ARROWS)
     assert any(each["up"] > 0 for each in wind)  # suction
     assert not any(each["covered"] for each in wind)
+    page.get_by_test_id("load-case").select_option("")
+
+
+def test_what_is_picked_under_a_load_is_what_is_drawn_there(page: Page) -> None:
+    """At a place where the panel was not before it moved; feet, too."""
+    page.evaluate(f"(design) => {STORE}.change(design, 'loaded')", tomllib.loads(LOADED))
+    settle(page)
+    page.get_by_test_id("load-case").select_option("wind")
+    await_frames(page)
+    x, y, panel = page.evaluate(MOVED)
+    columns = page.evaluate(f"{STORE}.view.value.header.grid[1]") - 1
+    page.mouse.click(x, y)
+    wait_until(page, f"{CARD} === 'Panel {panel // columns},{panel % columns}'")
+    assert "Stress, wind" in page.get_by_test_id("inspect-card").inner_text()
+    x, y = page.evaluate(FOOT)
+    page.mouse.click(x, y)
+    wait_until(page, f"{CARD}.startsWith('Foot ')")
+    page.keyboard.press("Escape")
     page.get_by_test_id("load-case").select_option("")
 
 

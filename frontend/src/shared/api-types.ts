@@ -1233,7 +1233,7 @@ export interface Mendable {
   /** Which. */
   note: string;
   /** What it is about. */
-  about: "columns" | "idle columns" | "depth" | "board" | "roll" | "unit" | "stock" | "reach" | "sheet" | "taut" | "off" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
+  about: "columns" | "idle columns" | "depth" | "board" | "roll" | "unit" | "stock" | "reach" | "sheet" | "taut" | "off" | "no flaps" | "closes" | "uneven" | "opens" | "chamfers" | "play" | "open joints" | "cut joints" | "arms" | "points" | "patch" | "pulled" | "weight" | "cells" | "linear";
   /** Whether to try takes long. */
   slow: boolean;
 }

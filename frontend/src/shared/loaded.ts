@@ -106,6 +106,12 @@ export function worstUsed(loaded: Loaded): { shares: Float32Array; cases: Uint32
   return { shares, cases };
 }
 
+/** The largest stress of a panel in a case (MPa). */
+export function stressOf({ panels, stresses }: Loaded, number: number, panel: number): number {
+  const count = panels.length;
+  return largest(stresses.subarray(number * count, (number + 1) * count).filter((_, k) => panels[k] === panel));
+}
+
 /** Lines (2 L,) round the panels and what stiffens them, and those (2 B,) round the whole sheet: pairs of nodes. */
 export function rimsOf(loaded: Loaded): { rims: Uint32Array; border: Uint32Array } {
   return {

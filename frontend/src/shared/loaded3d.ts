@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry, Group, Vector3 } from "three";
 import { LoadMarks } from "./load-marks.ts";
 import { AMOUNT_MAP, mapTexels, type Theme } from "./colours.ts";
 import { amountsOf, rimOf, rimsOf, type Deflection, type Measure } from "./loaded.ts";
+import { LoadedPicking } from "./loaded-picking.ts";
 import { Lines3D } from "./marks3d.ts";
 import { mapTexture } from "./maps.ts";
 import { material, part, quadIndex, type Part, type Uniforms } from "./parts.ts";
@@ -27,6 +28,8 @@ const UNKNOWN = 3e30;
 export class Loaded3D {
   readonly drawn = new Group();
   shown: Drawn | null = null;
+  /** What is under a place of it, while a case is shown. */
+  picking: LoadedPicking | null = null;
   private readonly times = { value: 1 };
   private readonly map = mapTexture(mapTexels(AMOUNT_MAP));
   private readonly panels: Part;
@@ -63,7 +66,7 @@ export class Loaded3D {
 
   set(shown: Shown | null): void {
     const { loaded } = this;
-    this.shown = null;
+    this.shown = this.picking = null;
     this.drawn.visible = false;
     if (!shown || !loaded) return;
     this.drawn.visible = true;
@@ -71,6 +74,7 @@ export class Loaded3D {
     if (deflection !== this.deflection) this.build(loaded, deflection);
     const nodes = loaded.points.map((value, k) => value + scale * deflection.displacements[k]!);
     this.marks.build(loaded, deflection.number, nodes);
+    this.picking = new LoadedPicking(loaded, nodes);
     const { shares, most, of } = amountsOf(loaded, deflection, measure);
     const known = shares.map((share) => (Number.isNaN(share) ? UNKNOWN : share));
     this.panels.geometry.setAttribute("amount", new BufferAttribute(known, 1));

@@ -176,7 +176,7 @@ export class Chosen3D implements Guest {
   private readonly dots;
   private readonly points: (motion: Motion) => { lines: Vector3[]; dots: Vector3[] };
 
-  constructor(uniforms: Uniforms, private readonly ink: string, points: (motion: Motion) => { lines: Vector3[]; dots: Vector3[] }) {
+  constructor(uniforms: Uniforms, private readonly ink: string, points: (motion: Motion) => { lines: Vector3[]; dots: Vector3[] }, readonly withLoads = false) {
     this.points = points;
     this.lines = new Lines3D(uniforms, { width: 3.2, through: 0.5 });
     this.dots = new Dots3D(uniforms, { width: 10, through: 0.7 });

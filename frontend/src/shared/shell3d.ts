@@ -34,6 +34,8 @@ export class Shell3D {
   onHover: ((panel: number | null) => void) | null = null;
   /** Told when the camera has moved. */
   onSight: (() => void) | null = null;
+  /** Another load case is shown, or none. */
+  onLoaded: (() => void) | null = null;
   /** Told when a frame was drawn. */
   readonly onFrame = new Set<() => void>();
 
@@ -183,8 +185,15 @@ export class Shell3D {
   /** What lies under a place of the window: the panel and the point on it, about the origin. */
   under(x: number, y: number): { panel: number; point: Vector3 } | null {
     const { origin: o, direction: d } = this.eye.ray(x, y);
-    const hit = this.loaded.shown ? null : this.motion?.hit(o.x, o.y, o.z, d.x, d.y, d.z);
+    const { picking } = this.loaded;
+    const hit = picking ? picking.hit(o, d) : this.motion?.hit(o.x, o.y, o.z, d.x, d.y, d.z);
     return hit ? { panel: hit.panel, point: o.clone().addScaledVector(d, hit.along) } : null;
+  }
+
+  /** Where a corner of the faces is drawn, displaced where a load case is shown. */
+  corner(corner: number): Vector3 {
+    const place = this.sheet.motion!.at(corner, new Vector3());
+    return this.loaded.picking?.moved(corner >> 2, place) ?? place;
   }
 
   /** Where a point about the origin is in the window. */
@@ -309,6 +318,8 @@ export class Shell3D {
   setLoaded(shown: Shown | null): void {
     this.loaded.set(shown);
     this.unloaded.visible = !this.loaded.shown;
+    for (const guest of this.guests) if (guest.withLoads) this.moved.add(guest);
+    this.onLoaded?.();
     this.hover(null);
     this.explain();
     this.invalidate();

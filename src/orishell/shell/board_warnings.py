@@ -54,11 +54,12 @@ def _of_whole_boards(design: Design, unit: str) -> Iterator[str]:
     flat = mechanism.positions(0.0)
     edges = np.concatenate([lengths(np.diff(flat, axis=axis)).ravel() for axis in (0, 1)])
     if design.hinges.longest_arm > LONG_ARM * np.median(edges):
-        yield (
+        yield Note(
             f"hinges stand up to {plain(design.hinges.longest_arm, 3)} {unit} off their boards, "
             f"and edges of panels are {plain(float(np.median(edges)), 3)} {unit} long: fewer rows "
             "or straight columns need shorter arms, and a limit refuses longer ones (largest_arm "
-            "in [panel])"
+            "in [panel])",
+            "arms",
         )
 
 

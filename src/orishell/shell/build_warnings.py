@@ -150,7 +150,7 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
         remedy = 'it can stand on its four corners, at one height (ground = "corners" in [pattern])'
         about = "uneven"
     elif design.levelled_by:
-        remedy = f"{design.levelled_by} may level them; else {remedy}"
+        remedy, about = f"{design.levelled_by} may level them; else {remedy}", "uneven"
     yield Note(
         f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
         f"{plain(feet.uneven, 3)} {unit} in height: {remedy}",
@@ -181,7 +181,7 @@ def _of_size(design: Design) -> Iterator[str]:
     yield Note(
         f"the sheet is {ratio:.2f} times as large as the surface that it covers"
         f"{f': {remedies} would make it smaller' if remedies else ''}",
-        "sheet" if flaps else None,
+        "sheet" if remedies else None,
     )
 
 

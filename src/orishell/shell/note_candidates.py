@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import rounded
-from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import MILLIMETRES, conversion, plain, size
 from orishell.conventions.row import About
-from orishell.design_file import DesignFile
 from orishell.design_file.tables import value_at
 from orishell.shell.cutting import UP
 from orishell.shell.designed import on_membrane
-from orishell.shell.make import make_shell
-from orishell.shell.report import Report
-from orishell.shell.steps import Step
+from orishell.shell.noted import Noted
 from orishell.structure.refine import LADDER
 
 BOARDS = ((2.5, 1.25), (3.05, 1.525))
@@ -28,44 +23,14 @@ MORE_ROWS = (1.25, 1.5, 2.0, 3.0)
 """Rows are tried by so many times as many as there are, where folds are deep."""
 LESS = (0.75, 0.5, 0.25)
 """Flaps are made narrower, and boards thinner, to these shares of what they are."""
+WIDER = (0.5, 0.8, 0.95)
+"""The angle xi is tried at these shares of the way to the widest."""
+DEEPER = (1.5, 2.0, 3.0, 4.0)
+"""Depths of folds that are tried where feet are not level, as shares of what they are."""
 FINER = 3
 """So many finer meshes are tried."""
 HEAVIER = (1.05, 1.5, 2.0)
 """Ballast that is tried, in terms of what a foot needs that nothing else holds."""
-UNSOUGHT: tuple[Step, ...] = ("remedies", "verification", "deviation", "pack", "stock")
-"""What need not be found of the shell that a note is of."""
-
-
-class Noted:
-    """The shell that a note is of.
-
-    Parameters
-    ----------
-    file
-        Its design file.
-    progress
-        Is told of the work where it is made anew.
-    report
-        What was found of it; the shell is made when that is first asked for, if it is not given.
-    """
-
-    def __init__(self, file: DesignFile, progress: Progress, report: Report | None = None) -> None:
-        self.file, self._progress, self._report = file, progress, report
-
-    @cached_property
-    def report(self) -> Report:
-        """What was found of it.
-
-        Raises InputError, DesignError or VerificationError as ``make_shell`` does.
-        """
-        if self._report is not None:
-            return self._report
-        return make_shell(self.file, self._progress, clash="allowed", skip=UNSOUGHT).report
-
-    @property
-    def supports(self) -> list[dict[str, Any]]:
-        """How the file says that it is supported."""
-        return list(value_at(self.file.tables, "structure.supports"))
 
 
 def _two_columns(_: Noted) -> Iterator[Remedy]:
@@ -130,6 +95,61 @@ def _narrower_flaps(noted: Noted) -> Iterator[Remedy]:
     for share in LESS:
         narrower = rounded(share * width, 2)
         yield Remedy({"pattern.flap": narrower}, f"flaps of {size(narrower, noted.file.unit)}")
+
+
+def _smaller_sheet(noted: Noted) -> Iterator[Remedy]:
+    parameters, unit = noted.report.parameters, noted.file.unit
+    xi, widest = parameters.get("xi_deg"), parameters.get("xi_limit_deg")
+    if isinstance(xi, float) and isinstance(widest, float):
+        for share in WIDER:
+            wider = rounded(xi + share * (widest - xi), 3)
+            yield Remedy({"pattern.xi_deg": wider}, f"creases at {wider:g} degrees")
+    yield from _of_depth(parameters.get("depth"), LESS, unit)
+    yield from _narrower_flaps(noted)
+
+
+def _of_depth(depth: object, shares: Iterable[float], unit: str) -> Iterator[Remedy]:
+    if isinstance(depth, float):
+        for share in shares:
+            other = rounded(share * depth, 2)
+            yield Remedy({"pattern.depth": other}, f"folds {size(other, unit)} deep")
+
+
+def _level_feet(noted: Noted) -> Iterator[Remedy]:
+    parameters, rows = noted.report.parameters, noted.file.pattern.rows
+    yield from _on_corners(noted)
+    yield from _of_depth(parameters.get("depth"), DEEPER, noted.file.unit)
+    for more in (2, -2, -4):
+        if rows + more > 2:
+            yield Remedy({"pattern.rows": rows + more}, f"{rows + more} rows")
+    yield from _narrower_flaps(noted)
+
+
+def _pieces(noted: Noted, by: Sequence[int]) -> Iterator[Remedy]:
+    panel = noted.file.panel
+    if panel is not None and isinstance(panel.pieces, int):
+        for more in by:
+            rows = panel.pieces + more
+            if rows > 1:
+                yield Remedy({"panel.pieces": rows}, f"pieces of {rows} rows")
+
+
+def _longer_pieces(noted: Noted) -> Iterator[Remedy]:
+    yield from _pieces(noted, (1, 2, 4))
+    yield Remedy({"panel.pieces": "whole"}, "one piece")
+
+
+def _shorter_pieces(noted: Noted) -> Iterator[Remedy]:
+    yield from _pieces(noted, (-1, -2))
+    yield from _thinner(noted)
+
+
+def _fewer_rows(noted: Noted) -> Iterator[Remedy]:
+    rows = noted.file.pattern.rows
+    for fewer in (2, 4, 6):
+        if rows - fewer > 2:
+            yield Remedy({"pattern.rows": rows - fewer}, f"{rows - fewer} rows")
+    yield from _thinner(noted)
 
 
 def _elsewhere_or_narrower(noted: Noted) -> Iterator[Remedy]:
@@ -234,15 +254,18 @@ CANDIDATES: Mapping[About, Callable[[Noted], Iterator[Remedy]]] = {
     "unit": _other_unit,
     "stock": _stock_in_other_units,
     "reach": _elsewhere_or_narrower,
-    "sheet": _narrower_flaps,
+    "sheet": _smaller_sheet,
     "taut": _feet_tied_only,
     "off": _thinner,
     "no flaps": _flaps,
     "closes": _flaps,
-    "uneven": _on_corners,
+    "uneven": _level_feet,
     "opens": _tied_feet,
     "chamfers": _square_boards,
     "play": _wider_gap,
+    "open joints": _longer_pieces,
+    "cut joints": _shorter_pieces,
+    "arms": _fewer_rows,
     "points": _held_edges,
     "patch": _edges_for_patches,
     "pulled": _ballast,

@@ -18,7 +18,8 @@ from orishell.conventions.row import ORDER, About, Note
 from orishell.design_file import DesignFile
 from orishell.shell.facts import Facts
 from orishell.shell.instead import first_that_does, trying
-from orishell.shell.note_candidates import CANDIDATES, FINER, Noted
+from orishell.shell.note_candidates import CANDIDATES, FINER
+from orishell.shell.noted import Noted
 from orishell.shell.notes import all_notes
 from orishell.shell.report import Report
 from orishell.shell.steps import Step

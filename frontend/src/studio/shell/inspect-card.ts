@@ -2,7 +2,7 @@
 
 import { area, length, threeDigits } from "../../shared/quantities.ts";
 import { edgeLength, foldAngle, isFlap, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
-import { worstUsed } from "../../shared/loaded.ts";
+import { stressOf, worstUsed } from "../../shared/loaded.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";
 import { contactOf } from "../../shared/stops.ts";
 import { Assignment, type Loaded, panelName, type View } from "../../shared/view.ts";
@@ -46,6 +46,7 @@ export class InspectCard {
     selection.pointed.watch(later);
     store.proof.watch(later);
     store.view.watch(later);
+    shell.onLoaded = later;
     share.watch(() => {
       if (!this.element.hidden) later();
     });
@@ -107,7 +108,10 @@ export class InspectCard {
     if (this.worst?.of !== loaded) this.worst = { of: loaded, used: worstUsed(loaded) };
     const { used } = this.worst;
     const share = used?.shares[panel];
-    return share ? [["Utilisation", `${threeDigits(100 * share)} %, under ${loaded.cases[used!.cases[panel]!]!.name}`]] : [];
+    const { load } = this.shell;
+    const facts: [string, string][] = share ? [["Utilisation", `${threeDigits(100 * share)} %, under ${loaded.cases[used!.cases[panel]!]!.name}`]] : [];
+    if (load?.deflection.balanced) facts.push([`Stress, ${load.deflection.name}`, `${threeDigits(stressOf(loaded, load.deflection.number, panel))} MPa`]);
+    return facts;
   }
 
   /** What the ground has to bear there, of all load cases. */

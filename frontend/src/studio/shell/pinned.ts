@@ -12,6 +12,9 @@ const WIDE = 420;
 /** What would lie on something else is moved up or down by so much, or left out (pixels). */
 const MOVES = [0, 30, -30, 60, -60];
 
+/** What stands beyond this share of the width has its words at its left. */
+const LEFT_OF = 0.6;
+
 /** Half of what a handle takes (pixels). */
 const HANDLE = [13, 13] as const;
 
@@ -40,12 +43,13 @@ export class Pinned {
       const point = each.at();
       const free = (place: Place, room: readonly [number, number]): boolean =>
         taken.every((other) => [0, 1].some((k) => Math.abs(place[k]! - other.place[k]!) >= room[k]! + other.room[k]!));
-      const place = point && this.placeOf(this.shell.eye.inPicture(point), each.room, free);
+      const place = point ? this.placeOf(this.shell.eye.inPicture(point), each.room, free) : null;
       if (place) taken.push({ place, room: each.room ?? HANDLE });
       const placed = place ? place.map((at) => at.toFixed(1)).join(" ") : "";
       if (placed === each.placed) continue;
       each.placed = placed;
       each.element.hidden = !place;
+      each.element.classList.toggle("at-right", place !== null && place[0] > LEFT_OF * this.shell.eye.size[0]);
       if (place) Object.assign(each.element.style, { left: `${place[0].toFixed(1)}px`, top: `${place[1].toFixed(1)}px` });
     }
   }

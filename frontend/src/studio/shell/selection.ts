@@ -1,6 +1,6 @@
 // The panel or crease that is chosen: one in space and in the pattern.
 
-import { Vector3 } from "three";
+import type { Vector3 } from "three";
 import type { GroundFoot } from "../../shared/api-types.ts";
 import { flatPlace, neighbour, sheetOf } from "../../shared/inspect.ts";
 import { Chosen3D } from "../../shared/moving3d.ts";
@@ -38,7 +38,7 @@ export class Selection {
     pattern: Pattern2D,
     private readonly shell: Shell3D,
   ) {
-    const redraw = shell.add(new Chosen3D(shell.uniforms, "--accent", (motion) => this.marks(motion)));
+    const redraw = shell.add(new Chosen3D(shell.uniforms, "--accent", (motion) => this.marks(motion), true));
     pattern.layers.top.push((pen, at, theme) => {
       const { value } = this.chosen;
       const view = store.view.value;
@@ -97,10 +97,10 @@ export class Selection {
 
   private footAt(view: View, event: PointerEvent): Chosen | null {
     const { shell } = this, { motion } = shell;
-    if (!motion || !shell.atTarget || shell.load) return null;
+    if (!motion || !shell.atTarget) return null;
     const reach = event.pointerType === "touch" ? FOOT_TOUCH : FOOT;
     const away = feetIn(view).map((_, foot) => {
-      const [x, y] = shell.onScreen(motion.at(cornerOfFoot(view, motion, foot), new Vector3()));
+      const [x, y] = shell.onScreen(shell.corner(cornerOfFoot(view, motion, foot)));
       return Math.hypot(x - event.clientX, y - event.clientY);
     });
     const foot = away.indexOf(Math.min(...away));
@@ -133,8 +133,8 @@ export class Selection {
     const { value } = this.chosen;
     const view = this.store.view.value;
     if (!view || !value || value.panel >= motion.panels) return { lines: [], dots: [] };
-    if (value.foot !== undefined) return { lines: [], dots: [motion.at(cornerOfFoot(view, motion, value.foot), new Vector3())] };
-    const places = this.vertices(value).map((vertex) => motion.at(motion.cornerOf(value.panel, vertex), new Vector3()));
+    if (value.foot !== undefined) return { lines: [], dots: [this.shell.corner(cornerOfFoot(view, motion, value.foot))] };
+    const places = this.vertices(value).map((vertex) => this.shell.corner(motion.cornerOf(value.panel, vertex)));
     return { lines: value.edge === null ? places.flatMap((place, k) => [place, places[(k + 1) & 3]!]) : places, dots: [] };
   }
 }

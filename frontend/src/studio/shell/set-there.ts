@@ -5,7 +5,7 @@ import { h } from "../parts/dom.ts";
 
 /** Controls by what is chosen. */
 const CONTROLS = {
-  panel: [["Thickness", "panel-thickness"], ["Thickness", "structure-thickness"], ["Material", "structure-material"]],
+  panel: [["Thickness", "panel-thickness"], ["Thickness under loads", "structure-thickness"], ["Material", "structure-material"]],
   flap: [["Flaps", "param-flap"], ["Thickness", "panel-thickness"], ["Material", "structure-material"]],
   crease: [["Hinges", "structure-creases"], ["Gap", "panel-gap"], ["Thickness", "panel-thickness"]],
   foot: [["Supports", "structure-kind-pinned"], ["Ballast", "structure-ballast"], ["Base rail", "structure-rail"], ["Loads", "structure-material"]],

@@ -1,6 +1,6 @@
 // What lies under the pointer, in space and in the pattern alike: a panel, and the nearest place on its sides.
 
-import { Vector3 } from "three";
+import type { Vector3 } from "three";
 import { flatPlace } from "../../shared/inspect.ts";
 import type { Pattern2D } from "../../shared/pattern2d.ts";
 import type { Shell3D } from "../../shared/shell3d.ts";
@@ -95,8 +95,8 @@ export class Sight {
   }
 
   private corner(panel: number, k: number): Vector3 {
-    const motion = this.shell.motion!;
-    return motion.at(motion.cornerOf(panel, this.store.view.value!.faces[4 * panel + k]!), new Vector3());
+    const { faces } = this.store.view.value!;
+    return this.shell.corner(this.shell.motion!.cornerOf(panel, faces[4 * panel + k]!));
   }
 
   private inSpace(panel: number): Pixel[] {
