@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from cut_by_hand import RigidPanels
 from fitted_shells import fitted
-from mechanisms import SAMPLES
+from mechanisms import CLOSED, SAMPLES
 from orishell.conventions.errors import InputError
 from orishell.deployment.cutting import can_measure, measure_cutting
 from orishell.deployment.cutting.gaps import Fit
@@ -82,10 +82,13 @@ FIRST = (
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(
-    "name", led_by([*FIRST, *(each for each in SAMPLES if each not in FIRST)], len(FIRST))
+    "name", led_by([*FIRST, *(each for each in CLOSED if each not in FIRST)], len(FIRST))
 )
 def test_the_trace_is_that_of_a_dense_projection(name: str, kind: Cutting) -> None:
-    """N N^T by singular values, of all families; 200 samples agree within 4.5 deviations."""
+    """N N^T by singular values, of all families; 200 samples agree within 4.5 deviations.
+
+    Strips alone, about whose vertices nothing closes, are left with no gaps at all.
+    """
     sheet = SAMPLES[name].make()
     cut = CutSheet.of(sheet, sheet.target_drive)
     fit = Fit.of(cut)
