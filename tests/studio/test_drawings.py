@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 from mechanisms import flat_foldable, random_net
+from orishell.conventions.toml_file import parse_toml
+from orishell.design_file import starter_file
 from orishell.studio import api
 from patterns import (
     CHANGES,
@@ -154,6 +156,9 @@ def test_red_blue_and_black_lines_are_a_pattern(client: httpx.Client) -> None:
 
     assert looks("mine.svg", svg_of(miura()))
     assert looks("mine.dxf", dxf_of(miura()))
+    # Our own drawings have a cut for a border.
+    asked = {"design": parse_toml(starter_file("pattern")), "format": "svg"}
+    assert looks("own.svg", client.post("/api/export", json=asked).text)
     assert not looks("mine.svg", svg_of(miura()).replace("#0000ff", "#ff0000"))
     assert not looks(
         "curve.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/></svg>'

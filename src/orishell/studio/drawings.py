@@ -55,16 +55,19 @@ def read_dropped_pattern(name: str, content: str, unit: str, weld: object) -> Dr
 
 
 def looks_like_pattern(name: str, content: str) -> bool:
-    """Whether a file draws mountains, valleys and a border: then it is no curve.
+    """Whether a file draws mountains, valleys and a border, or a cut: then it is no curve.
 
-    The content is in base64.
+    Our own drawings have a cut in its place. The content is in base64.
     """
     try:
         with dropped_file(name, content, ENDINGS, "a crease pattern") as path:
             lines = read_lines(path)
     except InputError:
         return False
-    return lines is None or {"M", "V", "B"} <= {*lines.letters.tolist()}
+    if lines is None:
+        return True
+    drawn = {*lines.letters.tolist()}
+    return {"M", "V"} <= drawn and not drawn.isdisjoint({"B", "C"})
 
 
 def refused_sheet(drawing: Drawing) -> RefusedDrawing | None:
