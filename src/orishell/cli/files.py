@@ -9,7 +9,7 @@ import time
 from collections.abc import Collection, Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import typer
 
@@ -20,7 +20,7 @@ from orishell.conventions.quantities import SPACE
 from orishell.io.formats import ALL, format_modules
 
 if TYPE_CHECKING:
-    from orishell.conventions.row import Row
+    from orishell.conventions.row import About, Row
     from orishell.design_file import DesignFile
     from orishell.shell.make import Shell
     from orishell.shell.steps import ClashPolicy
@@ -112,8 +112,20 @@ def weld_as_option() -> Iterator[None]:
         raise
 
 
-def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
-    """The shell of a design file; its warnings are printed."""
+OF_BUILDING: Final[frozenset[About | None]] = frozenset(
+    {
+        *("board", "roll", "stock", "opens", "chamfers", "play"),
+        *("points", "patch", "pulled", "weight", "cells", "linear"),
+    }
+)
+"""What notes are about that are of no use to a model of card: boards, ties, feet on the ground."""
+
+
+def designed(asked: DesignFile, clash: ClashPolicy = "refused", *, card: bool = False) -> Shell:
+    """The shell of a design file; its warnings are printed.
+
+    card: Whether a model of card is made of it, so that those of building it are left out.
+    """
     from orishell.shell.make import make_shell
 
     try:
@@ -124,6 +136,8 @@ def designed(asked: DesignFile, clash: ClashPolicy = "refused") -> Shell:
             error.add_note(f"Beside that, {note}.")
         raise
     for warning in shell.report.warnings:
+        if card and getattr(warning, "about", None) in OF_BUILDING:
+            continue
         say(f"orishell: warning: {warning}", err=True)
     return shell
 

@@ -32,7 +32,7 @@ def kit(
 
     asked = read_design_file(file)
     require_kit_place(asked, out, paper=paper, force=force)
-    shell = designed(asked)
+    shell = designed(asked, card=paper)
     with bar() as progress:
         made = write_kit(shell, out, paper=paper, progress=progress, force=force)
     warn_of_unused(made.unused)

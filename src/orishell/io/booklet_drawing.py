@@ -44,6 +44,7 @@ class Drawn:
     closed: bool = True
     fill: float | None = None  # how light it is, from 0 to 1; None where it is not filled
     dashed: bool = False
+    thick: bool = False  # whether it is drawn over others, as what is dashed is
 
 
 def width_of(said: Said) -> float:
@@ -101,6 +102,10 @@ def picture(
         yield Drawn(outline, fill=BESIDE if beside else 1.0 if front else BACK)
     for line in np.round(drawing.lines * scale + move, 2):
         yield Drawn(line, closed=False, dashed=True)
+    for crease in np.round(drawing.mountains * scale + move, 2):
+        yield Drawn(crease, closed=False, thick=True)
+    for crease in np.round(drawing.valleys * scale + move, 2):
+        yield Drawn(crease, closed=False, dashed=True)
     for point in np.round(drawing.points * scale + move, 2):
         yield Drawn(point + DOT, fill=0.0)
 

@@ -24,7 +24,8 @@ from orishell.workshop import Workshop
 from orishell.workshop.kit.facts import KitFacts, corner_panels, find_facts
 from orishell.workshop.kit.line_drawing import draw_lines
 from orishell.workshop.kit.parts import KitPart, kit_parts, kit_tools
-from orishell.workshop.kit.steps import Step, carried, kit_steps, pack_boxes
+from orishell.workshop.kit.step import Step
+from orishell.workshop.kit.steps import carried, kit_steps, pack_boxes
 from orishell.workshop.kit.words import Words, load_words
 
 WIDE, HIGH = 595.28, 841.89
@@ -37,6 +38,8 @@ PICTURE = 210.0
 """Width of the picture of a step."""
 STEP = (HIGH - TOP - FOOT) / 3
 """Height of a step with a picture, at least."""
+BELOW, WIDER = 150.0, 1.6
+"""Height of a picture below its words, at least, and from which width of a sheet, in heights."""
 NAMES = 26.0
 """Room beside a plan for names of panels."""
 PART = 56.0
@@ -160,6 +163,8 @@ class _Book:
         for number, step in enumerate(steps, 1):
             words = [*self._step(step, number, 0.0)]
             high = 28 - words[-1].y if step.state is None else max(STEP, 28 - words[-1].y)
+            if self._below(step):
+                high = max(STEP, 28 - words[-1].y + BELOW)
             if said and top - high < FOOT:
                 yield BookletPage(tuple(drawn), tuple(said))
                 drawn, said, top = [], [], HIGH - TOP
@@ -168,20 +173,33 @@ class _Book:
                 drawn.append(Drawn(rule, closed=False))
             said += self._step(step, number, top)
             if step.state is not None:
-                seen, names = self._picture(step, (WIDE - SIDE - PICTURE, top - high + 12), high)
+                corner, room = (WIDE - SIDE - PICTURE, top - high + 12), (PICTURE, high - 24)
+                if self._below(step):
+                    corner, room = (SIDE, corner[1]), (WIDE - 2 * SIDE, high - 40 + words[-1].y)
+                seen, names = self._picture(step, corner, room)
                 drawn, said = [*drawn, *seen], [*said, *names]
             top -= high
         yield BookletPage(tuple(drawn), tuple(said))
 
+    def _below(self, step: Step) -> bool:
+        """Whether its picture stands below its words: that of a wide sheet of card."""
+        wide, high = self.facts.sheet
+        return self.facts.model and step.plan and wide > WIDER * high
+
     def _picture(
-        self, step: Step, corner: tuple[float, float], high: float
+        self, step: Step, corner: tuple[float, float], room: tuple[float, float]
     ) -> tuple[list[Drawn], list[Said]]:
         """What a step shows, and the names of the panels at the corners of a plan."""
         assert step.state is not None
         drawing = draw_lines(
-            self.document, step.state, step.panels, step.joined, step.marked, plan=step.plan
+            self.document,
+            step.state,
+            step.panels,
+            step.joined,
+            step.marked,
+            thick=step.thick,
+            plan=step.plan,
         )
-        room = (PICTURE, high - 24)
         if not step.plan:
             return [*picture(drawing, corner, room)], []
         corner, room = (corner[0] + NAMES, corner[1] + 12), (room[0] - 2 * NAMES, room[1] - 24)
@@ -197,7 +215,8 @@ class _Book:
 
     def _step(self, step: Step, number: int, top: float) -> Iterator[Said]:
         say, table = self.words.say, f"steps.{step.name}"
-        wide = WIDE - 2 * SIDE - (PICTURE + 20 if step.state is not None else 0)
+        beside = step.state is not None and not self._below(step)
+        wide = WIDE - 2 * SIDE - (PICTURE + 20 if beside else 0)
         yield Said(SIDE, top - 22, f"{number}  {say(f'{table}.title')}", HEAD, bold=True)
         keys = (f"{table}.text", *(f"more.{key}" for key in step.more))
         if step.panels is not None:

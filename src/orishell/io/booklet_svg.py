@@ -38,8 +38,10 @@ def _line(each: Drawn) -> str:
     if each.fill is not None:
         grey = f"{round(255 * each.fill):02x}"
         look += f' fill="#{3 * grey}"'
+    if each.dashed or each.thick:
+        look += f' stroke-width="{TIE}"'
     if each.dashed:
-        look += f' stroke-width="{TIE}" stroke-dasharray="{DASHES[0]} {DASHES[1]}"'
+        look += f' stroke-dasharray="{DASHES[0]} {DASHES[1]}"'
     return f'<path d="M{places}{"Z" if each.closed else ""}"{look}/>'
 
 

@@ -45,6 +45,7 @@ class PaperModel:
     bar_mm: float  # length of the scale bar
     bar_says: str  # the same in the document's unit, and in mm on paper
     of_shell: float = 1.0  # size of the document relative to the shell, where it is a model of it
+    scored: bool = True  # whether creases are whole lines; else they are cut as they are drawn
 
     @property
     def says(self) -> str:
@@ -54,17 +55,18 @@ class PaperModel:
 
 
 def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
-    """The paper model of a sheet, whose creases are scored."""
-    workshop = workshop.replace_unchecked(
-        creases="score", corner_gap="auto", relief_hole=0.0, stock=None
-    )
+    """The paper model of a sheet: creases are scored, but made as they are in a card model."""
+    workshop = workshop.replace_unchecked(stock=None)
+    if document.model_scale is None:
+        workshop = workshop.replace_unchecked(creases="score", corner_gap="auto", relief_hole=0.0)
     document = laid_flat(cut_of_sheet(document))
     require_drawable(document)
     part = with_places(document, whole_sheet(document))
     content = part_lines(document, part, workshop)
     title = sheet_title(document)
     model = _to_scale(content, title, document.unit, part.outlines, workshop)
-    return replace(model, of_shell=document.model_scale or 1.0)
+    whole = workshop.creases == "score"
+    return replace(model, of_shell=document.model_scale or 1.0, scored=whole)
 
 
 def make_board_models(

@@ -112,10 +112,12 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
 
 STEPS = (1, 2, 2.5, 5)
 """Scales that are tried are 1:1, 1:2, ..., and their tenths."""
+WHOLE_FROM = 10
+"""Scales from 1:10 on are whole numbers, larger ones have a decimal."""
 
 
 def page_scale(outlines: tuple[Array, ...], paper: Paper) -> float:
-    """The largest of 1:1, 1:2, 1:2.5, 1:5, 1:10, ... at which a sheet fits one page, either way.
+    """The largest scale at which a sheet fits one page, either way: 1:1, 1:2.4, 1:72.
 
     outlines: As for :func:`tile_sheet`.
 
@@ -124,11 +126,9 @@ def page_scale(outlines: tuple[Array, ...], paper: Paper) -> float:
     size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
     _require_measure(size)
     upright = PAPERS_MM[paper]
-    return next(
-        scale
-        for scale in _scales()
-        if any(_count(size * scale, page) == (1, 1) for page in (upright, upright[::-1]))
-    )
+    least = min(float((size / _frame(page)).max()) for page in (upright, upright[::-1]))
+    steps = 1 if least > WHOLE_FROM else 10
+    return 1 / max(1.0, math.ceil(least * steps - 1e-9) / steps)
 
 
 def _scales() -> Iterator[float]:

@@ -49,7 +49,7 @@ def _draw(canvas: Canvas, page: BookletPage) -> None:
     canvas.setLineJoin(1)
     canvas.setStrokeGray(0)
     for each in page.drawn:
-        canvas.setLineWidth(TIE if each.dashed else THIN)
+        canvas.setLineWidth(TIE if each.dashed or each.thick else THIN)
         canvas.setDash(list(DASHES) if each.dashed else [])
         _draw_line(canvas, each)
     canvas.setFillGray(0)

@@ -1,7 +1,8 @@
 """PDF of a paper model: the flat sheet to scale over as many pages as it takes, to print and fold.
 
 Mountains are dash-dotted and valleys dashed, as folders draw them, so that a printer without
-colours will do. Nothing is compressed, and nothing tells when or where the file was written.
+colours will do; where creases are cut in dashes, mountains are thicker. Nothing is compressed, and
+nothing tells when or where the file was written.
 """
 
 from __future__ import annotations
@@ -42,6 +43,8 @@ STYLES: dict[Layer, tuple[float, tuple[float, ...]]] = {
     "CUT": (0.4, ()),
 }
 """Width of lines, and lengths of dashes and gaps (mm); in the order in which they are drawn."""
+CUT_STYLES = STYLES | {"MOUNTAIN": (0.55, ()), "VALLEY": (0.2, ())}
+"""Of creases that are cut as they are drawn: mountains are thicker."""
 MEANINGS: dict[Layer, str] = {
     "CUT": "cut",
     "MOUNTAIN": "mountain: fold so that the crease comes towards you",
@@ -145,7 +148,7 @@ def _draw_sheet(
     middles = np.array([(each.x, each.y) for each in model.circles]).reshape(-1, 2)
     reach = np.array([each.radius for each in model.circles])[:, None]
     holes = np.flatnonzero(_near(middles - reach, middles + reach, shown))
-    for layer, (width, dashes) in STYLES.items():
+    for layer, (width, dashes) in _styles(model).items():
         _pen(canvas, model.colours[layer], width, dashes if size == 1 else ())
         path = canvas.beginPath()
         for k in np.flatnonzero(near):
@@ -264,10 +267,14 @@ def _draw_order(canvas: Canvas, model: PaperModel) -> None:
     canvas.showPage()
 
 
+def _styles(model: PaperModel) -> dict[Layer, tuple[float, tuple[float, ...]]]:
+    return STYLES if model.scored else CUT_STYLES
+
+
 def _sample(
     canvas: Canvas, model: PaperModel, layer: Layer, ends: tuple[float, float], y: float
 ) -> None:
-    width, dashes = STYLES[layer]
+    width, dashes = _styles(model)[layer]
     _pen(canvas, model.colours[layer], width, dashes)
     canvas.line(ends[0] * MM, y * MM, ends[1] * MM, y * MM)
 

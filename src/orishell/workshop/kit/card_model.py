@@ -14,6 +14,9 @@ from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import page_scale, tile_sheet
 
+SHORTEST_MM, SMALLEST_MM = 1.0, 0.5
+"""Shorter dashes, and smaller holes, are not cut in card."""
+
 
 @record
 class CardModel:
@@ -27,8 +30,8 @@ class CardModel:
 def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     """The card model of a shell, at ``paper_scale``, or the largest scale that fits ``paper``.
 
-    Creases are made as those of the shell, but sizes in the workshop's settings are the shell's:
-    those of the model follow its sheet.
+    Creases are made as those of the shell. Sizes in the workshop's settings are the shell's, and to
+    scale in its model; dashes that nobody cuts then follow its panels, and holes are left out.
 
     Raises InputError if it takes more than 400 pages at ``paper_scale``.
     """
@@ -41,10 +44,15 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
         scale = page_scale(placed, workshop.paper)
     else:
         scale = tile_sheet(placed, workshop.paper_scale, workshop.paper).scale
+    factor = millimetres * scale
+    dash, gap = (
+        each if each == "auto" else each * factor for each in (workshop.dash, workshop.corner_gap)
+    )
+    hole = workshop.relief_hole * factor
     drawn = workshop.replace_unchecked(
-        dash="auto",
-        corner_gap="auto",
-        relief_hole=0.0,
+        dash=dash if dash == "auto" or dash >= SHORTEST_MM else "auto",
+        corner_gap=gap,
+        relief_hole=hole if hole >= SMALLEST_MM else 0.0,
         stock=None,
         margin=0.0,
         spacing=0.0,
@@ -52,7 +60,7 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
         areal_density=0.0,
         paper_scale=1.0,
     )
-    return CardModel(_scaled(bare, millimetres * scale, scale), drawn, scale)
+    return CardModel(_scaled(bare, factor, scale), drawn, scale)
 
 
 def _without_boards(document: Document) -> Document:

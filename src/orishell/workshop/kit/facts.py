@@ -226,9 +226,3 @@ def _feet(
     ends = points[: shape[0] * shape[1]].reshape(*shape, 3)
     away = np.linalg.norm(ends[rows[0], columns] - ends[rows[1], columns], axis=-1)
     return (float(away.min()), float(away.max())), count
-
-
-def middle_state(document: Document, start: str) -> int | str:
-    """A state half way from the flat sheet or the pack to the target."""
-    first, last = document.named.get(start, 0), document.named.get(SHELL, len(document.states) - 1)
-    return (first + last) // 2 if len(document.states) else SHELL

@@ -14,6 +14,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.workshop.kit.folding import CreaseLines
 
 MOST_PANELS: Final = 1500
 """Panels that are drawn, about, at most: of more rows and columns of a grid every k-th is."""
@@ -36,6 +37,8 @@ class LineDrawing:
     beside: Booleans  # whether each (F,) is of another part than the sheet
     lines: Array  # over them (K, 2, 2): ties
     points: Array  # over them (M, 2): feet
+    mountains: Array  # creases over them (K, 2, 2), that are about to be folded
+    valleys: Array  # the same of valleys
     every: int  # of so many rows and columns of the sheet one is drawn; 1 for all
 
     @property
@@ -52,6 +55,7 @@ def draw_lines(
     joined: Integers | None = None,
     marked: Integers | None = None,
     *,
+    thick: CreaseLines | None = None,
     plan: bool = False,
 ) -> LineDrawing:
     """A state with all parts that are there, by number or name, as ``which`` says.
@@ -59,6 +63,7 @@ def draw_lines(
     panels: Which (F,) are drawn; all if None.
     joined: Vertices (K, 2) between which lines are drawn over all; none if None.
     marked: Vertices (M,) that are marked; none if None.
+    thick: Creases that are drawn over all; none if None.
     plan: Whether it is seen from above, x to the right.
 
     Raises InputError if there is no such state.
@@ -71,10 +76,14 @@ def draw_lines(
     ends, spots = (np.zeros(0, np.int64) if each is None else each for each in (joined, marked))
     lines = (positions[ends.reshape(-1, 2)] @ axes.T)[..., :2]
     points = (positions[spots] @ axes.T)[..., :2]
+    creases = (np.zeros((0, 2), np.int64),) * 2
+    if thick is not None:
+        creases = thick.mountains, thick.valleys
+    mountains, valleys = ((positions[each] @ axes.T)[..., :2] for each in creases)
     fronts = area_vectors(seen)[order, 2] > 0
-    return LineDrawing(
-        seen[order, :, :2], fronts, order >= len(seen) - beside, lines, points, every
-    )
+    besides = order >= len(seen) - beside
+    outlines = seen[order, :, :2]
+    return LineDrawing(outlines, fronts, besides, lines, points, mountains, valleys, every)
 
 
 def view_axes(turn_deg: float, rise_deg: float) -> Array:

@@ -74,7 +74,14 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
         low, high = (size(each, unit) for each in (min(facts.ties), max(facts.ties)))
         values = {"length": low if low == high else f"{low} - {high}"}
         line = np.array([[0.0, 0.0], [1.0, 0.0]])
-        parts.append(KitPart("tie", len(facts.ties), values, (line, *map(_ring, line))))
+        parts.append(
+            KitPart(
+                "thread" if facts.model else "tie",
+                len(facts.ties),
+                values,
+                (line, *map(_ring, line)),
+            )
+        )
     parts += _beside(document, cut)
     if facts.strings:
         low, high = (size(each, unit) for each in (min(facts.strings), max(facts.strings)))
@@ -233,7 +240,10 @@ def kit_tools(
         *(each for pair in facts.diagonals for each in pair),
         *(one.apart(other) for one, other in crossed),
     )
-    yield "tape", {"length": size(max(measured), document.unit, bound=True)}
+    yield (
+        "ruler" if facts.model else "tape",
+        {"length": size(max(measured), document.unit, bound=True)},
+    )
 
 
 def _faces(document: Document) -> Array:

@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from math import ceil
 from typing import Final
 
-import numpy as np
-
 from orishell.conventions.quantities import PERSON_KG, box, plain, size
-from orishell.conventions.record import record
 from orishell.document import FLAT, SHELL, Document
 from orishell.document.ground import GroundPlan
-from orishell.numerics.arrays import Booleans, Integers
-from orishell.workshop.kit.facts import KitFacts, middle_state
+from orishell.numerics.arrays import Booleans
+from orishell.workshop.kit.card_steps import card_steps
+from orishell.workshop.kit.facts import KitFacts
+from orishell.workshop.kit.folding import state_between
 from orishell.workshop.kit.parts import KitPart
+from orishell.workshop.kit.step import (
+    DIGITS,
+    LAST,
+    Step,
+    between,
+    closing_steps,
+    diagonals_of,
+    fitted_steps,
+    tie_step,
+)
 from orishell.workshop.kit.words import Words
 from orishell.workshop.settings import Workshop
 
@@ -28,25 +36,12 @@ FIXED: Final = {"arm": "arms_first", "block": "arms_first", "screw": "loose"}
 """What is said of parts where boards are cut, and where they are joined: keys of words."""
 
 
-@record
-class Step:
-    """A step: what is done, what is checked, and the state that a picture shows."""
-
-    name: str  # its key in the words of the booklet
-    values: Mapping[str, str]  # what its words say
-    state: int | str | None = None  # None where there is no picture
-    panels: Booleans | None = None  # the panels that are drawn; all if None
-    plan: bool = False  # whether it is seen from above
-    joined: Integers | None = None  # vertices (K, 2) between which lines are drawn
-    marked: Integers | None = None  # vertices (M,) that are marked
-    check: str = ""  # the key of the words that say what is checked; empty where nothing is
-    more: tuple[str, ...] = ()  # keys of words that follow those of the step
-
-
 def kit_steps(
     document: Document, workshop: Workshop, facts: KitFacts, parts: Sequence[KitPart]
 ) -> tuple[Step, ...]:
-    """The steps of a shell, those of a model without loads and anchors."""
+    """The steps of a shell, or of a model of card."""
+    if facts.model:
+        return (*card_steps(document, workshop, facts, {part.name for part in parts}),)
     making = _making(document, workshop, facts, {part.name for part in parts})
     return (*making, *_putting_up(document, facts))
 
@@ -54,21 +49,13 @@ def kit_steps(
 def _making(
     document: Document, workshop: Workshop, facts: KitFacts, parts: set[str]
 ) -> Iterator[Step]:
-    said = {"pieces": plain(len(facts.pieces))}
-    if facts.diagonals:
-        said["diagonals"] = "; ".join(
-            " / ".join(size(each, document.unit, digits=DIGITS) for each in pair)
-            for pair in facts.diagonals
-        )
+    said = {"pieces": plain(len(facts.pieces)), **diagonals_of(facts, document.unit)}
     check = f"diagonals_{facts.construction or 'sheet'}" if facts.diagonals else ""
     split = bool(parts & {"sheet_parts", "membrane_parts"})
     joined = ("strips" if "strip" in parts else "tabs",)
     if not facts.construction:
-        scored = workshop.creases == "score"
-        name = "crease" if scored else "crease_cut"
-        printed = () if scored or not facts.model else ("printed",)
-        first = Step(name, said, FLAT, plan=True, more=printed)
-        yield replace(first, check="all_parts" if split else check)
+        name = "crease" if workshop.creases == "score" else "crease_cut"
+        yield Step(name, said, FLAT, plan=True, check="all_parts" if split else check)
         if split:
             yield Step("join_parts", said, FLAT, plan=True, check=check, more=joined)
         return
@@ -100,23 +87,23 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         several, said["freedoms"] = (f"several_{facts.freedoms[0]}",), facts.freedoms[1]
     standing = "shut" if facts.shuts else ""
     if facts.apart is not None:
-        said["apart"] = _between(*facts.apart, unit)
+        said["apart"] = between(*facts.apart, unit)
         standing = "apart_shut" if facts.shuts else "apart"
     elif facts.ties and facts.ties_early and not facts.shuts:
         standing = "taut"  # they are fixed before
-    tie = [] if not facts.ties else [_tie(document, facts)]
+    tie = [] if not facts.ties else [tie_step(document, facts)]
     mark = [] if document.ground is None else [_mark_out(document, document.ground)]
     moving = {part.kind for part in document.attached if document.moves(part)}
-    yield from _fitted(document, moving, middle_state(document, FLAT))
+    yield from fitted_steps(document, moving, state_between(document, FLAT, 0.5))
     if facts.starts_packed:
         yield Step("fold_pack" if piece is None else "fold_pieces", said, "pack", piece)
         if facts.ties_early:
             yield from tie
-        loaded = bool(facts.packs) and not facts.model
+        loaded = bool(facts.packs)
         if loaded:
             yield from _carrying(facts, piece, unit)
         yield from mark
-        half = middle_state(document, "pack")
+        half = state_between(document, "pack", 0.5)
         if piece is None:
             name = "open" if loaded else "open_bare"
             yield Step(name, said, half, check=standing, more=several)
@@ -126,53 +113,16 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
             yield Step("join", said, SHELL, check=standing)
     else:
         yield from mark
-        yield Step("fold", said, middle_state(document, FLAT), check=standing, more=several)
+        yield Step("fold", said, state_between(document, FLAT, 0.5), check=standing, more=several)
     if not facts.ties_early:
         yield from tie
     others = {part.kind for part in document.attached} - moving
-    yield from _fitted(document, others - LAST, SHELL)
-    if facts.feet and not facts.model:
+    yield from fitted_steps(document, others - LAST, SHELL)
+    if facts.feet:
         check = "apart" if facts.apart is not None else ""
         values = {**said, "feet": plain(facts.feet)}
         yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
-    for step in _fitted(document, others & LAST, SHELL):
-        said = {**step.values, "strings": plain(len(facts.strings))}
-        name = f"{step.name}{'' if facts.strings else '_model'}"
-        high = ("high",) if _off_the_ground(document) else ()
-        yield replace(step, name=name, values=said, more=(*high, *step.more))
-
-
-def _fitted(document: Document, kinds: set[str], state: int | str) -> Iterator[Step]:
-    """Steps that fit parts of some kinds, in the order in which they come."""
-    for kind in dict.fromkeys(part.kind for part in document.attached):
-        if kind not in kinds:
-            continue
-        mine = [part for part in document.attached if part.kind == kind]
-        panels = sum(len(part.mesh.faces) for part in mine)
-        values = {f"{kind}s": plain(len(mine)), "panels": plain(panels)}
-        drilled = [len(part.holes) for part in mine if part.holes is not None]
-        values["brackets"] = plain(sum(drilled))
-        name, check = CLIPPED.get(kind, (f"{'bolt' if drilled else 'fit'}_{kind}", ""))
-        yield Step(name, values, state, check=check, more=("placed",) * (kind in PLACED))
-
-
-PLACED = ("flap", "gusset", "plate", "end_wall")
-"""Kinds of parts whose way to their place nobody has looked at."""
-LAST = {"end_wall"}
-"""Kinds of parts that are put up beside a shell that is anchored."""
-CLIPPED = {"flap": ("clip", "all_shut")}
-"""Step and check of parts that are clipped on; of others the step is that to fit them."""
-
-
-def _off_the_ground(document: Document) -> bool:
-    """Whether strips of end walls stand on others, or are over a door."""
-    walls = [part.shell.positions[:, 2] for part in document.attached if part.kind in LAST]
-    low = [float(each.min()) for each in walls]
-    return max(low) - min(low) > HIGH * max(float(np.ptp(each)) for each in walls)
-
-
-HIGH = 1e-6
-"""What is higher than this share of a wall is not on the ground."""
+    yield from closing_steps(document, facts, others & LAST)
 
 
 def _mark_out(document: Document, plan: GroundPlan) -> Step:
@@ -191,15 +141,6 @@ def _mark_out(document: Document, plan: GroundPlan) -> Step:
         )
         check = "crossed"
     return Step("mark_out", values, more=("ground",) * (swept is not None), check=check)
-
-
-def _tie(document: Document, facts: KitFacts) -> Step:
-    values = {
-        "ties": plain(len(facts.ties)),
-        "length": _between(min(facts.ties), max(facts.ties), document.unit),
-    }
-    name = "tie" if facts.ties_early else "tie_open"
-    return Step(name, values, SHELL, joined=facts.tied, check="tie")
 
 
 def _carrying(facts: KitFacts, piece: Booleans | None, unit: str) -> Iterator[Step]:
@@ -235,13 +176,3 @@ def pack_boxes(facts: KitFacts, unit: str) -> tuple[str, ...]:
         box(pack[:2] if not facts.construction and pack[2] < SLIM * pack[0] else pack, unit)
         for pack in facts.packs
     )
-
-
-DIGITS = 4
-"""Of what is measured with a tape: millimetres of metres."""
-
-
-def _between(low: float, high: float, unit: str) -> str:
-    """A length, or the least and the largest."""
-    least, most = (size(each, unit, digits=DIGITS) for each in (low, high))
-    return least if least == most else f"{least} - {most}"
