@@ -107,7 +107,10 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     under 2.5 times its loads.
     """
     ties = (((0, 1), (2, 1)), ((0, 2), (2, 2)), ((1, 1), (2, 1)))
-    design = cast("Any", SimpleNamespace(panel=None, attached=(), plates=(), boxes=(), carried=()))
+    design = cast(
+        "Any",
+        SimpleNamespace(panel=None, attached=(), plates=(), boxes=(), carried=(), end_walls=()),
+    )
     model = Tent(
         design,
         structure,
