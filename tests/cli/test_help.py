@@ -20,8 +20,9 @@ def texts(name: str) -> Iterator[str]:
     assert command.callback is not None
     yield inspect.getdoc(command.callback) or ""
     for parameter in inspect.signature(command.callback, eval_str=True).parameters.values():
-        (described,) = parameter.annotation.__metadata__
-        yield described.help
+        if parameter.annotation is not typer.Context:  # which is no argument of its users
+            (described,) = parameter.annotation.__metadata__
+            yield described.help
 
 
 def words(text: str) -> str:
