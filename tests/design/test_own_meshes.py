@@ -102,7 +102,7 @@ def test_a_mesh_with_y_up_is_turned_where_that_is_said(tmp_path: Path) -> None:
 def test_a_mesh_that_lies_on_its_side_draws_a_warning(tmp_path: Path) -> None:
     lying = _surface(tmp_path, _obj())
     assert not _stands(lying)
-    assert 'up = "y" in [target.surface] turns it' in lying.notes[0]
+    assert '(up = "y" in [target.surface])' in lying.notes[0]
     assert _surface(tmp_path, _obj(), up="z").notes == ()
     standing = _surface(tmp_path, _obj(up="z"))
     assert _stands(standing)

@@ -93,7 +93,7 @@ FAULTS = {
     "xi of 180": (("xi_deg = 50", "xi_deg = 180"), "[pattern] xi_deg", "at most 179.9"),
     "negative flap": (("flap = 0.3", "flap = -0.3"), "[pattern] flap", "at least 0"),
     "attack": (("-x**2", "__import__('os')"), "[target.f] formula", "character 12"),
-    "fault in a formula": (("-x**2", "-x^2"), "[target.f] formula", "write **"),
+    "fault in a formula": (("-x**2", "-x~2"), "[target.f] formula", "character 3"),
     "one frame": (("[pattern]", "[motion]\nframes = 1\n[pattern]"), "[motion] frames", "least 2"),
     "a decimal comma in a text": (
         ("flap = 0.3", 'flap = "0,3"'),

@@ -319,9 +319,9 @@ FAULTS = {
         "no number",
     ),
     "no formula in a range": (
-        'formula = "x"\nrange = ["2^3", 9]',
+        'formula = "x"\nrange = ["2~3", 9]',
         "[target.f] range[0]",
-        "write **",
+        "character 2",
     ),
     "a variable in a part": ('svg = "arc.svg"\npart = ["t", 1]', "[target.f] part[0]", "constants"),
     "a layer for an svg": ('svg = "a.svg"\nlayer = "0"', "[target.f] layer", "goes with dxf"),

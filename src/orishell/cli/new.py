@@ -129,7 +129,10 @@ def _metres(text: str | None) -> float | None:
     found = NUMBER.fullmatch(text)
     if found is None:
         raise InputError(
-            "a length in metres is asked for", where="--diameter", got=repr(text), expected="as 5"
+            "a length in metres is asked for",
+            where="--diameter",
+            got=repr(text),
+            expected="more than 0, as 5",
         )
     return float(found[1])
 
