@@ -100,7 +100,7 @@ def test_keys_that_are_not_there(tmp_path: Path) -> None:
     done = design(tmp_path, deployed(PACK + 'tie = "feet"\n'))
     assert done.returncode == 2
     assert f"{WHERE}tie: unknown key" in done.stderr
-    assert "Remedy: write ties" in done.stderr
+    assert "Did you mean ties?" in done.stderr
     assert "one of from, flap_attachment, largest_fold_deg, ties" in done.stderr
 
 

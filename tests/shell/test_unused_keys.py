@@ -97,7 +97,7 @@ def test_commands_name_what_they_do_not_use(tmp_path: Path) -> None:
 def test_a_card_model_has_the_creases_that_are_asked_for(tmp_path: Path) -> None:
     creases = {}
     for style in ("score", "dashes", "perforation"):
-        workshop = {"creases": style, "dash": 0.2, "duty": 0.5, "labels": "none"}
+        workshop = {"creases": style, "dash": 0.03, "duty": 0.5, "labels": "none"}
         shell = make_shell(
             check_design({**small(), "workshop": workshop}, Path("small.toml")), skip=MEASURES
         )
@@ -105,12 +105,12 @@ def test_a_card_model_has_the_creases_that_are_asked_for(tmp_path: Path) -> None
         drawing = read_sound(tmp_path / style / "fabric/pattern.dxf")
         lines = drawing.modelspace().query('*[layer=="MOUNTAIN" | layer=="VALLEY"]')
         creases[style] = len(lines)
-        # Sizes are the shell's; the share that is cut is the model's as well.
-        unused = {"workshop.dash"} if style != "score" else {"workshop.dash", "workshop.duty"}
+        # Where creases are scored there are no dashes; else they are the shell's, to scale.
+        unused = set() if style != "score" else {"workshop.dash", "workshop.duty"}
         assert set(kit.unused) == unused
-    # A crease is one line, some four dashes, some twenty cuts.
+    # A crease is one line, or many dashes of the length that is asked for.
     assert creases["dashes"] > 2 * creases["score"]
-    assert creases["perforation"] > 2 * creases["dashes"]
+    assert creases["perforation"] > 2 * creases["score"]
 
 
 def test_what_is_named_can_be_left_out() -> None:

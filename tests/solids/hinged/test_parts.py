@@ -180,12 +180,12 @@ def test_what_is_not_known_is_said_and_not_in_the_total() -> None:
 
 def test_masses_are_per_metre_and_per_cubic_metre() -> None:
     skip: tuple[Step, ...] = ("remedies", "stock", "pack", "deviation", "verification")
-    tables = {**TABLES, "shell": {"family": "flat-foldable", "unit": "mm"}}
+    tables = {**TABLES, "shell": {"family": "flat-foldable", "unit": "cm"}}
     small = make_shell(check_design(tables, Path("shell.toml")), clash="unexamined", skip=skip)
     large, bill = shell().report.quantities.built, small.report.quantities.built
     assert large is not None
     assert bill is not None
-    for name, scale in (("boards", 1e-9), ("arms", 1e-9), ("hinges", 1e-3)):
+    for name, scale in (("boards", 1e-6), ("arms", 1e-6), ("hinges", 1e-2)):
         mass = getattr(large.mass_kg, name)
         assert getattr(bill.mass_kg, name) == pytest.approx(scale * mass, rel=1e-9)
 

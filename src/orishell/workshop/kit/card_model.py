@@ -45,9 +45,8 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
     else:
         scale = tile_sheet(placed, workshop.paper_scale, workshop.paper).scale
     factor = millimetres * scale
-    dash, gap = (
-        each if each == "auto" else each * factor for each in (workshop.dash, workshop.corner_gap)
-    )
+    asked = "auto" if workshop.creases == "score" else workshop.dash
+    dash, gap = (each if each == "auto" else each * factor for each in (asked, workshop.corner_gap))
     hole = workshop.relief_hole * factor
     drawn = workshop.replace_unchecked(
         dash=dash if dash == "auto" or dash >= SHORTEST_MM else "auto",

@@ -55,7 +55,8 @@ def _folding(document: Document, facts: KitFacts) -> Iterator[Step]:
         several, said["freedoms"] = (f"several_{facts.freedoms[0]}",), facts.freedoms[1]
     push = "push_sides" if hands.sideways else "push_ends"
     first, *others = hands.states
-    yield Step("collapse", {"size": measured(document, first)}, first, more=(push, *several))
+    sized = {**said, "size": measured(document, first)}
+    yield Step("collapse", sized, first, more=(push, *several))
     for state in others:
         yield Step("collapse_on", {"size": measured(document, state)}, state)
     moving = {part.kind for part in document.attached if document.moves(part)}
