@@ -8,6 +8,7 @@ from orishell.design.design import (
     Parameter,
     warn_of_no_lock,
 )
+from orishell.design.end_walls import BuiltEndWall, Door, EndWall, Opening
 from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback, Sides
@@ -20,13 +21,17 @@ from orishell.design.surface import Lattice, Surface
 __all__ = [
     "Approached",
     "AskedSurface",
+    "BuiltEndWall",
     "Construction",
     "Design",
+    "Door",
+    "EndWall",
     "FlapSide",
     "FormulaSurface",
     "HingeSpec",
     "Lattice",
     "MeshSurface",
+    "Opening",
     "PanelSpec",
     "Parameter",
     "Path",
