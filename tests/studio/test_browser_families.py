@@ -112,3 +112,25 @@ def test_where_no_family_makes_a_shell_each_says_why(page: Page) -> None:
     reasons = page.locator("[data-testid=family-trials] .why-not")
     made = page.locator("[data-testid^=go-on-]")
     assert rows.count() == reasons.count() + made.count() == 4
+
+
+def test_keys_on_the_way_to_a_family_take_nothing_from_the_design(page: Page) -> None:
+    """Among the cards between is one that follows no surface, and one undo takes the way back."""
+    choose(page, "parallel-repeating")
+    page.evaluate(SURFACE)
+    before = state(page, "design.value")
+    page.get_by_test_id("family-parallel-repeating").focus()
+    walked = []
+    for _ in range(5):
+        page.keyboard.press("ArrowRight")
+        walked.append(state(page, "design.value.shell.family"))
+    assert walked[-2:] == ["pattern", "auto"]
+    assert state(page, "design.value.target") == before["target"]
+    page.keyboard.press("ArrowRight")
+    assert state(page, "design.value") == before
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    assert state(page, "design.value.target") == before["target"]
+    page.evaluate(f"{STORE}.undo()")
+    assert state(page, "design.value") == before
+    drawn(page)

@@ -69,7 +69,11 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const [f, g] = (["f", "g"] as const).map((name) => new CurveEditor(store, name, () => sketch.begin([name]))) as [CurveEditor, CurveEditor];
   const editors = [f, g];
   const sketch = new Sketch(store, { f, g });
-  store.design.watch((now, before) => aimOf(now) !== aimOf(before) && stage.forgetCamera());
+  store.design.watch((now, before) => {
+    if (aimOf(now) === aimOf(before)) return;
+    stage.forgetCamera();
+    editors.forEach((editor) => editor.refit());
+  });
   const surface = new SurfaceEditor(store, () => stage.forgetCamera());
   keepSurfaceDrawn(store);
   const drawing = new DrawingForm(store, (work) => store.open(work));

@@ -4,6 +4,7 @@ import { button } from "../parts/controls.ts";
 import { h, setAttribute } from "../parts/dom.ts";
 import { designIn } from "../state/aims.ts";
 import type { Store } from "../state/store.ts";
+import type { Design } from "../state/types.ts";
 
 export class Families {
   readonly element: HTMLElement;
@@ -13,6 +14,9 @@ export class Families {
   private folded = true;
   /** Whether a pointer chooses: keys go from one card to the next, and may go on. */
   private pointed = false;
+  /** The design from which keys go along the cards, and what the present one makes of it: none of those between
+   * takes a target away that the next could follow. */
+  private walk: { from: Design; now: Design } | null = null;
 
   constructor(private readonly store: Store) {
     for (const [name, family] of Object.entries(store.info.families)) {
@@ -38,11 +42,11 @@ export class Families {
     this.cards.addEventListener("keydown", ({ key }) => {
       this.pointed = false;
       if (key.startsWith("Arrow")) this.fold(false);
-      else if (key === "Enter" || key === "Escape") this.fold(true);
+      else if (key === "Enter" || key === "Escape") this.arrive();
     });
     this.element = h("div", { class: "family-choice" }, this.cards, this.more);
     this.element.addEventListener("focusout", ({ relatedTarget }) => {
-      if (relatedTarget instanceof Node && !this.element.contains(relatedTarget)) this.fold(true);
+      if (relatedTarget instanceof Node && !this.element.contains(relatedTarget)) this.arrive();
     });
     this.fold(true);
     store.design.bind((design) => {
@@ -56,8 +60,22 @@ export class Families {
     setAttribute(this.more, "aria-expanded", String(!folded));
   }
 
+  private arrive(): void {
+    this.fold(true);
+    if (this.walk) this.store.rest();
+    this.walk = null;
+  }
+
   private choose(family: string): void {
-    this.store.change(designIn(this.store, family), "family");
-    if (this.pointed) this.fold(true);
+    const { store } = this;
+    const { info, left, design } = store;
+    if (this.pointed) {
+      store.change(designIn(store, family), "family");
+      return this.fold(true);
+    }
+    const from = this.walk?.now === design.value ? this.walk.from : design.value;
+    const now = family === from.shell.family ? from : designIn({ info, left, design: { value: from } }, family);
+    this.walk = { from, now };
+    store.change(now, "family", "family!");
   }
 }

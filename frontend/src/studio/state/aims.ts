@@ -83,7 +83,7 @@ export class Left {
 /** What is known of designs and families. */
 interface Known {
   readonly info: Info;
-  readonly design: Signal<Design>;
+  readonly design: { readonly value: Design };
   readonly left: Left;
 }
 
