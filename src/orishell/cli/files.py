@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 import typer
 
-from orishell.conventions.errors import DesignError, InputError, printable
+from orishell.conventions.errors import InputError, printable
 from orishell.conventions.meant import no_such
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import SPACE
@@ -128,15 +128,13 @@ def designed(asked: DesignFile, clash: ClashPolicy = "refused", *, card: bool = 
     """
     from orishell.shell.make import make_shell
 
-    try:
-        with bar() as progress:
-            shell = make_shell(asked, progress, clash=clash)
-    except DesignError as error:
-        for note in asked.notes:
-            error.add_note(f"Beside that, {note}.")
-        raise
+    # First what is known before any work, which may take minutes.
+    for note in asked.notes:
+        say(f"orishell: warning: {note}", err=True)
+    with bar() as progress:
+        shell = make_shell(asked, progress, clash=clash)
     for warning in shell.report.warnings:
-        if card and getattr(warning, "about", None) in OF_BUILDING:
+        if warning in asked.notes or (card and getattr(warning, "about", None) in OF_BUILDING):
             continue
         say(f"orishell: warning: {warning}", err=True)
     return shell

@@ -25,6 +25,7 @@ class MeshSurface:
 
     piece: Piece
     notes: tuple[str, ...] = ()  # what is to be said of how it was read
+    unit: str = ""  # of its file, or as somebody says; "" if nobody does
 
     @classmethod
     def of(cls, vertices: Array, triangles: Integers, corners: Array | None = None) -> MeshSurface:

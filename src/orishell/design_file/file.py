@@ -29,6 +29,7 @@ from orishell.design_file.constructions import (
     require_meant_thickness,
     require_one_hinge_density,
 )
+from orishell.design_file.doubts import doubts_of
 from orishell.design_file.faults import explain, read_tables
 from orishell.design_file.fit import FitTable
 from orishell.design_file.inputs import input_files
@@ -111,7 +112,7 @@ class DesignFile:
     @property
     def notes(self) -> tuple[str, ...]:
         """What is to be said of how the files of its target were read."""
-        return self._known.notes
+        return self._known.notes + doubts_of(self.surface, self.unit, sized=self.fit is not None)
 
     @property
     def _known(self) -> Known:

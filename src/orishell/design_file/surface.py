@@ -243,6 +243,7 @@ class SurfaceTable(Table):
             corners = None if self.corners is None else factor * np.array(self.corners)
             with np.errstate(over="ignore"):  # what overflows is refused
                 made = MeshSurface.of(factor * vertices, faces, corners)
+        made = replace(made, unit=self.unit or file.unit or "")
         if (self.up or file.up) is None and lies_on_its_side(made.piece):
             return replace(made, notes=(LYING,))
         return made

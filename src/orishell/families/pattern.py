@@ -147,6 +147,10 @@ class Pattern(Table, metaclass=Called):
         """Design the shell that these parameters and a drawn sheet ask for."""
         raise NotImplementedError
 
+    def largest_panel(self, surface: PiecedSurface) -> float:
+        """An area that a panel over a surface has at least; 0 where none is known before."""
+        return 0.0
+
     @classmethod
     def aims(cls) -> list[Aim]:
         """What its shells can follow: nothing only where they follow no curves."""

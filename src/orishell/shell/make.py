@@ -28,6 +28,7 @@ from orishell.numerics.arrays import Array
 from orishell.shell.candidate import Candidate
 from orishell.shell.facts import Facts, measure, with_structure
 from orishell.shell.fit.built_size import triangles_of
+from orishell.shell.foreseen import require_room_for_panels
 from orishell.shell.notes import all_notes
 from orishell.shell.one_motion import find_joining
 from orishell.shell.open_questions import find_candidate
@@ -133,6 +134,8 @@ def make_shell(
     require_steps(skip)
     work = Work(progress, clash, skip)
     try:
+        if work.asks("stock"):
+            require_room_for_panels(file)
         return _made(find_candidate(file, work), work, told)
     except InputError as error:
         raise error.in_file(file.path) from None

@@ -91,9 +91,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
 
 def on_its_roll(document: Document, workshop: Workshop) -> Workshop:
     """The settings by which the flat sheet is laid out: rolls are the stock of a membrane."""
-    if workshop.roll is None or not has_membrane(document):
-        return workshop
-    return workshop.replace_unchecked(stock=workshop.roll)
+    return workshop.for_membrane() if has_membrane(document) else workshop
 
 
 def require_stock(document: Document, workshop: Workshop) -> None:

@@ -191,6 +191,10 @@ class Workshop(Table):
             raise error.at_key("workshop.palette") from None
         return self.replace_unchecked(palette=path)
 
+    def for_membrane(self) -> Workshop:
+        """The settings by which a membrane is laid out: rolls, where there are any, are stock."""
+        return self if self.roll is None else self.replace_unchecked(stock=self.roll)
+
     @property
     def usable_stock(self) -> tuple[float, float]:
         """Width and height of the stock without its margins, where there is stock.

@@ -15,7 +15,7 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number, misfit
 from orishell.design import Design, PiecedSurface
 from orishell.families.flat_foldable.design import of_lists, of_name
-from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+from orishell.families.flat_foldable.fit.design import COVERED, Asked, design_fitted
 from orishell.families.flat_foldable.ground import Ground
 from orishell.families.flat_foldable.lists import CORNERS, LISTS, SHORTER, Lists
 from orishell.families.flat_foldable.locks.flaps import locked
@@ -224,6 +224,10 @@ class FlatFoldablePattern(Pattern):
         if not self.flap:
             return design
         return locked(design, self.flap, straight=self.border == "straight")
+
+    def largest_panel(self, surface: PiecedSurface) -> float:
+        """The mean panel of the smallest sheet that is taken over a surface."""
+        return COVERED * surface.area() / ((self.rows + 1) * (self.columns + 1))
 
     def idle(self) -> set[str]:
         """Keys of a fit, of a sheet without a target."""

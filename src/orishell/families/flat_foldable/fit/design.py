@@ -28,6 +28,7 @@ from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.placement import posed
 from orishell.families.shared.folding import turned
+from orishell.motion import area_of
 from orishell.numerics.arrays import Array
 
 
@@ -70,6 +71,9 @@ LOOSE = 0.01
 """Vertices that leave the offset surfaces by a larger share of the diagonal draw a warning."""
 USELESS = 0.05
 """From this share on the sheet is refused."""
+COVERED = 0.25
+"""So is one of less than this share of the surface's area: those of the examples have 1.2 to 2.1
+times as much, as they are corrugated."""
 
 
 @dataclass(frozen=True)
@@ -107,6 +111,9 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         raise _useless(asked, fit)
     free = mechanism_of(fit)
     mechanism = grounded(free, asked.ground)
+    share = area_of(mechanism) / asked.surface.area()
+    if share < COVERED:
+        raise _too_small(asked, share)
     return Design(
         mechanism=mechanism,
         parameters={
@@ -196,6 +203,16 @@ def _useless(asked: Asked, fit: Fit) -> DesignError:
         f"{_percent(reached.mesh)} with its corrugation; {_percent(USELESS)} is allowed",
         candidates=_remedies(asked),
         excess=reached.vertices / USELESS - 1,
+    )
+
+
+def _too_small(asked: Asked, share: float) -> DesignError:
+    return DesignError(
+        "no sheet of this family was found that covers the surface",
+        keys=("pattern.edge_ratio", "pattern.rows", "pattern.columns"),
+        size=f"the nearest has {_percent(share)} of its area; {_percent(COVERED)} is asked for",
+        candidates=_remedies(asked),
+        excess=COVERED / share - 1,
     )
 
 
