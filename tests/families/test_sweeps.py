@@ -15,7 +15,7 @@ import pytest
 
 from orishell import curve_from_points
 from orishell.design import Surface
-from orishell.design.piece import Piece
+from orishell.design.piece import Facets, Piece
 from orishell.families.longitudinal_linear_repeating.pattern import LongitudinalPattern
 from orishell.families.orthodiagonal.pattern import OrthodiagonalPattern
 from orishell.families.parallel_repeating.pattern import ParallelRepeatingPattern
@@ -52,7 +52,8 @@ def piece_of(height: Height, ax: float = 1.0, ay: float = 1.0, count: int = CELL
 def turned(piece: Piece, angle: float) -> Piece:
     c, s = np.cos(angle), np.sin(angle)
     turn = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
-    return replace(piece, vertices=piece.vertices @ turn, normals=piece.normals @ turn)
+    facets = Facets(piece.vertices @ turn, piece.normals @ turn, piece.triangles)
+    return replace(piece, facets=facets)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design.mesh_facing import vertex_normals
 from orishell.design.open_mesh import OpenMesh, find_corners, open_mesh, require_size
-from orishell.design.piece import Piece
+from orishell.design.piece import Facets, Piece
 from orishell.design.plan_rectangle import PlanRectangle, mesh_over
 from orishell.design.surface import Lattice
 from orishell.motion.quads import lengths
@@ -76,7 +76,9 @@ class MeshSurface:
             mesh.rim[np.arange(first, first + 1 + (last - first) % count) % count]
             for first, last in zip(ends, np.roll(ends, -1), strict=True)
         )
-        return cls(Piece(mesh.vertices, normals, mesh.triangles, (top, right, bottom, left)))
+        return cls(
+            Piece(Facets(mesh.vertices, normals, mesh.triangles), (top, right, bottom, left))
+        )
 
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at shares u (...) from bottom to top and v (...) from left to right.

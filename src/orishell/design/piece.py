@@ -117,14 +117,50 @@ Side = Integers
 
 
 @record
-class Piece:
-    """Triangles with smooth normals, and a rim of four sides."""
+class Facets:
+    """Triangles with smooth normals."""
 
     vertices: Array  # (V, 3)
     normals: Array  # (V, 3), unit vectors
     triangles: Integers  # (T, 3), counter-clockwise seen from the side of the normals
+
+    @cached_property
+    def normal(self) -> Array:
+        """Their mean normal (3,)."""
+        p, q, r = np.moveaxis(self.vertices[self.triangles], 1, 0)
+        normal = np.cross(q - p, r - p).sum(axis=0)
+        return np.asarray(normal / np.linalg.norm(normal))
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Diagonal of their box."""
+        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
+    def foot(self, points: Array) -> Foot:
+        """Where points (N, 3) are nearest to them."""
+        _, index, feet = self._tree.squared_distance(
+            self.vertices, self.triangles, np.ascontiguousarray(points)
+        )
+        corners = self.triangles[index]
+        steps = self.vertices[corners] - feet[:, None]
+        return Foot(points - feet, steps, shares_of(steps), self.normals[corners])
+
+    @cached_property
+    def _tree(self) -> Any:
+        import igl
+
+        tree = igl.AABB()
+        tree.init(self.vertices, np.ascontiguousarray(self.triangles))
+        return tree
+
+
+@record
+class Piece:
+    """Triangles with smooth normals, and a rim of four sides."""
+
+    facets: Facets
     # The top from left to right, the right side downwards, the bottom from right to left and the
-    # left side upwards, seen from there.
+    # left side upwards, seen from the side of the normals.
     sides: tuple[Side, Side, Side, Side]
 
     @classmethod
@@ -135,73 +171,89 @@ class Piece:
         a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
         triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
         sides = number[0], number[:, -1], number[-1, ::-1], number[::-1, 0]
-        return cls(points.reshape(-1, 3), normals.reshape(-1, 3), triangles, sides)
+        return cls(Facets(points.reshape(-1, 3), normals.reshape(-1, 3), triangles), sides)
 
     @cached_property
     def centre(self) -> Array:
         """A point (3,) in its middle: the mean of its corners' means along the rim."""
-        return np.asarray(
-            np.mean([self.vertices[side].mean(axis=0) for side in self.sides], axis=0)
-        )
+        return np.asarray(np.mean([line.mean(axis=0) for line in self.rim], axis=0))
+
+    @property
+    def vertices(self) -> Array:
+        """Those of its triangles (V, 3)."""
+        return self.facets.vertices
+
+    @property
+    def normals(self) -> Array:
+        """Their unit normals (V, 3)."""
+        return self.facets.normals
+
+    @property
+    def triangles(self) -> Integers:
+        """Its triangles (T, 3)."""
+        return self.facets.triangles
+
+    @property
+    def diagonal(self) -> float:
+        """Diagonal of its box."""
+        return self.facets.diagonal
+
+    @property
+    def rim(self) -> list[Array]:
+        """The four sides, as polylines (K, 3)."""
+        return [self.vertices[side] for side in self.sides]
 
     @cached_property
     def axes(self) -> Array:
         """Unit vectors (3, 3): from left to right, from bottom to top, and its mean normal."""
-        p, q, r = np.moveaxis(self.vertices[self.triangles], 1, 0)
-        normal = np.cross(q - p, r - p).sum(axis=0)
-        normal /= np.linalg.norm(normal)
-        _, right, _, left = (self.vertices[side].mean(axis=0) for side in self.sides)
+        normal = self.facets.normal
+        _, right, _, left = (line.mean(axis=0) for line in self.rim)
         across = right - left - ((right - left) @ normal) * normal
         across /= np.linalg.norm(across)
         return np.stack([across, np.cross(normal, across), normal])
-
-    @cached_property
-    def diagonal(self) -> float:
-        """Diagonal of its box."""
-        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @property
     def extents(self) -> tuple[float, float]:
         """Mean lengths from left to right and from bottom to top, along the surface."""
         top, right, bottom, left = (
-            float(lengths(np.diff(self.vertices[side], axis=0)).sum()) for side in self.sides
+            float(lengths(np.diff(line, axis=0)).sum()) for line in self.rim
         )
         return 0.5 * (top + bottom), 0.5 * (left + right)
 
-    def turned(self) -> Piece:
-        """The piece with its right side as the top."""
-        top, right, bottom, left = self.sides
-        return replace(self, sides=(right, bottom, left, top))
+    def turned(self, times: int = 1) -> Piece:
+        """The piece with its right side as the top, or that turned again."""
+        piece = self
+        for _ in range(times % 4):
+            top, right, bottom, left = piece.sides
+            piece = replace(piece, sides=(right, bottom, left, top))
+        return piece
 
     def flattened(self, share: float) -> Piece:
         """The piece whose departures from its mean plane are a share, above 0, of what they are."""
-        normal = self.axes[2]
-        heights = (self.vertices - self.centre) @ normal
-        vertices = self.vertices - ((1 - share) * heights)[:, None] * normal
-        normals = self.normals + (1 / share - 1) * (self.normals @ normal)[:, None] * normal
+        normal, normals = self.axes[2], self.normals
+        normals = normals + (1 / share - 1) * (normals @ normal)[:, None] * normal
         normals = normals / lengths(normals)[:, None]
-        return replace(self, vertices=vertices, normals=normals)
+        vertices = self.pressed(self.vertices, share)
+        return replace(self, facets=Facets(vertices, normals, self.triangles))
+
+    def pressed(self, points: Array, share: float) -> Array:
+        """Points (N, 3) as they are moved when the piece is flattened."""
+        normal = self.axes[2]
+        heights = (points - self.centre) @ normal
+        return np.asarray(points - ((1 - share) * heights)[:, None] * normal)
 
     def nearest(self, points: Array) -> tuple[Array, Array]:
         """Signed distances (N,) of points (N, 3), and unit normals (N, 3) where they are nearest.
 
         Beyond the rim it is the distance from the plane that touches there.
         """
-        foot = self._foot(points)
+        foot = self.facets.foot(points)
         return foot.distances, foot.direction
 
     def over(self, points: Array) -> tuple[Array, Array]:
         """Signed distances (N,) of points (N, 3), and their derivatives (N, 3) by the points."""
-        foot = self._foot(points)
+        foot = self.facets.foot(points)
         return foot.distances, foot.slopes
-
-    def _foot(self, points: Array) -> Foot:
-        _, index, feet = self._tree.squared_distance(
-            self.vertices, self.triangles, np.ascontiguousarray(points)
-        )
-        corners = self.triangles[index]
-        steps = self.vertices[corners] - feet[:, None]
-        return Foot(points - feet, steps, shares_of(steps), self.normals[corners])
 
     def beside(self, side: int, points: Array) -> tuple[Array, Array]:
         """Distances (N,) of points (N, 3) from a side, and their derivatives (N, 3) by the points.
@@ -237,11 +289,3 @@ class Piece:
             outwards = np.cross(self.normals[side], along)
             found.append((line, outwards / lengths(outwards)[:, None]))
         return tuple(found)
-
-    @cached_property
-    def _tree(self) -> Any:
-        import igl
-
-        tree = igl.AABB()
-        tree.init(self.vertices, np.ascontiguousarray(self.triangles))
-        return tree

@@ -9,7 +9,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import Parameter
-from orishell.families.flat_foldable.net import Net, Numbers, Sheet
+from orishell.families.flat_foldable.march import Numbers
+from orishell.families.flat_foldable.net import Net, Sheet
 from orishell.numerics.arrays import Array
 
 CORNERS = (1.0,) * 8

@@ -20,18 +20,18 @@ exact derivatives by complex steps. The last axis of all arrays is one of many s
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.conventions.record import record
+from orishell.families.flat_foldable.march import (
+    Numbers,
+    march_lengths,
+    march_of,
+    march_sectors,
+)
 from orishell.numerics.arrays import Array, Booleans
-
-Numbers = NDArray[Any]
-"""Real or complex numbers."""
 
 
 @record
@@ -114,16 +114,12 @@ class Net:
         i, j = given
         a = np.zeros(ties.shape, np.result_type(ties, self.row_angles))
         a[i], a[:, j] = self.row_angles, self.column_angles
-        logs = a, np.where(mode[..., None], ties - a, a - ties)
-        for part in _quadrants(i, j):
-            seen = part.seen(*(each[part.place].copy() for each in logs))
-            _march_sectors(
-                *seen, part.seen_ties(ties[part.place], mode[part.place]), mode[part.place]
-            )
-            for each, found in zip(logs, part.seen(*seen), strict=True):
-                each[part.place] = found
-        a, b = (2 * np.arctan(np.exp(each)) for each in logs)
-        return a, b
+        b = np.where(mode[..., None], ties - a, a - ties)
+        march = march_of(mode.shape, given)
+        seen = march.seen(a, b)
+        march_sectors(march, *seen, *march.seen_ties(ties, mode))
+        a, b = march.unseen(seen, a.shape)
+        return 2 * np.arctan(np.exp(a)), 2 * np.arctan(np.exp(b))
 
     def _lengths(self, a: Numbers, b: Numbers, given: tuple[int, int]) -> tuple[Numbers, Numbers]:
         """Lengths of edges along rows (R, C-1, B) and down columns (R-1, C, B)."""
@@ -132,13 +128,8 @@ class Net:
         rows = np.empty((count, across - 1, many), a.dtype)
         columns = np.empty((count - 1, across, many), a.dtype)
         rows[i], columns[:, j] = self.row_lengths, self.column_lengths
-        for part in _quadrants(i, j):
-            (down, right), (below, beside) = part.place, part.edges
-            _march_lengths(
-                rows[down, beside],
-                columns[below, right],
-                *part.seen_sectors(a[part.place], b[part.place]),
-            )
+        march = march_of(a.shape[:2], given)
+        march_lengths(march, rows, columns, *march.seen_sectors(a, b))
         return rows, columns
 
 
@@ -200,81 +191,6 @@ class Sheet:
 
 CORNERS = ((0, 0), (0, -1), (-1, 0), (-1, -1))
 """Rows and columns of the corners of a sheet."""
-
-
-@record
-class _Quadrant:
-    """A quarter of a sheet, seen from the middle vertex as going down and to the right.
-
-    In a mirror sectors a and b change places; upside down they are pi - b and pi - a.
-    """
-
-    place: tuple[slice, slice]  # of vertices
-    edges: tuple[slice, slice]  # of edges down columns, and along rows
-    mirrored: bool
-    upwards: bool
-
-    def seen(self, a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
-        """log tan of half sectors; from what is seen back to what is."""
-        if self.upwards:
-            a, b = -a, -b
-        return (b, a) if self.mirrored is not self.upwards else (a, b)
-
-    def seen_sectors(self, a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
-        """Sectors."""
-        if self.upwards:
-            a, b = np.pi - a, np.pi - b
-        return (b, a) if self.mirrored is not self.upwards else (a, b)
-
-    def seen_ties(self, ties: Numbers, mode: Booleans) -> Numbers:
-        """Sums of logs in row mode, differences in column mode."""
-        signs = np.where(mode, -1.0 if self.upwards else 1.0, -1.0 if self.mirrored else 1.0)
-        return np.asarray(signs[..., None] * ties)
-
-
-def _quadrants(i: int, j: int) -> Iterator[_Quadrant]:
-    """The quarters about the middle vertex (i, j)."""
-    onward = slice(i, None), slice(j, None)
-    back = slice(i, None, -1), slice(j, None, -1)
-    # The edges before a vertex have the numbers below its own.
-    before = [slice(k - 1, None, -1) if k else slice(0, 0) for k in (i, j)]
-    for upwards in (False, True):
-        for mirrored in (False, True):
-            place = (back if upwards else onward)[0], (back if mirrored else onward)[1]
-            below = before[0] if upwards else onward[0]
-            beside = before[1] if mirrored else onward[1]
-            yield _Quadrant(place, (below, beside), mirrored, upwards)
-
-
-def _diagonals(high: int, wide: int) -> Iterator[tuple[Any, Any]]:
-    """Rows and columns, from 1 on, of one diagonal after the other."""
-    for number in range(2, high + wide - 1):
-        i = np.arange(max(1, number - wide + 1), min(high - 1, number - 1) + 1)
-        yield i, number - i
-
-
-def _march_sectors(log_a: Numbers, log_b: Numbers, ties: Numbers, mode: Booleans) -> None:
-    """Fill in log tan(a/2) and log tan(b/2) (h, w, B), known in the first row and column."""
-    a, b = (2 * np.arctan(np.exp(each)) for each in (log_a, log_b))
-    for i, j in _diagonals(*mode.shape):
-        b[i, j] = b[i - 1, j - 1] + a[i - 1, j] - a[i, j - 1]
-        log = log_b[i, j] = np.log(np.tan(0.5 * b[i, j]))
-        tied = ties[i, j]
-        log_a[i, j] = np.where(mode[i, j][:, None], tied - log, tied + log)
-        a[i, j] = 2 * np.arctan(np.exp(log_a[i, j]))
-
-
-def _march_lengths(along: Numbers, down: Numbers, a: Numbers, b: Numbers) -> None:
-    """Fill in lengths along rows (h, w-1, B) and down columns (h-1, w, B) from the first of each.
-
-    The edges of a panel close: their parts square to the right and to the lower edge are 0.
-    """
-    for i, j in _diagonals(*a.shape[:2]):
-        row, column = along[i - 1, j - 1], down[i - 1, j - 1]
-        near, right, low = b[i - 1, j - 1], a[i - 1, j], a[i, j - 1]
-        far = np.sin(b[i, j])
-        along[i, j - 1] = (row * np.sin(right) - column * np.sin(near + right)) / far
-        down[i - 1, j] = (column * np.sin(low) + row * np.sin(near - low)) / far
 
 
 def _direction(angle: Numbers) -> Numbers:

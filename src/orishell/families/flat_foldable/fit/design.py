@@ -20,9 +20,9 @@ from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.continuation import THOROUGH
 from orishell.families.flat_foldable.fit.figures import measure
-from orishell.families.flat_foldable.fit.initial_guesses import SECTOR, Fit, Start, Task, fit_sheet
+from orishell.families.flat_foldable.fit.initial_guesses import Fit, Start, Task, fit_sheet
 from orishell.families.flat_foldable.fit.residuals import Problem
-from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT, Unknowns
+from orishell.families.flat_foldable.fit.unknowns import OFFSET, ROTATION, SHIFT
 from orishell.families.flat_foldable.ground import Ground, grounded
 from orishell.families.flat_foldable.lists import describe
 from orishell.families.flat_foldable.mechanism import FlatFoldable
@@ -58,10 +58,7 @@ def recall_fit(
     if fresh or known is None:
         return fresh[0] if fresh else None
     start, unknowns = known
-    seen = start.on(piece)
-    of = Unknowns.covering(
-        seen, task.rows, task.columns, SECTOR, start.folded, straight=task.straight
-    )
+    seen, of = start.on(piece), task.begun(start)
     fitted = Problem(seen, of, THOROUGH.final, conditions).at(unknowns)
     assert fitted is not None
     return Fit(start, of, fitted, measure(seen, fitted, of.size, float(unknowns[OFFSET])))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -11,7 +12,13 @@ from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import record
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
-from orishell.families.flat_foldable.fit.continuation import FAST, THOROUGH, Course, follow
+from orishell.families.flat_foldable.fit.continuation import (
+    FAST,
+    THOROUGH,
+    Begun,
+    Course,
+    follow,
+)
 from orishell.families.flat_foldable.fit.figures import Reached
 from orishell.families.flat_foldable.fit.residuals import Fitted
 from orishell.families.flat_foldable.fit.unknowns import Unknowns
@@ -35,7 +42,6 @@ ALIKE = 0.02
 """Sheets are alike if none of their figures differs by more than this share."""
 TIE = 1e-3
 """Coarse sheets whose scores differ by less than this share are equally near."""
-WHAT = "fitting the sheet"
 
 
 @dataclass(frozen=True)
@@ -47,9 +53,12 @@ class Start:
 
     def on(self, piece: Piece) -> Piece:
         """The piece as the sheet sees it."""
-        for _ in range(self.direction // 90):
-            piece = piece.turned()
-        return piece
+        return piece.turned(self.turns)
+
+    @property
+    def turns(self) -> int:
+        """How often the piece is turned."""
+        return self.direction // 90
 
 
 @record
@@ -72,30 +81,42 @@ class Task:
     conditions: Conditions
     straight: bool = False  # whether the right border is straight in the flat sheet
 
-    def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
-        """The sheet that a start leads to; None where it does not keep the conditions itself."""
-        seen = start.on(self.piece)
+    def tried(
+        self, starts: Sequence[Start], course: Course, progress: Progress = no_progress
+    ) -> list[Fit | None]:
+        """The sheets that starts lead to; None for one that does not keep the conditions itself."""
         with np.errstate(divide="ignore", invalid="ignore"):  # rounding swallows edges
-            of = Unknowns.covering(
-                seen, self.rows, self.columns, SECTOR, start.folded, straight=self.straight
-            )
-        found = follow(seen, of, self.conditions, course, progress)
-        return None if found is None else Fit(start, of, *found)
+            begun = [Begun(each.turns, self.begun(each)) for each in starts]
+        found = follow(self.piece, begun, self.conditions, course, progress)
+        return [
+            None if fitted is None else Fit(start, each.of, *fitted)
+            for start, each, fitted in zip(starts, begun, found, strict=True)
+        ]
+
+    def begun(self, start: Start) -> Unknowns:
+        """What a start is made of."""
+        return Unknowns.covering(
+            start.on(self.piece),
+            self.rows,
+            self.columns,
+            SECTOR,
+            start.folded,
+            straight=self.straight,
+        )
 
     def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
-        """Starts, those first that lead nearest with a coarse sheet; of those alike only one."""
+        """Starts, those first that lead nearest with a coarse sheet; of those alike only one.
+
+        Those that lead to none are left out, unless all do.
+        """
         coarse, share = self.coarse()
-        reached: list[Reached | None] = []
-        for number, start in enumerate(starts):
-            found = coarse.tried(start, FAST)
-            reached.append(None if found is None else found.reached)
-            progress((number + 1) / len(starts), WHAT)
-        scores = [np.inf if each is None else each.score(share) for each in reached]
-        kept: list[int] = []
-        for k in _order(scores):
-            if not any(_alike(reached[k], reached[other]) for other in kept):
-                kept.append(k)
-        return [starts[k] for k in kept]
+        found = coarse.tried(starts, FAST, progress)
+        reached = {start: each.reached for start, each in zip(starts, found, strict=True) if each}
+        kept: list[Start] = []
+        for start in _order({start: each.score(share) for start, each in reached.items()}):
+            if not any(_alike(reached[start], reached[other]) for other in kept):
+                kept.append(start)
+        return kept or starts
 
     def coarse(self) -> tuple[Task, float]:
         """The task with fewer panels, and how much larger these are."""
@@ -107,22 +128,20 @@ class Task:
         return replace(self, rows=rows, columns=columns), share
 
 
-def _order(scores: list[float]) -> list[int]:
-    """Numbers of scores, the least first; of those that are as good the first.
+def _order(scores: Mapping[Start, float]) -> list[Start]:
+    """Those of the least score first; of those that are as good the first.
 
     Starts that symmetry makes alike differ by rounding, and by how the surface is given.
     """
-    left, found = list(range(len(scores))), list[int]()
+    left, found = dict(scores), list[Start]()
     while left:
-        least = min(scores[k] for k in left)
-        found.append(next(k for k in left if scores[k] <= (1 + TIE) * least))
-        left.remove(found[-1])
+        least = min(left.values())
+        found.append(next(each for each, score in left.items() if score <= (1 + TIE) * least))
+        del left[found[-1]]
     return found
 
 
-def _alike(one: Reached | None, other: Reached | None) -> bool:
-    if one is None or other is None:
-        return False
+def _alike(one: Reached, other: Reached) -> bool:
     return np.allclose(one.figures, other.figures, rtol=ALIKE, atol=0)
 
 
@@ -157,7 +176,7 @@ def fit_sheet(
     for number, (start, good) in enumerate(zip(starts, limits, strict=False)):
         begun = SHARE + (1 - SHARE) * number / len(limits)
         told = stretch(progress, begun, begun + (1 - SHARE) / len(limits))
-        found = task.tried(start, THOROUGH, told)
+        (found,) = task.tried([start], THOROUGH, told)
         if found is not None:
             finished.append(found)
             if found.reached.vertices <= good:

@@ -5,7 +5,7 @@ Distances and their derivatives by points are those of the piece, in the unit of
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -17,15 +17,17 @@ from orishell.motion.quads import dots, lengths, units
 from orishell.numerics.arrays import Array, Integers
 
 
-def homes(piece: Piece, shape: tuple[int, int]) -> Array:
-    """Points (R+2, C+2, 3) for a shape R+2, C+2: Coons' patch of the sides, evenly divided.
+def homes(rim: Sequence[Array], shape: tuple[int, int]) -> Array:
+    """Points (R+2, C+2, 3) for a shape R+2, C+2: Coons' patch of four sides, evenly divided.
 
     S. A. Coons, Surfaces for computer-aided design of space forms, MIT MAC-TR-41 (1967).
+
+    rim: Polylines (K, 3): the top from left to right, and so on around.
     """
     rows, columns = shape
     top, right, bottom, left = (
-        _evenly(piece.vertices[side], count)
-        for side, count in zip(piece.sides, (columns, rows, columns, rows), strict=True)
+        _evenly(line, count)
+        for line, count in zip(rim, (columns, rows, columns, rows), strict=True)
     )
     bottom, left = bottom[::-1], left[::-1]
     u, v = np.linspace(0, 1, columns)[:, None], np.linspace(0, 1, rows)[:, None, None]
@@ -92,9 +94,10 @@ class Problem:
         self.edges = edge_numbers(*shape)
         self.corners = corner_numbers(*shape)
         # A Miura-ori's rows zigzag about those of an even sheet.
-        zigzag = of.placed(of.first).vertices - homes(piece.flattened(FLAT), shape)
+        flat = [piece.pressed(line, FLAT) for line in piece.rim]
+        zigzag = of.at_first.vertices - homes(flat, shape)
         zigzag -= (zigzag @ piece.axes[2])[..., None] * piece.axes[2]
-        even = homes(piece, shape)
+        even = homes(piece.rim, shape)
         self.homes = even + zigzag
         self.upright = piece.nearest(even.reshape(-1, 3))[1].reshape(even.shape)
         self.linear = np.concatenate(list(self._linear()))

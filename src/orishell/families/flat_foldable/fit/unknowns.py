@@ -151,6 +151,11 @@ class Unknowns:
         vertices += self.place + self.size * self.frame @ unknowns[SHIFT]
         return Placed(sheet, flat[..., 0], folded[..., 0], vertices)
 
+    @cached_property
+    def at_first(self) -> Placed:
+        """The sheet at the start."""
+        return self.placed(self.first)
+
     def slopes(self, unknowns: Array, placed: Placed) -> Array:
         """Derivatives (R+2, C+2, 3, P) of vertices by the unknowns.
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.families.flat_foldable.net import Net, Numbers, Sheet
+from orishell.families.flat_foldable.march import Numbers
+from orishell.families.flat_foldable.net import Net, Sheet
 
 
 def straight_bordered(net: Net) -> Sheet:
