@@ -25,7 +25,7 @@ from typing import Any, ParamSpec, TypeVar
 import cloudpickle
 
 from orishell.conventions.progress import Progress, no_progress
-from orishell.design.piece import Piece
+from orishell.design.piece import Facets
 from orishell.design_file import DesignFile
 from orishell.deviation.triangles import Triangles
 from orishell.numerics.arrays import Array, Integers
@@ -104,7 +104,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc] # which has no types
         """How a thing is written that has a tree; all else as usual."""
         if isinstance(thing, Triangles):
             return _with_tree, (thing.vertices, thing.corners, thing.columns, thing.turning)
-        if isinstance(thing, Piece) and "_tree" in vars(thing):
+        if isinstance(thing, Facets) and "_tree" in vars(thing):
             reduced = thing.__reduce_ex__(2)
             assert not isinstance(reduced, str)
             makes, parts, values = reduced[:3]

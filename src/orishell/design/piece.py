@@ -221,7 +221,7 @@ class Piece:
         return 0.5 * (top + bottom), 0.5 * (left + right)
 
     def turned(self, times: int = 1) -> Piece:
-        """The piece with its right side as the top, or that turned again."""
+        """The piece with its right side as the top, turned so several times."""
         piece = self
         for _ in range(times % 4):
             top, right, bottom, left = piece.sides
@@ -237,7 +237,7 @@ class Piece:
         return replace(self, facets=Facets(vertices, normals, self.triangles))
 
     def pressed(self, points: Array, share: float) -> Array:
-        """Points (N, 3) as they are moved when the piece is flattened."""
+        """Points (N, 3) as they are moved when the piece is flattened to a share of its height."""
         normal = self.axes[2]
         heights = (points - self.centre) @ normal
         return np.asarray(points - ((1 - share) * heights)[:, None] * normal)
