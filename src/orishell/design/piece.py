@@ -158,7 +158,7 @@ class Facets:
 class Piece:
     """Triangles with smooth normals, and a rim of four sides."""
 
-    facets: Facets
+    facets: Facets  # its triangles
     # The top from left to right, the right side downwards, the bottom from right to left and the
     # left side upwards, seen from the side of the normals.
     sides: tuple[Side, Side, Side, Side]
@@ -237,7 +237,7 @@ class Piece:
         return replace(self, facets=Facets(vertices, normals, self.triangles))
 
     def pressed(self, points: Array, share: float) -> Array:
-        """Points (N, 3) as they are moved when the piece is flattened to a share of its height."""
+        """Where points (N, 3) go when the piece is flattened to a share of its height."""
         normal = self.axes[2]
         heights = (points - self.centre) @ normal
         return np.asarray(points - ((1 - share) * heights)[:, None] * normal)
