@@ -316,7 +316,7 @@ async function linkOf(...plain: BlobPart[]): Promise<string> {
 }
 
 test("of a link that inflates without end ten megabytes are", async () => {
-  const link = await linkOf(...Array.from({ length: 200 }, () => new Uint8Array(1_000_000)));
+  const link = await linkOf(...Array.from({ length: 40 }, () => new Uint8Array(1_000_000)));
   expect(link.length).toBeLessThan(300_000);
   let inflated = 0;
   const { DecompressionStream: own } = globalThis;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -91,6 +92,16 @@ PULLED: dict[str, Any] = {
 }
 
 
+def hinged(**panel: Any) -> dict[str, Any]:
+    """A short piece of the shelter of whole boards on hinges, on arms of any length."""
+    path = Path(__file__).parents[2] / "examples" / "shelter_hinged.toml"
+    design = tomllib.loads(path.read_text("utf-8"))
+    design["target"]["g"]["range"] = [0, 2]
+    design["pattern"]["columns"] = 5
+    design["panel"].update(largest_arm=1.0, **panel)
+    return {**design, "workshop": {}}
+
+
 @pytest.mark.parametrize(
     ("design", "about", "changes"),
     [
@@ -105,6 +116,8 @@ PULLED: dict[str, Any] = {
         (STEEP, "sheet", None),
         (UNTRIMMED, "uneven", {"pattern.depth": 0.18}),
         (DEEP, "depth", {"pattern.rows": 9}),
+        (hinged(thickness=0.025, pieces="whole"), "arms", {"pattern.rows": 9}),
+        pytest.param(hinged(thickness=0.06, pieces=4), "cut joints", None, marks=thorough),
         pytest.param({**ARCH, **PULLED}, "cells", None, marks=thorough),
         ({**ARCH, **PULLED}, "pulled", None),
     ],

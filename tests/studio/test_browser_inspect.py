@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -173,6 +174,43 @@ def test_rows_and_depth_are_handles_at_the_shell(page: Page) -> None:
     assert span < float(foot.get_attribute("aria-valuenow") or "") < 1.2 * span
     wide, high = page.evaluate("window.__orishell.store.design.value.target.f.scale")
     assert wide > high == 1
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    assert page.evaluate(pattern) == before
+
+
+def test_the_free_edge_of_a_flap_goes_where_it_is_drawn(page: Page) -> None:
+    """Of the flap nearest to the eye; both flaps are as wide, and the drag is one step."""
+    choose(page, "orthodiagonal")
+    settle(page)
+    pattern = "window.__orishell.store.design.value.pattern"
+    before = page.evaluate(pattern)
+    handle = page.get_by_test_id("handle-flap")
+
+    def middle() -> tuple[float, float]:
+        box = handle.bounding_box()
+        assert box is not None
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    first = middle()
+    handle.focus()
+    page.keyboard.press("ArrowDown")
+    drawn(page)
+    assert page.evaluate(pattern)["flap"] < before["flap"]
+    less = middle()
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    wanted = tuple(a + 8 * (b - a) for a, b in zip(first, less, strict=True))
+    assert math.dist(wanted, first) > 8
+    page.mouse.move(*first)
+    page.mouse.down()
+    for share in (0.5, 1.0):
+        page.mouse.move(*(a + share * (b - a) for a, b in zip(first, wanted, strict=True)))
+        await_frames(page)
+    page.mouse.up()
+    drawn(page)
+    # Pixels: the width is rounded to three digits.
+    assert math.dist(middle(), wanted) < 2
     page.get_by_test_id("undo").click()
     drawn(page)
     assert page.evaluate(pattern) == before

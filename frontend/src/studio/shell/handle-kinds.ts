@@ -1,4 +1,4 @@
-// What handles at the shell are: how long panels are, how deep folds, how far f and g go.
+// What handles at the shell are: how long panels are, how deep folds, how wide flaps, how far f and g go.
 
 import type { Vector3 } from "three";
 import { scaleOf, withExtent } from "../curves/curve-table.ts";
@@ -21,6 +21,8 @@ export interface Vertices {
   /** Columns of flaps at either end. */
   flaps: number;
   at(row: number, column: number): Vector3;
+  /** Across the flap that is nearest to the eye, from its column to its free edge; null without flaps. */
+  flap(): Span | null;
 }
 
 export interface Kind {
@@ -29,7 +31,7 @@ export interface Kind {
   value(store: Store): number | null;
   isLength: boolean;
   step(store: Store, value: number): number;
-  span(vertices: Vertices): Span;
+  span(vertices: Vertices): Span | null;
   /** The value, once its line, which is so long, is drawn so many times as long. */
   drawn(value: number, times: number, length: number): number;
   /** Sets it, beginning with what it is now. */
@@ -63,6 +65,15 @@ export const KINDS: Record<string, Kind> = {
     },
     drawn: (value, times, length) => value + (times - 1) * length,
     begin: (store) => (wanted, gesture) => setNew(store, "depth", Number(short(Math.max(0, wanted), 3)), gesture),
+  },
+  flap: {
+    label: (store) => store.labels.of("flap"),
+    value: (store) => patternValue(store, "flap"),
+    isLength: true,
+    step: fine,
+    span: ({ flap }) => flap(),
+    drawn: (value, times) => value * times,
+    begin: (store) => (wanted, gesture) => setNew(store, "flap", Number(short(Math.max(0, wanted), 3)), gesture),
   },
   f: extent("f", "Span", ({ rows, columns, at }) => ({ from: at(0, columns >> 1), to: at(rows - 1, columns >> 1) })),
   g: extent("g", "Length", ({ rows, columns, flaps, at }) => ({ from: at(rows >> 1, flaps), to: at(rows >> 1, columns - 1 - flaps) })),

@@ -1,9 +1,10 @@
-// Handles at the shell: panels are drawn longer or wider, for fewer rows or columns, folds deeper, f and g farther.
+// Handles at the shell: panels are drawn longer or wider, for fewer rows or columns, folds deeper, flaps wider, f and g
+// farther.
 
 import { Vector3 } from "three";
 import type { Motion } from "../../shared/rigid.ts";
 import { cornersOf } from "../../shared/ties.ts";
-import type { View } from "../../shared/view.ts";
+import { targetPoints, type View } from "../../shared/view.ts";
 import { h, setAttribute } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Signal } from "../state/signal.ts";
@@ -92,17 +93,47 @@ export class SceneHandles {
     const { shell } = this.stage;
     const view = this.store.view.value, { motion } = shell, value = kind.value(this.store);
     if (!view?.header.grid || !motion || !this.on.value || !shell.atTarget || shell.load || value === null) return null;
-    const span = kind.span(verticesOf(view, motion));
-    return kind === KINDS["f"] || kind === KINDS["g"] ? (isOpen(span, value) ? span : null) : span;
+    const span = kind.span(verticesOf(view, motion, shell.eye.camera.position));
+    const closed = (kind === KINDS["f"] || kind === KINDS["g"]) && span !== null && !isOpen(span, value);
+    return closed ? null : span;
   }
 }
 
 const corners = new WeakMap<View, Uint32Array>();
 
-function verticesOf(view: View, motion: Motion): Vertices {
+function verticesOf(view: View, motion: Motion, eye: Vector3): Vertices {
   const of = corners.get(view) ?? cornersOf(motion.faces, view);
   corners.set(view, of);
   const [rows, columns] = view.header.grid!;
   const flaps = view.header.report.deployment?.flap_attachment === "folded" ? 1 : 0;
-  return { rows, columns, flaps, at: (row, column) => motion.at(of[row * columns + column]!, new Vector3()) };
+  const at = (row: number, column: number): Vector3 => motion.at(of[row * columns + column]!, new Vector3());
+  return { rows, columns, flaps, at, flap: () => nearest(eye, flaps ? folded(rows, columns, at) : clipped(view)) };
+}
+
+/** Where flaps may be held: half way up on either side of the shell, where no other handle is. */
+function heights(rows: number): number[] {
+  return [rows >> 2, rows - 1 - (rows >> 2)];
+}
+
+/** Across flaps that fold with the sheet: its first and last column of panels. */
+function folded(rows: number, columns: number, at: Vertices["at"]): Span[] {
+  const ends = [[1, 0], [columns - 2, columns - 1]] as const;
+  return heights(rows).flatMap((row) => ends.map(([from, to]) => ({ from: at(row, from), to: at(row, to) })));
+}
+
+/** Across flaps that are clipped on: strips of two columns of vertices, that in front of the first called -1. */
+function clipped(view: View): Span[] {
+  return view.clipped.flatMap((strip) => {
+    const { grid, names } = strip.header;
+    const points = targetPoints(strip);
+    if (grid?.[1] !== 2 || !names || !points) return [];
+    const outer = names[0]!.endsWith(",-1") ? 0 : 1;
+    const at = (row: number, column: number): Vector3 => new Vector3().fromArray(points, 3 * (2 * row + column));
+    return heights(grid[0]).map((row) => ({ from: at(row, 1 - outer), to: at(row, outer) }));
+  });
+}
+
+function nearest(eye: Vector3, spans: Span[]): Span | null {
+  const away = spans.map(({ to }) => to.distanceTo(eye));
+  return spans[away.indexOf(Math.min(...away))] ?? null;
 }
