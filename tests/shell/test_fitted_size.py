@@ -10,13 +10,16 @@ import numpy as np
 import pytest
 import tomli_w
 
+import orishell.families.flat_foldable.fit.design as fits
 from command_line import orishell
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import check_design, starter_file
 from orishell.deviation import measure_deviation
+from orishell.families.flat_foldable.fit import initial_guesses
 from orishell.io.formats import find_formats
 from orishell.motion.layout import points_of
+from orishell.shell.designed import designed
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES, Step
@@ -29,6 +32,8 @@ search ends after a proof."""
 SEED = 11
 UNMENDED: tuple[Step, ...] = ("remedies",)
 SIZES = {"width", "depth", "height"}
+MOST_FITS = 5
+"""Fits from anew, of sheets that are scaled to sizes a third larger than theirs."""
 
 
 def write(directory: Path, tables: Tables) -> Path:
@@ -302,3 +307,45 @@ def test_a_refusal_says_what_the_nearest_shell_measures_and_why_no_nearer_one_is
     assert "beyond it, the flaps are too wide" in ran.stderr
     assert "Nearest found that works: width = " in ran.stderr
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    "size", [{"height": 0.9}, pytest.param({"width": 4.4, "height": 0.8}, marks=thorough)]
+)
+def test_a_fitted_sheet_has_its_sizes_after_a_few_fits(
+    monkeypatch: pytest.MonkeyPatch, size: dict[str, float]
+) -> None:
+    """The others begin with a sheet nearby: fits from anew alone led to no millimetre."""
+    anew: list[object] = []
+    find = initial_guesses.fit_sheet
+
+    def counted(*args: Any, **kwargs: Any) -> Any:
+        anew.append(args)
+        return find(*args, **kwargs)
+
+    monkeypatch.setattr(fits, "fit_sheet", counted)
+    file = check_design(
+        {
+            "shell": {"family": "flat-foldable", "unit": "m"},
+            "target": {
+                "surface": {
+                    "formula": "0.6 - 0.07*x**2 + 0.05*y**2",
+                    "x": [-2, 2],
+                    "y": [-1.5, 1.5],
+                },
+                "fit": size,
+            },
+            "pattern": {"rows": 3, "columns": 4, "direction_deg": 0, "fold_deg": 92},
+        },
+        Path("x.toml"),
+    )
+    shell = make_shell(file, skip=(*MEASURES, "remedies"))
+    fitted = shell.report.fitted
+    assert fitted is not None
+    assert fitted.found == pytest.approx(size, abs=EXACT)
+    assert len(anew) <= MOST_FITS < fitted.trials
+    # It follows its surface as a fit from anew does.
+    typed = file.changed({**fitted.scales, "target.fit": None})
+    nearest = designed(typed).closeness
+    for name, each in shell.design.closeness.items():
+        assert each.rms <= 1.1 * nearest[name].rms

@@ -65,6 +65,8 @@ class Design:
     # how f or g lie in the surface asked for otherwise than they are drawn, in words; empty where
     # they lie as drawn
     tilted: str = ""
+    # what a fit found, with which that of a surface nearby may begin; None where none was made
+    fitted: object | None = None
     # where the frame of all these coordinates stands in the world (3,): it is added when world
     # coordinates are written, so that a shell far from the origin keeps its digits until then
     origin: Array = field(default_factory=lambda: np.zeros(3))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from orishell.conventions.record import record
 from orishell.conventions.table import placed
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design import PanelSpec, PiecedSurface
+from orishell.design import Design, PanelSpec, PiecedSurface
 from orishell.design.end_walls import EndWall, require_one_wall_each
 from orishell.design.stiffeners import Stiffeners
 from orishell.design_file.constructions import (
@@ -95,6 +95,8 @@ class DesignFile:
     fit: FitTable | None = field(default=None, repr=False)
     # the drawn sheet in place of f and g, or None
     drawing: Drawing | None = field(default=None, repr=False)
+    # the design of a target nearby, with whose sheet a fit begins; None where it begins anew
+    before: Design | None = field(default=None, repr=False)
     # the keys of the file as it was read, and which of them were asked for, by what was made of it
     # with changes, too
     keys: Asked = field(default_factory=Asked, repr=False)
@@ -153,7 +155,8 @@ class DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
         known = self._known if same else None
-        return _checked(tables, self.path, files=self.files, known=known, keys=keys)
+        made = _checked(tables, self.path, files=self.files, known=known, keys=keys)
+        return replace(made, before=self.before)
 
     @property
     def f(self) -> Curve:

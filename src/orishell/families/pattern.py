@@ -143,6 +143,10 @@ class Pattern(Table, metaclass=Called):
         """Design the shell that these parameters and a surface with a ``piece`` ask for."""
         raise NotImplementedError
 
+    def design_near(self, surface: PiecedSurface, before: Design, progress: Progress) -> Design:
+        """Design as ``design_on`` does, from the sheet of a design on another surface nearby."""
+        return self.design_on(surface, progress)
+
     def design_drawn(self, drawing: Drawing) -> Design:
         """Design the shell that these parameters and a drawn sheet ask for."""
         raise NotImplementedError

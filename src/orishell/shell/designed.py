@@ -65,6 +65,8 @@ def completed(file: DesignFile, design: Design) -> Design:
 
 def design_of(file: DesignFile, pattern: Pattern, progress: Progress = no_progress) -> Design:
     """What a family makes of a pattern and a file's target, or of the pattern alone."""
+    if file.surface is not None and file.before is not None:
+        return pattern.design_near(file.surface, file.before, progress)
     if file.surface is not None:
         return pattern.design_on(file.surface, progress)
     if file.drawing is not None:

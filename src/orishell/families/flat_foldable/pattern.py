@@ -192,6 +192,13 @@ class FlatFoldablePattern(Pattern):
         DesignError
             If none comes near enough that can be made.
         """
+        return self._fitted(surface, None, progress)
+
+    def design_near(self, surface: PiecedSurface, before: Design, progress: Progress) -> Design:
+        """Fit a sheet as ``design_on`` does, from that of a design on another surface nearby."""
+        return self._fitted(surface, before, progress)
+
+    def _fitted(self, surface: PiecedSurface, before: Design | None, progress: Progress) -> Design:
         if self.sheet != "miura":
             raise InputError(
                 "a sheet that is fitted to a surface begins as a Miura-ori",
@@ -220,6 +227,7 @@ class FlatFoldablePattern(Pattern):
                 ground=self.ground,
             ),
             progress,
+            begin=None if before is None else before.fitted,
         )
         if not self.flap:
             return design

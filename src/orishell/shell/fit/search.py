@@ -23,6 +23,7 @@ from orishell.numerics.broyden import MOST_TRIALS, Sizing
 from orishell.numerics.equals import largest_of
 from orishell.shell.designed import designed
 from orishell.shell.fit.built_size import BuiltShell
+from orishell.shell.fit.followed import near_fit
 from orishell.shell.fit.report import FittedSize, in_words
 from orishell.shell.fit.scaling import Scaling, first_factors, scaling_of
 from orishell.shell.size_trials import Choice, measure
@@ -69,9 +70,14 @@ class SizeFit:
         """By so much sizes may be off, in the design's unit."""
         return EXACT * conversion("mm", self.file.unit)
 
-    def begin_again(self, changes: Mapping[str, Any]) -> None:
-        """Take another design in place of the one that is scaled."""
+    def begin_again(self, changes: Mapping[str, Any], before: Design | None = None) -> None:
+        """Take another design in place of the one that is scaled.
+
+        before: That with whose sheet fits begin; None for the one with which they began so far.
+        """
         self.base = self.base.changed(changes)
+        if before is not None:
+            self.base = replace(self.base, before=before)
         self.known.clear()
 
     def begin(self) -> tuple[Array, Choice | None]:
@@ -82,13 +88,13 @@ class SizeFit:
         """
         tolerance, open_file = self.file.tolerance, self.base
         if tolerance is None:
-            return self.solved(self._first(), self.asked), None
+            return self.solved(near_fit(self, self._first()), self.asked), None
         factors = self._guess()
         for _ in range(CHOICES):
             scaled = open_file.changed(self._changes(factors))
             sized, choice = meet_tolerance(scaled, tolerance, self.progress)
             self.begin_again({"tolerance": None, "pattern": sized.tables["pattern"]})
-            factors = self.solved(self._first(), self.asked)
+            factors = self.solved(near_fit(self, self._first()), self.asked)
             trial = measure(designed(self.scaled(factors), self.progress), True, tolerance)
             if trial.error <= tolerance.surface and tolerance.allows(trial.shortest, trial.longest):
                 chosen = choice.trial
@@ -235,15 +241,20 @@ class SizeFit:
         """The sizes (n,) of a shell that is not proved; None if there is none."""
         key = repr(self._changes(factors))
         if key not in self.known:
-            self.trials += 1
-            self.progress(min(1.0, self.trials / MOST_TRIALS), "scaling the target to its sizes")
-            try:
-                design = designed(self.scaled(factors))
-                self.known[key] = self.sizes(design, lock_without_clash(design))
-            except (DesignError, InputError) as error:
-                self.refusals.append(error)
-                self.known[key] = None
+            made = self.tried(self.scaled(factors))
+            self.known[key] = None if made is None else made[1]
         return self.known[key]
+
+    def tried(self, file: DesignFile) -> tuple[Design, Array] | None:
+        """The shell of a file, not proved, and its sizes (n,); None if there is none."""
+        self.trials += 1
+        self.progress(min(1.0, self.trials / MOST_TRIALS), "scaling the target to its sizes")
+        try:
+            design = designed(file)
+            return design, self.sizes(design, lock_without_clash(design))
+        except (DesignError, InputError) as error:
+            self.refusals.append(error)
+            return None
 
     def _no_room(self, factors: Array) -> DesignError:
         """The error for a shell in which no room is clear up to the head height."""

@@ -87,8 +87,16 @@ class Asked:
     ground: Ground = "free"  # how the shell meets the ground
 
 
-def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
+def design_fitted(
+    asked: Asked, progress: Progress = no_progress, begin: object | None = None
+) -> Design:
     """The design of the sheet that comes nearest to a surface.
+
+    Parameters
+    ----------
+    begin
+        What was fitted to another surface nearby, so that it is followed from there; None for a
+        fit from a Miura-ori, and where there is no way from there.
 
     Raises
     ------
@@ -96,7 +104,9 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         If no sheet keeps the conditions, the nearest one is of no use, or does not meet the ground.
     """
     piece = asked.surface.piece
-    fit = _fitted(asked.surface, replace(asked, ground="free"), _Watched(progress))
+    free_rim, watched = replace(asked, ground="free"), _Watched(progress)
+    fit = _moved(asked.surface, free_rim, begin) if isinstance(begin, Fit) else None
+    fit = fit or _fitted(asked.surface, free_rim, watched)
     if fit is None:
         raise DesignError(
             "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
@@ -126,6 +136,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
         },
         targets={},
         closeness=_closeness(fit, piece, mechanism),
+        fitted=fit,
         swept=asked.surface,
         may_stand=True,
         # Sheets that began with other fold angles were as large within 5 %, or lost; those with
@@ -145,9 +156,18 @@ class _Watched:
 
 @remembered
 def _fitted(surface: PiecedSurface, asked: Asked, watched: _Watched) -> Fit | None:
-    conditions = Conditions(asked.edge_ratio)
-    task = Task(surface.piece, asked.rows, asked.columns, conditions, asked.straight)
+    task = _task(surface, asked)
     return recall_fit(task, direction=asked.direction, folded=asked.fold, progress=watched.progress)
+
+
+@remembered
+def _moved(surface: PiecedSurface, asked: Asked, begin: Fit) -> Fit | None:
+    return _task(surface, asked).moved(begin)
+
+
+def _task(surface: PiecedSurface, asked: Asked) -> Task:
+    conditions = Conditions(asked.edge_ratio)
+    return Task(surface.piece, asked.rows, asked.columns, conditions, asked.straight)
 
 
 def mechanism_of(fit: Fit) -> FlatFoldable:

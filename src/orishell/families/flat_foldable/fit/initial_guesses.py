@@ -18,6 +18,7 @@ from orishell.families.flat_foldable.fit.continuation import (
     Begun,
     Course,
     follow,
+    settle,
 )
 from orishell.families.flat_foldable.fit.figures import Reached
 from orishell.families.flat_foldable.fit.residuals import Fitted
@@ -92,6 +93,19 @@ class Task:
             None if fitted is None else Fit(start, each.of, *fitted)
             for start, each, fitted in zip(starts, begun, found, strict=True)
         ]
+
+    def moved(self, fit: Fit) -> Fit | None:
+        """The sheet that one fitted to another piece nearby leads to; None where it cannot begin.
+
+        fit: Of as many rows and columns, or it cannot.
+        """
+        with np.errstate(divide="ignore", invalid="ignore"):
+            of = self.begun(fit.start)
+        if of.first.shape != fit.of.first.shape or of.shape != fit.of.shape:
+            return None
+        begun = Begun(fit.start.turns, of)
+        found = settle(self.piece, begun, self.conditions, fit.fitted.unknowns)
+        return None if found is None else Fit(fit.start, of, *found)
 
     def begun(self, start: Start) -> Unknowns:
         """What a start is made of."""
