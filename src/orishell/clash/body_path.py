@@ -144,7 +144,8 @@ class BodySearch(PathSearch):
         pairs = joined([part.open, self.bodies.pairs_of(near)[0]])
         self.tests += len(pairs[0])
         panels = (self.bodies.panels[pairs[0]], self.bodies.panels[pairs[1]])
-        return examine_bodies((start.bodies, stop.bodies), pairs, tolerance, chord_error(*panels))
+        states = start.bodies, stop.bodies
+        return examine_bodies(states, pairs, tolerance, tolerance + chord_error(*panels))
 
     def _swings(self, part: PathRange) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""

@@ -20,16 +20,14 @@ which takes no shifts and keeps what is near the vertex and the hinges near.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds, RangeBounds, Running
-from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
+from orishell.clash.bodies import Bodies
 from orishell.clash.body_path import BodySearch, first_contact
-from orishell.clash.broad_phase import CHUNK, Extents, Pairs, PanelTree, body_gaps, joined, selected
+from orishell.clash.broad_phase import Extents, Pairs, PanelTree, body_gaps, joined, selected
 from orishell.clash.hinged_pairs import near_bodies
-from orishell.clash.narrow_phase import Findings, Group
+from orishell.clash.narrow_phase import Findings, examine_bodies, near_along
 from orishell.clash.path import PathRange
 from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
@@ -37,7 +35,7 @@ from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import points_of
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.arrays import Array, Integers
 
 
 def find_first_hinged_contact(
@@ -93,48 +91,9 @@ class HingedSearch(BodySearch):
         # Most are seen apart along the normal of one of the boards, which needs no other looks.
         for body in (0, 1):
             lines = [state.normals[0][:, pairs[body]] for state in states]
-            left = _near_along(lines, states, pairs, needed)
+            left = near_along(lines, states, pairs, needed)
             pairs, needed = selected(pairs, left), needed[left]
-        return _findings(states, pairs, tolerance, needed)
-
-
-def _findings(
-    states: tuple[BodyState, BodyState], pairs: Pairs, tolerance: float, needed: Array
-) -> Findings:
-    """The pairs (P,) that are not as far apart as is needed (P,), and those that touch at an end.
-
-    Directions square to two edges are ten times as many as normals, and part hardly more: only
-    where normals show no gap do they tell whether bodies touch. Others wait for shorter steps.
-    """
-
-    def near(apart: Apartness, pairs: Pairs, needed: Array) -> Booleans:
-        lines = [one_direction(state, pairs, apart.number) for state in states]
-        return _near_along(lines, states, pairs, needed)
-
-    by_faces = Apartness.of(states, pairs, of_faces=True)
-    left = near(by_faces, pairs, needed)
-    deep = left & (by_faces.gaps <= tolerance).any(axis=0)
-    touching = selected(pairs, deep)
-    apart = Apartness.of(states, touching)
-    left[deep] = near(apart, touching, needed[deep])
-    ends = (apart.touching(end, touching, tolerance) for end in (0, 1))
-    return Findings(selected(pairs, left), *ends)
-
-
-def _near_along(
-    lines: Sequence[Array], states: tuple[BodyState, BodyState], pairs: Pairs, needed: Array
-) -> Booleans:
-    """Pairs (P,) that two directions (3, P), and one turning between them, show as too near."""
-    left = np.zeros(len(needed), np.bool_)
-    for k in range(0, len(needed), CHUNK):
-        part = slice(k, k + CHUNK)
-        chunk = pairs[0][part], pairs[1][part]
-        corners = [(s.corners[:, :, chunk[0]], s.corners[:, :, chunk[1]]) for s in states]
-        number = np.arange(k, k + len(chunk[0]))
-        group = Group((number, number), corners, needed[part], needed[part])
-        group = group.not_separated_by(*(each[:, part] for each in lines))
-        left[group.pairs[0]] = True
-    return left
+        return examine_bodies(states, pairs, tolerance, needed)
 
 
 class ShiftedBounds(EdgeBounds):
