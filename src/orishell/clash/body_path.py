@@ -22,7 +22,8 @@ import numpy as np
 from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, NearPairs, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
-from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
+from orishell.clash.narrow_phase import Findings, examine_bodies, kept_near, near_slabs
+from orishell.clash.open_pairs import step_to_wait_for
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
     BASE,
@@ -42,9 +43,6 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""
-EARLY, SOONEST = 1.5, 2.0**-6
-"""A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
-this share of the step at least."""
 
 Rates = tuple[float, tuple[Array, Array], Array]
 """A step, and bounds of accelerations of edges along rows and down columns, and of normals (F,)."""
@@ -132,20 +130,33 @@ class BodySearch(PathSearch):
         return 2 * float(self._swings(part).max())
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
-        swings = self._swings(part)
-
-        def chord_error(first: Integers, second: Integers) -> Array:
-            between = part.bounds.between_panels(first, second)
-            return np.asarray(part.step**2 / 8 * (between + swings[first] + swings[second]))
-
         tolerance = self.tolerance + self.rounding
         start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
-        near = near_slabs((start.slabs, stop.slabs), near, tolerance + chord_error(*near))
-        pairs = joined([part.open, self.bodies.pairs_of(near)[0]])
-        self.tests += len(pairs[0])
-        panels = (self.bodies.panels[pairs[0]], self.bodies.panels[pairs[1]])
         states = start.bodies, stop.bodies
-        return examine_bodies(states, pairs, tolerance, tolerance + chord_error(*panels))
+        needed = self._needed(part, part.open.pairs)
+        left = kept_near(states, part.open, needed)
+        fresh, more = self._not_seen_apart(part, near)
+        pairs = joined([selected(part.open.pairs, left), fresh])
+        needed = np.concatenate([needed[left], more])
+        self.tests += len(part.open) + len(fresh[0])
+        return examine_bodies(states, pairs, tolerance, needed, part.step)
+
+    def _not_seen_apart(self, part: PathRange, near: Pairs) -> tuple[Pairs, Array]:
+        """The pairs of bodies on pairs of panels that a short look leaves, and what they need."""
+        tolerance = self.tolerance + self.rounding
+        swings = self._swings(part)
+        between = part.bounds.between_panels(*near) + swings[near[0]] + swings[near[1]]
+        slabs = [self.states.at(tick).slabs for tick in (part.start, part.stop)]
+        near = near_slabs((slabs[0], slabs[1]), near, tolerance + part.step**2 / 8 * between)
+        pairs = self.bodies.pairs_of(near)[0]
+        return pairs, self._needed(part, pairs)
+
+    def _needed(self, part: PathRange, pairs: Pairs) -> Array:
+        """Gaps that prove pairs of bodies (P,) apart."""
+        swings = self._swings(part)
+        first, second = (self.bodies.panels[each] for each in pairs)
+        between = part.bounds.between_panels(first, second) + swings[first] + swings[second]
+        return np.asarray(self.tolerance + self.rounding + part.step**2 / 8 * between)
 
     def _swings(self, part: PathRange) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""
@@ -203,10 +214,8 @@ class NearBodies:
         gap = self._gaps(ends, left, errors)
         open_ones = ~(gap > self.tolerance)
         left, apart, gap = left[open_ones], apart.chosen(open_ones), gap[open_ones]
-        # The gap that a proof lacks shrinks with the square of the step.
         plain = apart.gaps.min(axis=0)
-        share = np.maximum(plain, 0.0) / np.maximum(plain - gap, 1e-300)
-        self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
+        self.sleep[left] = step_to_wait_for(step, plain, plain - gap)
         pairs = selected(self.pairs, left)
         touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]
         pending = np.concatenate([pending[asleep], left])

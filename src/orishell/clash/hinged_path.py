@@ -25,9 +25,9 @@ import numpy as np
 from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds, RangeBounds, Running
 from orishell.clash.bodies import Bodies
 from orishell.clash.body_path import BodySearch, first_contact
-from orishell.clash.broad_phase import Extents, Pairs, PanelTree, body_gaps, joined, selected
+from orishell.clash.broad_phase import Extents, Pairs, PanelTree, body_gaps, selected
 from orishell.clash.hinged_pairs import near_bodies
-from orishell.clash.narrow_phase import Findings, examine_bodies, near_along
+from orishell.clash.narrow_phase import near_along
 from orishell.clash.path import PathRange
 from orishell.clash.ranges import PathResult
 from orishell.conventions.progress import Progress, no_progress
@@ -76,24 +76,24 @@ class HingedSearch(BodySearch):
         # Nodes of empty places have none; their gap is infinite anyway.
         return np.asarray(np.maximum(swings[pairs[0]], 0.0) + np.maximum(swings[pairs[1]], 0.0))
 
-    def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
-        bounds, bodies = part.bounds, self.bodies
-        assert isinstance(bounds, ShiftedRange)
-        tolerance = self.tolerance + self.rounding
+    def _not_seen_apart(self, part: PathRange, near: Pairs) -> tuple[Pairs, Array]:
         start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
-        ends = start.body_extents, stop.body_extents
-        pairs = joined([part.open, bodies.pairs_of(near)[0]])
-        self.tests += len(pairs[0])
-        needed = bounds.between_bodies(bodies, pairs) * part.step**2 / 8 + tolerance
-        left = np.asarray(~(body_gaps(ends, pairs) > needed))
-        pairs, needed = selected(pairs, left), needed[left]
         states = start.bodies, stop.bodies
+        pairs = self.bodies.pairs_of(near)[0]
+        needed = self._needed(part, pairs)
+        left = np.asarray(~(body_gaps((start.body_extents, stop.body_extents), pairs) > needed))
+        pairs, needed = selected(pairs, left), needed[left]
         # Most are seen apart along the normal of one of the boards, which needs no other looks.
         for body in (0, 1):
             lines = [state.normals[0][:, pairs[body]] for state in states]
             left = near_along(lines, states, pairs, needed)
             pairs, needed = selected(pairs, left), needed[left]
-        return examine_bodies(states, pairs, tolerance, needed)
+        return pairs, needed
+
+    def _needed(self, part: PathRange, pairs: Pairs) -> Array:
+        assert isinstance(part.bounds, ShiftedRange)
+        between = part.bounds.between_bodies(self.bodies, pairs)
+        return np.asarray(self.tolerance + self.rounding + part.step**2 / 8 * between)
 
 
 class ShiftedBounds(EdgeBounds):

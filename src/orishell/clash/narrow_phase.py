@@ -21,6 +21,7 @@ import numpy as np
 
 from orishell.clash.bodies import ALIKE, Apartness, BodyState, one_direction
 from orishell.clash.broad_phase import CHUNK, Pairs, joined, selected
+from orishell.clash.open_pairs import OpenPairs, step_to_wait_for
 from orishell.clash.separation import (
     common_gap,
     corners_of,
@@ -41,13 +42,19 @@ CROWDED = 3
 class Findings:
     """The pairs that no direction keeps apart, and the nearest that touch at an end of the part."""
 
-    open: Pairs
+    open: OpenPairs
     at_start: tuple[int, int] | None
     at_stop: tuple[int, int] | None
 
 
 def examine_pairs(
-    points: tuple[Array, Array], faces: Integers, pairs: Pairs, tolerance: Array, chord_error: Array
+    points: tuple[Array, Array],
+    faces: Integers,
+    pairs: Pairs,
+    tolerance: Array,
+    chord_error: Array,
+    *,
+    step: float,
 ) -> Findings:
     """Return the pairs of panels that are not proved apart, and those that touch at an end.
 
@@ -59,13 +66,13 @@ def examine_pairs(
     """
     parts = [slice(k, k + CHUNK) for k in range(0, len(pairs[0]), CHUNK)]
 
-    def examine(part: slice) -> tuple[Pairs, list[_Touch], list[_Touch]]:
+    def examine(part: slice) -> tuple[OpenPairs, list[_Touch], list[_Touch]]:
         first, second = (panels[part] for panels in pairs)
         corners = [
             (corners_of(state, faces[first]), corners_of(state, faces[second])) for state in points
         ]
         needed = tolerance[part] + chord_error[part]
-        return Group((first, second), corners, tolerance[part], needed).examined()
+        return Group((first, second), corners, tolerance[part], needed).examined(step)
 
     if len(parts) < CROWDED:
         found = [examine(part) for part in parts]
@@ -74,7 +81,8 @@ def examine_pairs(
             found = list(pool.map(examine, parts))
     at_start = _nearest([touch for _, touching, _ in found for touch in touching], tolerance)
     at_stop = _nearest([touch for _, _, touching in found for touch in touching], tolerance)
-    return Findings(joined([each[0] for each in found]), at_start, at_stop)
+    left = [OpenPairs.new(joined([])), *(each[0] for each in found)]
+    return Findings(OpenPairs.joined(left), at_start, at_stop)
 
 
 _Touch = tuple[float, tuple[int, int]]
@@ -98,30 +106,39 @@ class Group:
     tolerance: Array  # (P,), at which they touch
     needed: Array  # (P,), tolerance and chord error: gaps that prove them apart
 
-    def examined(self) -> tuple[Pairs, list[_Touch], list[_Touch]]:
-        """Pairs that stay open, and the nearest that touch at the start and at the stop."""
+    def examined(self, step: float) -> tuple[OpenPairs, list[_Touch], list[_Touch]]:
+        """Pairs that stay open in a step, and the nearest that touch at the start and the stop."""
         group = self
         for panel in (0, 1):
             group = group.not_separated_by(*(normals(state[panel]) for state in group.corners))
         if not len(group.pairs[0]):
-            return group.pairs, [], []
-        touching, lines = [], []
+            return OpenPairs.new(group.pairs), [], []
+        touching, lines, plain = [], [], []
         for state in group.corners:
             distance, between = nearest(*state)
             touching.append(group.touching(distance))
             lines.append(between / np.where(distance > 0, distance, 1.0))
-        return group.not_separated_by(*lines).pairs, touching[0], touching[1]
+            plain.append(distance)
+        near = group.near_along(*lines)
+        room, bound = np.minimum(*plain) - group.tolerance, group.needed - group.tolerance
+        sleep = step_to_wait_for(step, room, bound)
+        found = OpenPairs(group.pairs, np.zeros(len(near), np.int64), sleep).chosen(near)
+        return found, touching[0], touching[1]
 
     def not_separated_by(self, start: Array, stop: Array) -> Group:
-        """Pairs kept apart neither by one of two directions (3, P) nor by one turning between."""
-        first, last = (views_along(direction, self.corners) for direction in (start, stop))
-        standing = np.maximum(common_gap(first), common_gap(last))
-        # A pair without a bound is not proved apart.
-        near = ~(np.maximum(standing, turning_gap(first, last)) > self.needed)
+        """Pairs that two directions (3, P), and one turning between them, do not keep apart."""
+        near = self.near_along(start, stop)
         if near.all():
             return self
         corners = [(first[..., near], second[..., near]) for first, second in self.corners]
         return Group(selected(self.pairs, near), corners, self.tolerance[near], self.needed[near])
+
+    def near_along(self, start: Array, stop: Array) -> Booleans:
+        """Pairs (P,) kept apart neither by one of two directions (3, P) nor by one turning."""
+        first, last = (views_along(direction, self.corners) for direction in (start, stop))
+        standing = np.maximum(common_gap(first), common_gap(last))
+        # A pair without a bound is not proved apart.
+        return np.asarray(~(np.maximum(standing, turning_gap(first, last)) > self.needed))
 
     def touching(self, distance: Array) -> list[_Touch]:
         """The nearest pair within the tolerance, if there is one."""
@@ -135,27 +152,35 @@ class Group:
         return [(float(distance[nearest_one]), (first, second))]
 
 
+States = tuple[BodyState, BodyState]
+"""Of bodies at both ends of the part."""
+
+
+def kept_near(states: States, open_ones: OpenPairs, needed: Array) -> Booleans:
+    """Open pairs of bodies (P,) that what parted them most does not show apart by as much."""
+    lines = [one_direction(state, open_ones.pairs, open_ones.kept_by) for state in states]
+    return near_along(lines, states, open_ones.pairs, needed)
+
+
 def examine_bodies(
-    states: tuple[BodyState, BodyState], pairs: Pairs, tolerance: float, needed: Array
+    states: States, pairs: Pairs, tolerance: float, needed: Array, step: float
 ) -> Findings:
     """The pairs of bodies (P,) not as far apart as is needed (P,), and those that touch at an end.
 
     Directions square to two edges are ten times as many as normals, and part hardly more: only
     where normals show no gap do they tell whether bodies touch. Others wait for shorter steps.
     """
-
-    def near(apart: Apartness, pairs: Pairs, needed: Array) -> Booleans:
-        lines = [one_direction(state, pairs, apart.number) for state in states]
-        return near_along(lines, states, pairs, needed)
-
     by_faces = Apartness.of(states, pairs, of_faces=True)
-    left = near(by_faces, pairs, needed)
-    deep = left & (by_faces.gaps <= tolerance).any(axis=0)
+    number, gap = by_faces.number, by_faces.gaps.min(axis=0)
+    left = kept_near(states, OpenPairs(pairs, number, gap), needed)
+    deep = left & (gap <= tolerance)
     touching = selected(pairs, deep)
     apart = Apartness.of(states, touching)
-    left[deep] = near(apart, touching, needed[deep])
+    number[deep], gap[deep] = apart.number, apart.gaps.min(axis=0)
+    left[deep] = kept_near(states, OpenPairs(touching, apart.number, gap[deep]), needed[deep])
     ends = (apart.touching(end, touching, tolerance) for end in (0, 1))
-    return Findings(selected(pairs, left), *ends)
+    sleep = step_to_wait_for(step, gap - tolerance, needed - tolerance)
+    return Findings(OpenPairs(pairs, number, sleep).chosen(left), *ends)
 
 
 def near_along(

@@ -32,6 +32,7 @@ from orishell.clash.broad_phase import (
     selected,
 )
 from orishell.clash.narrow_phase import Findings, examine_pairs
+from orishell.clash.open_pairs import OpenPairs
 from orishell.clash.ranges import (
     TICKS,
     Found,
@@ -120,10 +121,12 @@ class PathRange:
     step: float  # its width (radians)
     bounds: RangeBounds
     nodes: list[Pairs]  # by level of the tree
-    open: Pairs  # of panels, or of bodies in their place
+    open: OpenPairs  # of panels, or of bodies in their place
 
 
-Pending = tuple[list[Pairs], Pairs]
+NONE = OpenPairs.new(joined([]))
+"""No pairs."""
+Pending = tuple[list[Pairs], OpenPairs]
 """Pairs of nodes by level, and of panels, that are not proved apart in a range."""
 
 
@@ -162,7 +165,7 @@ class PathSearch:
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
         root = (np.zeros(1, np.int64), np.zeros(1, np.int64))
-        found, clear = search_ranges(self._examine, ([root], joined([])), progress)
+        found, clear = search_ranges(self._examine, ([root], NONE), progress)
         contact = None
         if found is not None:
             contact = self.contact(self.states.drive(found.tick), self.states.drive(clear), found)
@@ -189,16 +192,16 @@ class PathSearch:
         step = abs(self.states.drive(stop) - self.states.drive(start))
         self.ranges += 1
         self.steps = (min(self.steps[0], step), max(self.steps[1], step))
-        part = PathRange(
-            start, stop, step, self.bounds.within(start / TICKS, stop / TICKS), *pending
-        )
+        nodes, pairs = pending
+        asleep = (pairs.sleep < step) & (stop - start > 1)
+        bounds = self.bounds.within(start / TICKS, stop / TICKS)
+        part = PathRange(start, stop, step, bounds, nodes, pairs.chosen(~asleep))
         waiting, near = self._broad_phase(part)
         found = self._narrow_phase(part, near)
-        pair = (int(found.open[0][0]), int(found.open[1][0])) if len(found.open[0]) else None
-        clear = pair is None and not any(len(pairs[0]) for pairs in waiting)
-        return Outcome(
-            None if clear else (waiting, found.open), pair, found.at_start, found.at_stop
-        )
+        left = OpenPairs.joined([found.open, pairs.chosen(asleep)])
+        pair = (int(left.pairs[0][0]), int(left.pairs[1][0])) if len(left) else None
+        clear = pair is None and not any(len(each[0]) for each in waiting)
+        return Outcome(None if clear else (waiting, left), pair, found.at_start, found.at_stop)
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
         """Acceleration to add to the bounds between vertices of panels of two nodes (P,)."""
@@ -206,7 +209,7 @@ class PathSearch:
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
         """Look at panels that stayed open, and at pairs (P,) that the tree found near."""
-        pairs = joined([part.open, near])
+        pairs = joined([part.open.pairs, near])
         self.tests += len(pairs[0])
         tolerance = np.full(len(pairs[0]), self.tolerance)
         if self.lenient is not None:
@@ -214,7 +217,7 @@ class PathSearch:
         tolerance += self.rounding
         chord_error = part.step**2 / 8 * part.bounds.between_panels(*self._owners(pairs))
         points = (self.states.at(part.start).points, self.states.at(part.stop).points)
-        return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
+        return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error, step=part.step)
 
     def _broad_phase(self, part: PathRange) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
@@ -260,8 +263,8 @@ class PathSearch:
         few = selected(pairs, np.arange(0, len(pairs[0]), -(-len(pairs[0]) // SAMPLE)))
         below = self.tree.depth - level
         sample = self._panels((few[0] << below, few[1] << below))
-        found = self._narrow_phase(replace(part, open=joined([])), sample)
-        return 2 * len(found.open[0]) > len(sample[0])
+        found = self._narrow_phase(replace(part, open=NONE), sample)
+        return 2 * len(found.open) > len(sample[0])
 
     def _panels(self, pairs: Pairs) -> Pairs:
         """Pairs of panels from pairs of lowest nodes, those that share a vertex left out.
