@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -398,3 +399,18 @@ def test_the_same_table_gives_the_same_curve(tmp_path: Path) -> None:
     before = profile(tmp_path, file)
     (tmp_path / "profile.csv").write_text("0, 0\n1, 0.3\n2, 0\n")
     assert profile(tmp_path, file).position(1.0)[1] != before.position(1.0)[1]
+
+
+def test_a_drawn_sheet_is_asked_for_where_it_is_missing(tmp_path: Path) -> None:
+    """Not f and g, which its family does not take; with a sheet in its place the file is read."""
+    path = tmp_path / "x.toml"
+    path.write_text('[shell]\nfamily = "pattern"\nunit = "m"\n')
+    with pytest.raises(InputError) as refused:
+        read_design_file(path)
+    said = str(refused.value)
+    assert 'pattern = "sheet.svg" in [target]' in said
+    assert "f =" not in said
+    assert "range" not in said
+    shutil.copy(EXAMPLES / "arch_pattern.svg", tmp_path / "sheet.svg")
+    path.write_text(path.read_text() + '[target]\npattern = "sheet.svg"\n')
+    assert read_design_file(path).drawing is not None

@@ -228,9 +228,12 @@ class FileTable(Table):
     def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
         shell = info.data.get("shell")
         family = FAMILIES.get(shell.family) if shell is not None else None
+        drawn = family is not None and "drawing" in family.pattern.aims()
+        if target is None and drawn:
+            what = 'this family makes a shell of a drawn sheet: write pattern = "sheet.svg" in [target]'
+            raise PydanticCustomError("source", what, {"key": "target.pattern"})
         if target is None and (family is None or family.pattern.needs_target()):
             raise PydanticCustomError("missing", "Field required")
-        drawn = family is not None and "drawing" in family.pattern.aims()
         if target is not None and drawn != (target.pattern is not None):
             if drawn:
                 what = "this family makes a shell of a drawn sheet: give target.pattern alone"
