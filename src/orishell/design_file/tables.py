@@ -230,7 +230,8 @@ class FileTable(Table):
         family = FAMILIES.get(shell.family) if shell is not None else None
         drawn = family is not None and "drawing" in family.pattern.aims()
         if target is None and drawn:
-            what = 'this family makes a shell of a drawn sheet: write pattern = "sheet.svg" in [target]'
+            what = "this family makes a shell of a drawn sheet"
+            what += ': write pattern = "sheet.svg" in [target]'
             raise PydanticCustomError("source", what, {"key": "target.pattern"})
         if target is None and (family is None or family.pattern.needs_target()):
             raise PydanticCustomError("missing", "Field required")

@@ -60,7 +60,7 @@ def test_even_borders_leave_the_rim(surface: str) -> None:
     even = evened(uneven)
     assert isinstance(uneven.mechanism, FlatFoldable)
     assert isinstance(even.mechanism, FlatFoldable)
-    before, after = (_steps(each.mechanism) for each in (uneven, even))
+    before, after = _steps(uneven.mechanism), _steps(even.mechanism)
     assert before > 1.5
     assert after < before
     assert _distance(even) > 1.2 * _distance(uneven)
