@@ -320,3 +320,53 @@ def test_what_is_seldom_asked_for_is_folded_away(page: Page) -> None:
     page.get_by_test_id("workshop-seldom").locator("summary").click()
     assert hinges.is_visible()
     page.keyboard.press("Escape")
+
+
+HALL = """
+[shell]
+family = "orthodiagonal"
+unit = "m"
+
+[target.f]
+formula = "2.6*(1 - (x/2)**2)"
+range = [-2, 2]
+
+[target.g]
+formula = "0.1*cos(2*pi*x/0.75)"
+range = [0, 1.5]
+
+[pattern]
+rows = 7
+columns = 5
+flap = 0
+depth = 0.12
+heading_deg = 90
+spacing = "equal"
+"""
+
+
+def test_an_end_is_closed_by_a_wall_with_a_door(page: Page) -> None:
+    """It stands in the scene; a door that is too high is lowered by the button that says so."""
+    drop_file(page, "hall.toml", HALL)
+    settle(page)
+    strips = "window.__orishell.store.view.value.clipped.flatMap((part) => part.header.names ?? [])"
+    wall = "window.__orishell.store.report.value.end_walls"
+    assert page.evaluate(strips) == []
+    assert page.get_by_test_id("end-wall-last-wall").is_hidden()
+    page.get_by_test_id("end-walls").click()
+    page.get_by_test_id("end-wall-last-wall").check()
+    settle(page)
+    names = page.evaluate(strips)
+    assert len(names) == page.evaluate(wall)[0]["panels"]
+    assert all(name.startswith("last wall ") for name in names)
+    page.get_by_test_id("end-wall-last-door").check()
+    page.get_by_test_id("end-wall-last-height").fill("300 cm")
+    settle(page)
+    page.get_by_test_id("use-nearest").click()
+    settle(page)
+    assert page.get_by_test_id("banner").is_hidden()
+    door = page.evaluate(wall)[0]["door"]
+    assert door["width"] == 0.9
+    assert 2 < door["height"] < 2.6  # of the profile
+    page.get_by_test_id("end-wall-last-wall").uncheck()
+    assert page.evaluate("window.__orishell.store.design.value.end_wall") is None

@@ -70,6 +70,8 @@ def test_choices_are_values_of_the_file(table: str, key: str, choice: str) -> No
         design |= copy.deepcopy(LOADED)
     if table == "target.fit":
         design["target"]["fit"] = {"width": 4}
+    if table == "end_wall":
+        design["end_wall"] = [{}]
     if key == "sides":
         design["panel"] = {"thickness": 0.01, "membrane": 0.001}
     if table == "stiffeners":

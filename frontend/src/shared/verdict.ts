@@ -26,8 +26,9 @@ export function headline(rows: readonly Judged[]): [string, Tone] | null {
   if (!tone) return null;
   const checked = rows.filter(({ subject }) => subject !== UNCHECKED);
   if (tone === "warns" && checked.length && checked.every(({ sign }) => sign === "holds")) return ["Holds as far as it is checked", tone];
-  const subjects = rows.filter(({ sign }) => sign === tone).map(({ subject }) => capital(subject));
-  return [`${HEADS[tone]}: ${subjects.join(", ")}`, tone];
+  // Two ends that are closed are two rows.
+  const subjects = new Set(rows.filter(({ sign }) => sign === tone).map(({ subject }) => capital(subject)));
+  return [`${HEADS[tone]}: ${[...subjects].join(", ")}`, tone];
 }
 
 /** What is said of rows that are not known. */

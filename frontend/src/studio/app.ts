@@ -6,6 +6,7 @@ import { BuiltSizes } from "./design/built-sizes.ts";
 import { CurveEditor } from "./curves/curve-editor.ts";
 import { h } from "./parts/dom.ts";
 import { StructureControls } from "./structure/structure.ts";
+import { EndWallControls } from "./design/end-walls.ts";
 import { DeploymentControls } from "./design/deployment.ts";
 import { Drop } from "./files/drop.ts";
 import { ExampleCards } from "./files/example-cards.ts";
@@ -131,6 +132,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         new PanelControls(store).element,
         new DeploymentControls(store).element,
         new StiffenerControls(store).element,
+        new EndWallControls(store).element,
         new StructureControls(store, { stop: () => live.stopProof(), again: () => live.proveAgain(), loaded: (load) => stage.showLoad(load) }).element,
         new SearchCard(store).element,
       ),

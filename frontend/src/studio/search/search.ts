@@ -67,7 +67,7 @@ export class SearchCard {
             this.result,
           ]),
     );
-    this.element = h("section", { class: "search", "aria-labelledby": title }, this.details);
+    this.element = h("section", { class: "search folding", "aria-labelledby": title }, this.details);
     if (install) return;
     for (const signal of [store.ranges, store.report]) (signal as { watch(listener: () => void): void }).watch(() => this.show());
     store.design.watch((design, before) => {

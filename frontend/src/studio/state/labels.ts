@@ -85,7 +85,7 @@ export class Labels {
     for (const [place, value] of Object.entries(changes)) {
       const [table = "", ...rest] = place.split(".");
       const key = rest.at(-1) ?? table;
-      const within = [table, ...rest.slice(0, -1)].join(".");
+      const within = [table, ...rest.slice(0, -1)].filter((each) => !isPlace(each)).join(".");
       const words = within in this.tables ? within : table;
       const curve = table === "target" && words === table ? ofTarget(rest[0]!) : "";
       const label = `${small(this.at(words, key) ?? key.replaceAll("_", " "))}${curve}`;

@@ -107,6 +107,7 @@ export interface Design {
   deployment?: Record<string, Value>;
   panel?: Record<string, Value>;
   stiffeners?: Record<string, Value>;
+  end_wall?: Record<string, Value>[];
   motion?: Record<string, Value>;
   workshop?: Record<string, Value>;
   structure?: Record<string, Value>;
