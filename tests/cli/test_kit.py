@@ -33,8 +33,10 @@ def test_a_card_model(tmp_path: Path) -> None:
     ran = orishell("kit", CANOPY, "--out", tmp_path / "kit", "--paper")
     assert ran.returncode == 0
     assert ran.stderr == ""  # that no board is as large as its sheet is of no use here
-    first, *others = ran.stdout.splitlines()
+    first, second, *others = ran.stdout.splitlines()
     assert first == "scale     1:66"
+    # Its border has a panel of 0.12 m, by 66.
+    assert second.startswith("panels    as narrow as 1.9 mm, which is hard to fold: larger paper")
     assert [line.split("/")[-1] for line in others] == [
         "README.md",
         "booklet.pdf",

@@ -9,6 +9,11 @@ import typer
 
 from orishell.cli.files import FORCE_HELP, bar, designed, directory, say, shortened, warn_of_unused
 
+NARROW_MM = 5.0
+"""Narrower panels of card are hard to score and to fold by hand: a fold takes twice its thickness,
+and fingers about as much beside it."""
+WIDER = "larger paper or a larger paper_scale, on several pages, in [workshop]"
+
 
 def kit(
     file: Annotated[Path, typer.Argument(help="The design file (TOML).")],
@@ -26,7 +31,7 @@ def kit(
 
     They have drawings, tables and a booklet; README.md says what is where.
     """
-    from orishell.conventions.quantities import plain
+    from orishell.conventions.quantities import plain, size
     from orishell.design_file import read_design_file
     from orishell.shell.kit import require_kit_place, write_kit
 
@@ -38,5 +43,8 @@ def kit(
     warn_of_unused(made.unused)
     if paper:
         say(f"scale     1:{plain(1 / made.scale)}")
+    if made.narrowest is not None and made.narrowest < NARROW_MM:
+        narrow = size(made.narrowest, "mm", digits=2)
+        say(f"panels    as narrow as {narrow}, which is hard to fold: {WIDER}")
     for text in shortened(made.files):
         say(f"wrote     {text}")

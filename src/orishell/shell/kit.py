@@ -27,7 +27,7 @@ from orishell.io.output import replacing_all
 from orishell.shell.export import require_shell, write_document
 from orishell.shell.make import Shell
 from orishell.workshop import Workshop
-from orishell.workshop.kit.card_model import make_card_model
+from orishell.workshop.kit.card_model import make_card_model, narrowest_panel
 from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.kit.parts import kit_parts
 from orishell.workshop.kit.steps import carried
@@ -89,6 +89,7 @@ class Kit:
     files: tuple[Path, ...]  # where they are now
     scale: float  # size of the model relative to the shell; 1 for the shell itself
     unused: tuple[str, ...] = ()  # keys of the design file that nothing has asked for
+    narrowest: float | None = None  # how narrow a panel of a card model is (mm); else None
 
 
 def folder_of(name: str, construction: str) -> str | None:
@@ -166,7 +167,8 @@ def write_kit(
         readme.write_text("\n".join(_readme(document, workshop, folders)) + "\n", encoding="utf-8")
         folders.setdefault("", []).append(readme)
         written = tuple(_put(folders, _places(shell.file, directory, force=force)))
-    return Kit(written, scale, keys.unused(beside=("search",)))
+    narrowest = narrowest_panel(document) if paper else None
+    return Kit(written, scale, keys.unused(beside=("search",)), narrowest)
 
 
 def booklet_of_kit(

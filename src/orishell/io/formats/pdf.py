@@ -30,6 +30,8 @@ Box = tuple[Array, Array]
 
 MM = 72 / 25.4
 """Points in a millimetre."""
+BESIDE_MM = 3.0
+"""Room between a title and the bar beside it (mm)."""
 ARM_MM = 2.5
 """Length of the arms of register marks (mm)."""
 CAPITALS = 0.718
@@ -203,9 +205,10 @@ def _draw_marks(canvas: Canvas, places: Array) -> None:
 def _draw_foot(canvas: Canvas, model: PaperModel, page: Page, number: int) -> None:
     tiling = model.tiling
     top, right = BORDER_MM + FOOT_MM - 6.5, tiling.page_width - BORDER_MM
-    _say(canvas, BORDER_MM, top, _cut(model.title, 34), 9)
+    bar = 0.5 * (tiling.page_width - model.bar_mm)
+    _say(canvas, BORDER_MM, top, _cut(model.title, bar - BORDER_MM - BESIDE_MM, 9), 9)
     _say(canvas, BORDER_MM, top - 4, f"{model.says}. Print at 100 %", 8)
-    _draw_bar(canvas, model, 0.5 * (tiling.page_width - model.bar_mm), top)
+    _draw_bar(canvas, model, bar, top)
     if len(tiling.pages) > 1:
         _say(canvas, right, top, f"Page {number} of {len(tiling.pages)}", 9, anchor="end")
         place = f"row {page.row}, column {page.column}"
@@ -233,7 +236,7 @@ def _draw_order(canvas: Canvas, model: PaperModel) -> None:
     tiling = model.tiling
     left, right = BORDER_MM, tiling.page_width - BORDER_MM
     y = tiling.page_height - BORDER_MM - 6
-    _say(canvas, left, y, _cut(model.title, 60), 16)
+    _say(canvas, left, y, _cut(model.title, right - left, 16), 16)
     wide, high = model.size.tolist()
     pages = f"{len(tiling.pages)} pages"
     _say(canvas, left, y - 8, f"{model.says}, {wide:.0f} x {high:.0f} mm on {pages}", 11)
@@ -295,8 +298,17 @@ def _say(
     _write(canvas, anchor, x * MM, y * MM, words)
 
 
-def _cut(words: str, most: int) -> str:
-    return words if len(words) <= most else words[: most - 3] + "..."
+def _cut(words: str, room: float, points: float) -> str:
+    """Words that are no wider than the room (mm) in Helvetica of so many points."""
+    from reportlab.pdfbase.pdfmetrics import stringWidth
+
+    def wide(text: str) -> float:
+        return float(stringWidth(text, "Helvetica", points)) / MM
+
+    shown = words
+    while shown and wide(words if shown == words else shown + "...") > room:
+        shown = shown[:-1]
+    return words if shown == words else shown + "..."
 
 
 FORMAT = Format(

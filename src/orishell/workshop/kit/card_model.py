@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.design.part import MadeStates
@@ -60,6 +62,20 @@ def make_card_model(document: Document, workshop: Workshop) -> CardModel:
         paper_scale=1.0,
     )
     return CardModel(_scaled(bare, factor, scale), drawn, scale)
+
+
+def narrowest_panel(document: Document) -> float:
+    """How narrow the narrowest panel of a card model is (mm).
+
+    Its shortest edge, or its area by its longer diagonal if that is less.
+    """
+    found = []
+    for part in document.parts:
+        corners = part.require_flat()[part.mesh.faces]
+        edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=-1).min(axis=1)
+        diagonal = np.linalg.norm(corners[:, 2:] - corners[:, :2], axis=-1).max(axis=1)
+        found.append(np.minimum(edges, np.abs(part.areas()) / diagonal))
+    return float(np.concatenate(found).min())
 
 
 def _without_boards(document: Document) -> Document:
