@@ -8,7 +8,6 @@ import shlex
 import shutil
 import tomllib
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -46,25 +45,6 @@ def assert_answers(call: tuple[list[str], str], where: Path) -> None:
     if printed:
         assert re.fullmatch(pattern, got.strip()), got
     assert ran.returncode == (1 if printed.startswith("orishell:") else 0), ran.stderr
-
-
-def test_two_commands_are_two() -> None:
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    section = text.split("\n## Two commands\n")[1].split("\n## ")[0]
-    (block,) = re.findall(r"^```sh\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)
-    assert [line.split("#")[0].split() for line in block.splitlines()] == [
-        ["make", "demo"],
-        ["make", "test"],
-    ]
-
-
-def test_the_readme_is_read_at_once_and_its_python_runs() -> None:
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= 120
-    (block,) = re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
-    names: dict[str, Any] = {}
-    exec(block, names)
-    assert {state.shape for state in names["states"]} == {(11, 13, 3)}
 
 
 def test_the_first_file_is_the_starter() -> None:

@@ -11,6 +11,7 @@ from orishell.shell.steps import MEASURES, Work
 from samples import thorough
 
 FILE = EXAMPLES / "shelter_snow.toml"
+README = " ".join((EXAMPLES.parent / "README.md").read_text(encoding="utf-8").split())
 PLAN = 3.0 * 6.0
 """Of f and g (m2)."""
 
@@ -51,4 +52,11 @@ def test_it_carries_all_combinations_with_free_hinges() -> None:
     assert all(tie.slack for tie in ties)
     rope = 0.0154 * sum(tie.length for tie in ties)
     assert analysis.model.mass is not None
-    assert 19 < (analysis.model.mass + rope) / PLAN < 20
+    by_plan = (analysis.model.mass + rope) / PLAN
+    assert 19 < by_plan < 20
+    for words in (
+        f"all {len(analysis.cases)} combinations",
+        f"at {by_plan:.1f} kg/m2",
+        f"used to {100 * analysis.governs.utilisation:.0f} %",
+    ):
+        assert words in README

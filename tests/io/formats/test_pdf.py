@@ -205,9 +205,13 @@ def test_a_title_is_whole_where_the_bar_leaves_it_room(tmp_path: Path) -> None:
     """As that of a dome's card model, of 43 letters; a longer one ends before the bar."""
     title = "dome: flat-foldable, 11 x 11 inner vertices"
     scaled = {"paper_scale": 0.04}
-    (page,) = written(tmp_path, replace(demo_document(), title=title), **scaled).pages
+    (page,) = written(
+        tmp_path, replace(demo_document("orthodiagonal"), title=title), **scaled
+    ).pages
     assert title in page.extract_text()
-    (page,) = written(tmp_path, replace(demo_document(), title=3 * title), **scaled).pages
+    (page,) = written(
+        tmp_path, replace(demo_document("orthodiagonal"), title=3 * title), **scaled
+    ).pages
     shown = next(line for line in page.extract_text().splitlines() if line.startswith("dome"))
     assert shown.endswith("...")
     assert title in shown
