@@ -107,38 +107,54 @@ class Group:
     needed: Array  # (P,), tolerance and chord error: gaps that prove them apart
 
     def examined(self, step: float) -> tuple[OpenPairs, list[_Touch], list[_Touch]]:
-        """Pairs that stay open in a step, and the nearest that touch at the start and the stop."""
-        group = self
+        """Pairs that stay open in a step, and the nearest that touch at the start and the stop.
+
+        Lines between nearest points are sought only where normals show no gap: others do not touch,
+        and wait for shorter steps.
+        """
+        group, gap = self, np.full(len(self.needed), -np.inf)
         for panel in (0, 1):
-            group = group.not_separated_by(*(normals(state[panel]) for state in group.corners))
-        if not len(group.pairs[0]):
+            lines = [normals(state[panel]) for state in group.corners]
+            near, seen = group.near_along(*lines)
+            group, gap = group.chosen(near), np.maximum(gap, seen)[near]
+        if not len(gap):
             return OpenPairs.new(group.pairs), [], []
-        touching, lines, plain = [], [], []
-        for state in group.corners:
-            distance, between = nearest(*state)
-            touching.append(group.touching(distance))
-            lines.append(between / np.where(distance > 0, distance, 1.0))
-            plain.append(distance)
-        near = group.near_along(*lines)
-        room, bound = np.minimum(*plain) - group.tolerance, group.needed - group.tolerance
-        sleep = step_to_wait_for(step, room, bound)
-        found = OpenPairs(group.pairs, np.zeros(len(near), np.int64), sleep).chosen(near)
-        return found, touching[0], touching[1]
+        left, deep = np.ones(len(gap), np.bool_), ~(gap > group.tolerance)
+        doubtful = group.chosen(deep)
+        distances, between = zip(*(nearest(*state) for state in doubtful.corners), strict=True)
+        touching = [doubtful.touching(distance) for distance in distances]
+        left[deep], _ = doubtful.near_along(
+            *(b / np.where(d > 0, d, 1.0) for b, d in zip(between, distances, strict=True))
+        )
+        gap[deep] = np.minimum(*distances)
+        sleep = step_to_wait_for(step, gap - group.tolerance, group.needed - group.tolerance)
+        found = OpenPairs(group.pairs, np.zeros(len(gap), np.int64), sleep)
+        return found.chosen(left), touching[0], touching[1]
+
+    def chosen(self, which: Booleans) -> Group:
+        """The pairs at which ``which`` (P,) is true."""
+        if which.all():
+            return self
+        corners = [(first[..., which], second[..., which]) for first, second in self.corners]
+        return Group(
+            selected(self.pairs, which), corners, self.tolerance[which], self.needed[which]
+        )
 
     def not_separated_by(self, start: Array, stop: Array) -> Group:
         """Pairs that two directions (3, P), and one turning between them, do not keep apart."""
-        near = self.near_along(start, stop)
-        if near.all():
-            return self
-        corners = [(first[..., near], second[..., near]) for first, second in self.corners]
-        return Group(selected(self.pairs, near), corners, self.tolerance[near], self.needed[near])
+        return self.chosen(self.near_along(start, stop)[0])
 
-    def near_along(self, start: Array, stop: Array) -> Booleans:
-        """Pairs (P,) kept apart neither by one of two directions (3, P) nor by one turning."""
+    def near_along(self, start: Array, stop: Array) -> tuple[Booleans, Array]:
+        """Which pairs (P,) neither one of two directions (3, P) keeps apart nor one that turns.
+
+        And how far they are apart along them at the ends, at least (P,), negative if they are not.
+        """
         first, last = (views_along(direction, self.corners) for direction in (start, stop))
         standing = np.maximum(common_gap(first), common_gap(last))
         # A pair without a bound is not proved apart.
-        return np.asarray(~(np.maximum(standing, turning_gap(first, last)) > self.needed))
+        near = ~(np.maximum(standing, turning_gap(first, last)) > self.needed)
+        at_ends = np.minimum(common_gap(first[:1]), common_gap(last[1:]))
+        return np.asarray(near), np.asarray(at_ends)
 
     def touching(self, distance: Array) -> list[_Touch]:
         """The nearest pair within the tolerance, if there is one."""

@@ -55,7 +55,7 @@ COORDINATE_ROUNDING = 1e-14
 """Rounding of coordinates, relative to the largest: 45 units in the last place."""
 LENIENCE = 1e-4
 """Share of the tolerance that is used for panels that are meant to clash at the end."""
-CROWD = 64
+CROWD = 8
 """Pairs per node from which a sample tells whether to halve the range rather than to look at each:
 where a sheet runs through itself all over at the end of a range, its first contact is far from
 there."""
