@@ -13,7 +13,7 @@ from orishell.motion.layout import Layout
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
-RANGES, LEVELS, TABLES_KEPT = 32, 3, 64
+RANGES, LEVELS, TABLES_KEPT = 16, 3, 64
 """Ranges of the drive in a table, halvings of the path to the tables of its parts, tables kept."""
 ROUNDED_UP = 1 + 1e-9
 """Factor on a bound, far above what the sums and products that make it may be rounded down by."""
