@@ -26,6 +26,7 @@ from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.kit.parts import kit_parts
 from orishell.workshop.kit.steps import kit_steps
 from orishell.workshop.kit.words import load_words
+from orishell.workshop.printed_plan import print_ground
 from overlaps import NOTHING
 from samples import THOROUGH
 from stiffened import bodies, common, random_design, shell_of
@@ -175,6 +176,36 @@ def test_the_report_has_what_was_asked_and_found() -> None:
     opening = 0.6 * 0.6
     (whole,) = made(arch()).report.end_walls
     assert whole.area - opening == pytest.approx(wall.area, rel=1e-6, abs=1e-3)
+
+
+@pytest.mark.parametrize("door", [None, {"width": 0.3, "height": 0.5}], ids=["whole", "door"])
+def test_the_plan_of_the_ground_has_where_walls_stand(door: Tables | None) -> None:
+    """Beyond the feet of their ends, as long as they are wide, but for a door in the midst."""
+    walls = [{"at": "first", **({} if door is None else {"door": door})}, {"at": "last"}]
+    file = check_design({**ARCH, "end_wall": walls}, Path("x.toml"))
+    shell = make_shell(file, skip=["remedies", "deviation", "verification", "stock"])
+    plan = shell.document.ground
+    assert plan is not None
+    lengths = [float(np.hypot(*np.diff(each, axis=0)[0])) for each in plan.walls]
+    first, last = shell.report.end_walls
+    if door is None:
+        assert lengths == pytest.approx([first.width, last.width], rel=1e-9)
+    else:
+        assert len(lengths) == 3
+        assert sum(lengths[:2]) == pytest.approx(first.width - door["width"], rel=1e-9)
+        gap = np.abs(np.subtract.outer(plan.walls[0][:, 1], plan.walls[1][:, 1])).min()
+        assert gap == pytest.approx(door["width"], rel=1e-9)
+    feet = [foot.x for foot in plan.feet]
+    xs = np.concatenate(plan.walls)[:, 0]
+    assert xs.min() < min(feet)
+    assert xs.max() > max(feet)
+    assert not ((xs > min(feet)) & (xs < max(feet))).any()
+    # As large on paper as the rest of the plan.
+    printed = print_ground(shell.document, "A4")
+    assert printed is not None
+    drawn = [np.hypot(*np.diff(line.points, axis=0)[0]) for line in printed.pages[0].lines]
+    for each in lengths:
+        assert np.isclose(drawn, 1000 * each / printed.scale, rtol=1e-9).any()
 
 
 def test_a_wall_far_from_its_border_is_warned_of() -> None:

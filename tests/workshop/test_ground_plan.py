@@ -47,6 +47,7 @@ def planned(feet: Array, size: float, unit: str = "m") -> Document:
         ),
         hull=hull,
         swept=SweptGround(swept, far, far, far**2, 2.5, 1.0, 0.1, 3.0, 0.01, 100),
+        walls=(hull[:2] - 0.02 * far, hull[2:] + 0.02 * far),
     )
     return replace(demo_document(), unit=unit, ground=plan)
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Final
+
 import numpy as np
 
 from orishell.deployment.feet import Feet
@@ -17,6 +20,11 @@ from orishell.motion.boards import Boards
 from orishell.motion.complex import Complex
 from orishell.numerics.arrays import Array
 from orishell.solids.carried import moving_boards
+
+END_WALL: Final = "end_wall"
+"""The kind of parts that are walls at its ends."""
+AT_ONE = 1e-9
+"""Heights and ends that differ by less, as a share of a wall, are one."""
 
 
 def plan_ground(
@@ -61,6 +69,7 @@ def plan_ground(
         ),
         hull=from_corner(at_target(standing, occupied, beside)[0]),
         swept=None if sweep is None else _swept(sweep, from_corner(sweep.outline)),
+        walls=tuple(each - corner[:2] for each in _walls(document)),
     )
 
 
@@ -80,6 +89,32 @@ def _beside(document: Document) -> Array | None:
     """Corners (K, 3) of parts that go with the sheet, at the target; None if none do."""
     points = [part.corners(state) for part, state in document.parts_in(SHELL)[1:]]
     return np.concatenate(points) if points else None
+
+
+def _walls(document: Document) -> Iterator[Array]:
+    """Stretches of end walls (2, 2) on the ground, in plan: of each wall its strips that stand."""
+    walls: dict[str, list[Array]] = {}
+    for part, state in document.parts_in(SHELL):
+        if part.kind == END_WALL:
+            walls.setdefault(part.title, []).extend(state.positions[part.mesh.faces])
+    for strips in map(np.array, walls.values()):  # (P, 4, 3)
+        points = strips.reshape(-1, 3)
+        away = points[:, :2] - points[0, :2]
+        along = away[np.hypot(*away.T).argmax()]
+        along = along / np.hypot(*along)
+        low, near = points[:, 2].min(), AT_ONE * float(np.ptp(points, axis=0).max())
+        standing = sorted(
+            (float(places.min()), float(places.max()))
+            for strip in strips
+            if len(places := strip[strip[:, 2] <= low + near, :2] @ along) > 1
+        )
+        across = points[0, :2] - (points[0, :2] @ along) * along
+        begin, end = standing[0]
+        for start, stop in [*standing[1:], (np.inf, np.inf)]:
+            if start > end + near:
+                yield across + np.outer([begin, end], along)
+                begin, end = start, stop
+            end = max(end, stop)
 
 
 def _swept(sweep: Sweep, outline: Array) -> SweptGround:

@@ -83,6 +83,8 @@ class GroundPlan:
     # the ground that it needs on its way; None where it is opened in pieces, or moves so
     # fast somewhere that nobody knows
     swept: SweptGround | None
+    # where end walls stand on the ground: both ends (2, 2) of each stretch, doors left out
+    walls: tuple[Array, ...] = ()
 
     @property
     def crossed(self) -> tuple[tuple[GroundFoot, GroundFoot], ...]:
@@ -91,6 +93,12 @@ class GroundPlan:
         if not 1 < len(row) < len(self.feet) - 1:
             return ()
         return (self.feet[0], self.feet[-1]), (row[-1], self.feet[len(row)])
+
+    @property
+    def drawn(self) -> tuple[Array, ...]:
+        """Points (K, 2) of the lines of the plan: outlines, and stretches of walls."""
+        outlines = (self.hull,) if self.swept is None else (self.hull, self.swept.hull)
+        return (*outlines, *self.walls)
 
     @property
     def outline(self) -> tuple[tuple[float, float], ...]:

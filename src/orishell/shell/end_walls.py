@@ -20,6 +20,7 @@ from orishell.conventions.formatting import rounded_down
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.deployment.feet import Feet
+from orishell.deployment.ground import END_WALL
 from orishell.design import Design, PanelSpec
 from orishell.design.end_walls import BuiltEndWall, End, EndWall, Opening
 from orishell.design.part import SHELL, DocumentState, Part
@@ -42,7 +43,6 @@ UNTABBED = 0.85
 MOST_SHEETS = 400
 """A wall is not cut into the strips of more sheets."""
 OTHER: dict[End, End] = {"first": "last", "last": "first"}
-KIND = "end_wall"
 
 
 def with_end_walls(
@@ -264,7 +264,7 @@ def _parts(
             names=tuple(names[each] for each in mine.tolist()),
             panel=build,
             boards=own,
-            kind=KIND,
+            kind=END_WALL,
         )
 
 

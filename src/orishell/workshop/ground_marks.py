@@ -31,6 +31,7 @@ def ground_marks(plan: GroundPlan, letter: float, shares: Sequence[float] = (1.0
     lines = [Line("ENGRAVE", plan.hull, closed=True)]
     if plan.swept is not None:
         lines += _dashed(plan.swept.hull, letter * DASH, letter * GAP)
+    lines += [Line("CUT", wall) for wall in plan.walls]
     arm = CROSS * letter * np.array([[-1.0, 0.0], [1.0, 0.0]])
     for foot in plan.feet:
         place = np.array([foot.x, foot.y])

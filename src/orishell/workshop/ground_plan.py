@@ -99,7 +99,11 @@ def ground_legend(plan: GroundPlan, unit: str) -> list[tuple[str, str, str]]:
         wide, deep = (size(each, unit, bound=True) for each in (swept.width, swept.depth))
         high = size(swept.height, unit, bound=True)
         rows += [("on its way", "dashed", f"{wide} × {deep}"), ("height", "", high)]
-    return [*rows, ("feet", "crosses", str(len(plan.feet)))]
+    rows.append(("feet", "crosses", str(len(plan.feet))))
+    if plan.walls:
+        long = float(sum(np.hypot(*(wall[1] - wall[0])) for wall in plan.walls))
+        rows.append(("end walls", "solid", size(long, unit)))
+    return rows
 
 
 class _Plan:
@@ -107,9 +111,8 @@ class _Plan:
 
     def __init__(self, plan: GroundPlan, unit: str) -> None:
         self.plan, self.unit = plan, unit
-        around = [plan.hull] if plan.swept is None else [plan.hull, plan.swept.hull]
         self.feet = np.array([(foot.x, foot.y) for foot in plan.feet])
-        points = np.concatenate([*around, self.feet])
+        points = np.concatenate([*plan.drawn, self.feet])
         self.low, self.high = points.min(axis=0), points.max(axis=0)
         self.ticks = [_grouped(plan.feet, axis, unit) for axis in (0, 1)]
         room = [

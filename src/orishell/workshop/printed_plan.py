@@ -108,15 +108,15 @@ def _scaled(plan: GroundPlan, millimetres: float, room: Array) -> tuple[int, Gro
         plan,
         hull=plan.hull * factor,
         swept=None if swept is None else replace(swept, hull=swept.hull * factor),
+        walls=tuple(wall * factor for wall in plan.walls),
         feet=tuple(replace(each, x=each.x * factor, y=each.y * factor) for each in plan.feet),
     )
 
 
 def _corners(plan: GroundPlan) -> tuple[Array, Array]:
     """Lower left and upper right corner (2,) of all that a plan has, its own corner included."""
-    around = [plan.hull] if plan.swept is None else [plan.hull, plan.swept.hull]
     feet = np.array([(foot.x, foot.y) for foot in plan.feet])
-    points = np.concatenate([*around, feet, np.zeros((1, 2))])
+    points = np.concatenate([*plan.drawn, feet, np.zeros((1, 2))])
     return points.min(axis=0), points.max(axis=0)
 
 
