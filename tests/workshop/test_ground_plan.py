@@ -47,7 +47,6 @@ def planned(feet: Array, size: float, unit: str = "m") -> Document:
         ),
         hull=hull,
         swept=SweptGround(swept, far, far, far**2, 2.5, 1.0, 0.1, 3.0, 0.01, 100),
-        walls=(hull[:2] - 0.02 * far, hull[2:] + 0.02 * far),
     )
     return replace(demo_document(), unit=unit, ground=plan)
 
@@ -99,7 +98,14 @@ def require_clear(drawing: Drawing) -> None:
 def test_no_line_and_no_words_go_through_words(
     shape: Callable[[int, float], Array], count: int, unit: str
 ) -> None:
-    require_clear(of(planned(shape(count, 40.0 if unit == "ft" else 7.0), 1.1, unit)))
+    """With walls beyond the feet, and without."""
+    document = planned(shape(count, 40.0 if unit == "ft" else 7.0), 1.1, unit)
+    require_clear(of(document))
+    plan = document.ground
+    assert plan is not None
+    away = 0.02 * float(np.ptp(plan.hull))
+    walls = (plan.hull[:2] - away, plan.hull[2:] + away)
+    require_clear(of(replace(document, ground=replace(plan, walls=walls))))
 
 
 SMALLEST = 8.0
