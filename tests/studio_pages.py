@@ -22,6 +22,17 @@ IDLE = "window.__orishell !== undefined && window.__orishell.idle"
 DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
 READ = "window.__orishell.store.files.value === 0"
 
+FREE = """(() => {
+    const { shell3d } = window.__orishell, place = () => shell3d.camera.position.clone();
+    for (let panel = 0; panel < shell3d.motion.panels; panel++) {
+        const corner = (k) => shell3d.motion.at(4 * panel + k, place());
+        const [x, y] = shell3d.onScreen(corner(0).add(corner(2)).multiplyScalar(0.5));
+        const free = document.elementFromPoint(x, y) === shell3d.canvas;
+        if (free && shell3d.under(x, y)?.panel === panel) return [x, y];
+    }
+})()"""
+"""The middle of a panel that is seen, and lies under no control."""
+
 TOUCHING = """() => {
     const store = window.__orishell.store, design = structuredClone(store.design.value);
     design.target = {

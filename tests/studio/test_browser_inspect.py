@@ -12,7 +12,7 @@ import pytest
 
 from node_tools import PACKAGES, lacking
 from samples import led_by, thorough
-from studio_pages import SIZES, TOUCHING, choose, drawn, fold, opened, settle
+from studio_pages import FREE, SIZES, TOUCHING, choose, drawn, fold, opened, settle
 from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
 
 if TYPE_CHECKING:
@@ -43,18 +43,6 @@ SPAN = """(() => {
     };
     const row = Math.floor(rows / 2);
     return [at(row), at(row + Math.ceil(rows / 5))];
-})()"""
-
-
-# The middle of a panel that is seen, and lies under no control.
-FREE = """(() => {
-    const { shell3d } = window.__orishell, place = () => shell3d.camera.position.clone();
-    for (let panel = 0; panel < shell3d.motion.panels; panel++) {
-        const corner = (k) => shell3d.motion.at(4 * panel + k, place());
-        const [x, y] = shell3d.onScreen(corner(0).add(corner(2)).multiplyScalar(0.5));
-        const free = document.elementFromPoint(x, y) === shell3d.canvas;
-        if (free && shell3d.under(x, y)?.panel === panel) return [x, y];
-    }
 })()"""
 
 

@@ -10,7 +10,7 @@ import pytest
 from orishell.design_file import starter_file
 from page_checks import CUT_RINGS, MISPLACED, serious_findings
 from samples import led_by, thorough
-from studio_pages import SIZES, all_formats, choose, drawn, drop_file, in_bar, opened, settle
+from studio_pages import FREE, SIZES, all_formats, choose, drawn, drop_file, in_bar, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
@@ -143,9 +143,8 @@ def _is_one_column(page: Page) -> None:
                 await_frames(page)
 
     scene = places[0]
-    middle = scene["x"] + scene["width"] / 2, scene["y"] + scene["height"] / 2
     before = page.evaluate(camera)
-    swipe(*middle, -80)
+    swipe(*page.evaluate(FREE), -80)
     assert page.evaluate("scrollY") == 0
     assert page.evaluate(camera) != before
     page.get_by_test_id("fit").click()
