@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { listed, rowsIn, tiesAt } from "../src/studio/design/row-list.ts";
-import { AS_PANELS, bolted, BOXES, EMPTY, GAP, NONE, SKIN, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, GAP, lowered, NONE, SKIN, stepOf, stiffened } from "../src/studio/design/stiffener-table.ts";
 
 test("rows are typed with commas or spaces, and only whole numbers are rows", () => {
   expect(rowsIn("2, 4 6,")).toEqual([2, 4, 6]);
@@ -53,4 +53,10 @@ test("bolts are there with their holes, at usual distances until others are said
   expect(gussets).toEqual({ kind: "gussets", bolts });
   expect(stiffened(gussets, "bolts", bolted(bolts, "hole", 0))).toEqual({ kind: "gussets" });
   expect(stiffened(gussets, "kind", BOXES)).toEqual({ kind: "boxes" });
+});
+
+test("the curve of a second skin begins as f, lowered", () => {
+  expect(lowered({ formula: "-0.16*x**2", range: [-4, 4] }, 0.464)).toEqual({ formula: "-0.16*x**2 - 0.46", range: [-4, 4] });
+  expect(lowered({ formula: ["cos(t)", "sin(t)"] }, 0.1)).toEqual({ formula: ["cos(t)", "sin(t) - 0.1"] });
+  expect(lowered({ points: [[0, 0], [1, 1]] }, 0.1)).toBeNull();
 });

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -370,3 +371,24 @@ def test_an_end_is_closed_by_a_wall_with_a_door(page: Page) -> None:
     assert 2 < door["height"] < 2.6  # of the profile
     page.get_by_test_id("end-wall-last-wall").uncheck()
     assert page.evaluate("window.__orishell.store.design.value.end_wall") is None
+
+
+def test_a_second_skin_follows_a_gap_or_a_curve_of_its_own(page: Page) -> None:
+    path = Path(__file__).parents[2] / "examples" / "two_skins.toml"
+    drop_file(page, "two_skins.toml", path.read_text("utf-8"))
+    design = "window.__orishell.store.design.value"
+    wait_until(page, f"{design}.target.inner")
+    formula = page.get_by_test_id("formula-inner")
+    assert formula.input_value() == "-0.128*x**2 - 0.8"
+    assert page.get_by_test_id("skin-curve").is_hidden()
+    page.get_by_test_id("stiffeners-gap").fill("25 cm")
+    assert page.evaluate(f"[{design}.stiffeners.gap, {design}.target.inner]") == [0.25, None]
+    assert formula.is_hidden()
+    drawn(page)
+    # Ten percent of the 8.4 m of f below it.
+    page.get_by_test_id("skin-curve").click()
+    assert formula.input_value() == "-0.16*x**2 - 0.84"
+    assert page.evaluate(f"{design}.stiffeners") == {"kind": "skin", "walls": "all"}
+    page.locator("label:has([data-testid='stiffeners-kind-'])").click()
+    assert page.evaluate(f"[{design}.stiffeners, {design}.target.inner]") == [None, None]
+    drawn(page)

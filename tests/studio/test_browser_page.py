@@ -144,7 +144,8 @@ def _is_one_column(page: Page) -> None:
 
     scene = places[0]
     before = page.evaluate(camera)
-    swipe(*page.evaluate(FREE), -80)
+    x, y = page.evaluate(FREE)
+    swipe(x, y, -80)
     assert page.evaluate("scrollY") == 0
     assert page.evaluate(camera) != before
     page.get_by_test_id("fit").click()

@@ -27,7 +27,7 @@ export class FormulaFields {
   private table: CurveTable = {};
 
   constructor(
-    private readonly name: CurveName,
+    private readonly name: CurveName | "inner",
     private readonly changed: (table: CurveTable, gesture: string) => void,
   ) {
     this.x = this.text("formula", `formula-${name}-x`, "formula of x of t");

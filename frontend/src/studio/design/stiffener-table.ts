@@ -1,5 +1,8 @@
 // What the table [stiffeners] of a design says, as the page shows and changes it.
 
+import { short } from "../parts/numbers.ts";
+import type { CurveTable } from "../state/types.ts";
+
 type Table = Record<string, unknown>;
 
 export const NONE = "";
@@ -47,6 +50,13 @@ export function stiffened(table: Table | undefined, key: string, value: unknown)
   const rest = Object.fromEntries(Object.entries(others).filter(fit));
   const made = value === undefined || value === USUAL[key] ? rest : { ...rest, [key]: value };
   return made["kind"] ? made : undefined;
+}
+
+/** A formula f lowered by a length, for a second skin; null where f is given otherwise. */
+export function lowered({ formula, range }: CurveTable, by: number): CurveTable | null {
+  if (formula === undefined) return null;
+  const below = (y: string): string => `${y} - ${short(by, 2)}`;
+  return { formula: Array.isArray(formula) ? [formula[0], below(formula[1])] : below(formula), ...(range ? { range } : {}) };
 }
 
 /** Every so many columns have them; null where they are listed. */

@@ -1,15 +1,19 @@
 // What stiffens the shell once it stands: the table [stiffeners] of the design file.
 
 import type { KeyWords } from "../../shared/api-types.ts";
-import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
+import { boxOf } from "../curves/plane.ts";
+import { FormulaFields } from "../curves/formula-fields.ts";
+import { button, numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { capital } from "../../shared/words.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import { listed } from "./row-list.ts";
-import { AS_PANELS, bolted, BOXES, EMPTY, GAP, KEYS, NONE, ROWS, SHARE, stepOf, stiffened } from "./stiffener-table.ts";
+import { AS_PANELS, bolted, BOXES, EMPTY, GAP, KEYS, lowered, NONE, ROWS, SHARE, SKIN, stepOf, stiffened } from "./stiffener-table.ts";
 
 const SIZES = ["hole", "spacing", "edge"] as const;
+/** A new curve of a second skin lies below f by this share of how wide that is. */
+const BELOW = 0.1;
 
 export class StiffenerControls {
   readonly element: HTMLElement;
@@ -30,6 +34,10 @@ export class StiffenerControls {
   /** What only gussets have that are bolted on. */
   private readonly held: HTMLElement[];
   private boxes = false;
+  /** The curve of a second skin. */
+  private readonly inner = new FormulaFields("inner", (table, gesture) => this.store.set({ "target.inner": table }, "curve of the second skin", gesture));
+  private readonly curve = h("div", { class: "parameter-list" }, h("span", {}, "Curve of the second skin, where f is"), this.inner.element);
+  private readonly own = button({ label: "Follow a curve of its own", text: "Follow a curve of its own", testid: "skin-curve", act: () => this.follow() });
 
   constructor(private readonly store: Store) {
     const { label, keys } = store.info.tables["stiffeners"]!;
@@ -63,7 +71,7 @@ export class StiffenerControls {
       gap: [row("gap", gap!, this.gap, this.units[SIZES.length + 1]!)],
       walls: [row("walls", walls!, this.walls)],
     };
-    this.rest = h("div", { class: "parameter-list" }, ...Object.values(this.heads).flat(), this.note);
+    this.rest = h("div", { class: "parameter-list" }, ...Object.values(this.heads).flat(), this.own, this.curve, this.note);
     this.element = h(
       "section",
       { class: "stiffeners", "aria-labelledby": "stiffeners-title" },
@@ -72,11 +80,34 @@ export class StiffenerControls {
       this.rest,
     );
     store.design.bind(({ stiffeners, shell }) => this.show(stiffeners, String(shell["unit"] ?? "")));
+    for (const signal of [store.design, store.curves]) (signal as { bind(listener: () => void): void }).bind(() => this.showCurve());
   }
 
   private set(key: string, value: unknown, gesture = ""): void {
-    const { stiffeners } = this.store.design.value;
-    this.store.set({ stiffeners: stiffened(stiffeners, key, value) }, "stiffeners", gesture);
+    const { stiffeners, target } = this.store.design.value;
+    // A gap, or another kind, takes the place of a curve.
+    const curve = target?.inner && (key === "kind" || key === "gap") ? { "target.inner": null } : {};
+    this.store.set({ stiffeners: stiffened(stiffeners, key, value), ...curve }, "stiffeners", gesture);
+  }
+
+  private get lowered(): ReturnType<typeof lowered> {
+    const { design, curves } = this.store;
+    const { stiffeners, target } = design.value;
+    const box = boxOf(curves.value?.f ?? []);
+    return stiffeners?.["kind"] === SKIN && !target?.inner && target?.f && box ? lowered(target.f, BELOW * (box.high[0] - box.low[0])) : null;
+  }
+
+  private follow(): void {
+    const { design } = this.store;
+    this.store.set({ "target.inner": this.lowered, stiffeners: stiffened(design.value.stiffeners, "gap", GAP) }, "curve of the second skin");
+  }
+
+  private showCurve(): void {
+    const { inner } = this.store.design.value.target ?? {};
+    this.own.hidden = !this.lowered;
+    this.curve.hidden = inner?.formula === undefined;
+    if (inner) this.inner.show(inner);
+    this.gap.placeholder = inner ? "its curve" : GAP;
   }
 
   private segments(key: string, { label, choices }: KeyWords): Segmented<string> {

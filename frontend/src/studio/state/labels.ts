@@ -136,7 +136,7 @@ function small(label: string): string {
 
 /** The curve that something is of, or the surface. */
 function ofTarget(name: string): string {
-  const whole: Record<string, string> = { surface: " of the surface", fit: " of the built shell" };
+  const whole: Record<string, string> = { surface: " of the surface", fit: " of the built shell", inner: " of the second skin" };
   return whole[name] ?? ` of ${name}`;
 }
 

@@ -66,6 +66,8 @@ export interface Target {
   g?: CurveTable;
   surface?: SurfaceTable;
   pattern?: DrawingTable;
+  /** The curve of a second skin, in the plane of f. */
+  inner?: CurveTable;
   /** Sizes that the built shell is to have. */
   fit?: { [key: string]: number | string };
 }
