@@ -12,9 +12,10 @@ import pytest
 
 from command_line import Ran, orishell
 from deployed_shelters import shelter as shelter_text
+from orishell.design_file import check_design
 from orishell.io import read_fold
 from orishell.io.fold import document_of_fold
-from orishell.shell.make import design_shell
+from orishell.shell.make import design_shell, make_shell
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -220,3 +221,19 @@ def test_hinges_that_do_not_reach_the_target(
             kept = re.sub(f"{change.split()[0]} = .*\n", "", kept)
         changed = "\n".join(each)
         assert design(tmp_path, deployed(text, f"{kept}{changed}\n")).returncode == 0
+
+
+@pytest.mark.parametrize(("unit", "threads"), [("mm", True), ("m", False)])
+def test_feet_of_a_model_are_tied_with_threads(unit: str, threads: bool) -> None:
+    """Of the same numbers 300 mm wide, or 300 m; without ties both open under their weight."""
+    tables = {
+        "shell": {"family": "parallel-repeating", "unit": unit},
+        "target": {
+            "f": {"formula": "40 - x**2/45", "range": [-30, 30]},
+            "g": {"formula": "40*sin(pi*x/120)", "range": [0, 240]},
+        },
+        "pattern": {"rows": 5, "columns": 5, "flap": 10, "xi_deg": 60},
+    }
+    shell = make_shell(check_design(tables, Path("x.toml")), skip=["remedies", "deviation"])
+    (note,) = [each for each in shell.report.warnings if "opens under its own weight" in each]
+    assert ("tie its feet together with threads" in note) is threads
