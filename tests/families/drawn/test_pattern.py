@@ -240,7 +240,7 @@ def test_letters_that_were_found_are_said() -> None:
 
 
 FAULTS: dict[str, tuple[dict[str, Any], str]] = {
-    "no drawing": ({"target": None}, "missing"),
+    "no drawing": ({"target": None}, "a shell of a drawn sheet"),
     "curves": ({"target": {"f": {"formula": "x", "range": [0, 1]}}}, "missing"),
     "rows": ({"pattern.rows": 3}, "rows and columns are those of the drawn sheet"),
     "tolerance": ({"tolerance": {"surface": 0.1}}, "those of the drawn sheet"),

@@ -11,6 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from orishell.curves import curve_from_formulas, parse_formula
+from orishell.families.parallel_repeating import (
+    ParallelRepeatingPattern,
+    design_parallel_repeating,
+)
 from orishell.io import read_pattern
 from orishell.motion.crease_pattern import CreasePattern, pattern_of_panels
 from orishell.motion.following import follow
@@ -28,6 +33,7 @@ from patterns import (
     jittered,
     mirrored,
     miura,
+    of_mechanism,
     scaled,
     shuffled,
     square_twist,
@@ -252,6 +258,35 @@ def test_creases_that_are_out_of_line_beside_a_hole_are_judged(
     sign, finding = rows["folds"]
     assert (sign == "holds") == (offset <= 1.41e-4)
     assert ("a hole" in finding) == (offset != 1e-4)  # there hinges give way to the tolerance
+
+
+def test_lines_that_bend_by_little_fold_together(tmp_path: Path) -> None:
+    """Where two lines cross and one is straight the other folds by as little as the first bends.
+
+    A shell of ours over an almost straight g, with edges 2000 times shorter than it is long.
+    """
+    sheet = design_parallel_repeating(
+        curve_from_formulas(None, parse_formula("-x**2"), -0.02, 0.02),
+        curve_from_formulas(None, parse_formula("0.0002*x**2"), 0.0, 20.0),
+        ParallelRepeatingPattern(rows=3, columns=7, xi_deg=50.0),
+    ).mechanism
+    rows = said(judge_pattern(read_pattern(write(tmp_path / "sheet.fold", of_mechanism(sheet)))))
+    assert rows["folds"][0] == "holds", rows["folds"]
+
+
+@pytest.mark.parametrize("digits", [3, 6, 15])
+def test_straight_lines_that_cross_are_never_said_to_fold_together(
+    digits: int, tmp_path: Path
+) -> None:
+    """Whatever digits of a grid of straight lines a file has."""
+    grid = Grid(4, 5)
+    x, y = np.meshgrid(np.arange(5.0), np.arange(4.0))
+    turn = np.array([[np.cos(0.3), -np.sin(0.3)], [np.sin(0.3), np.cos(0.3)]])
+    points = np.round(np.stack([x, y], axis=-1).reshape(-1, 2) @ turn * 10, digits)
+    letters = np.where(np.arange(len(grid.edges_vertices())) % 2 == 0, "M", "V")
+    pattern = pattern_of_panels(points, grid.faces_vertices(), grid.edges_vertices(), letters)
+    rows = said(judge_pattern(read_pattern(write(tmp_path / "grid.fold", pattern))))
+    assert rows["folds"][0] != "holds", rows["folds"]
 
 
 def test_letters_of_the_other_side_are_told(tmp_path: Path) -> None:

@@ -73,8 +73,9 @@ def find_rigid(pattern: CreasePattern, exact: float = EXACT) -> Rigid:
     signs = np.append(np.where(folds, pattern.signs, 0.0), 0.0)[creases]
     alike = (count >= 3) & (np.abs(np.nansum(signs, axis=1)) == count)
     flat = pattern.crease & (pattern.signs != 0) & ~folds
-    straight = np.abs(between[:, :2].sum(axis=1) - np.pi) <= exact
-    straight &= np.abs(between[:, 1:3].sum(axis=1) - np.pi) <= exact
+    # Lines that bend by little fold together a little: what is said rests on straight ones.
+    straight = np.abs(between[:, :2].sum(axis=1) - np.pi) <= EXACT
+    straight &= np.abs(between[:, 1:3].sum(axis=1) - np.pi) <= EXACT
     crossing = (count == 4) & straight & (np.abs(signs).sum(axis=1) == 4)
     _, ends = pattern.fans
     way = pattern.vertices[ends] - pattern.vertices[pattern.inner][:, None]
@@ -105,7 +106,8 @@ def _pulled(along: Array, signs: Array, exact: float) -> Booleans:
     straight = np.nanmax(np.nan_to_num(lines), axis=1) <= exact
     straight &= widest <= np.pi + exact
     known = ~np.isnan(signs).any(axis=1)
-    return np.asarray(known & (count > 0) & (widest >= np.pi - exact) & ~straight)
+    one_side = (np.abs(widest - np.pi) <= EXACT) | (widest > np.pi + exact)
+    return np.asarray(known & (count > 0) & one_side & ~straight)
 
 
 def _not_of_four(along: Array, signs: Array, exact: float) -> Booleans:
@@ -126,8 +128,8 @@ def _not_of_four(along: Array, signs: Array, exact: float) -> Booleans:
     for side in (1.0, -1.0):
         rates = (size * [1.0, side])[:, None] @ vectors.transpose(0, 2, 1) @ basis
         rates = rates[:, 0] / np.maximum(np.abs(rates).max(axis=2), np.finfo(float).tiny)
-        unsure = (np.abs(rates) > exact) & (np.abs(rates) < UNSURE * exact)
-        moves = np.where(np.abs(rates) > exact, np.sign(rates), 0.0)
+        unsure = (np.abs(rates) > EXACT) & (np.abs(rates) < UNSURE * exact)
+        moves = np.where(np.abs(rates) > EXACT, np.sign(rates), 0.0)
         for turned in (moves, -moves):
             fits |= ((turned == signs) | unsure).all(axis=1)
     return ~fits & (low <= -exact) & (high >= exact)
