@@ -57,7 +57,8 @@ export class Pinned {
   private placeOf([x, y]: Place, room: readonly [number, number] | null, free: (place: Place, room: readonly [number, number]) => boolean): Place | null {
     const [width, height] = this.shell.eye.size;
     if (x < 0 || y < 0 || x > width || y > height) return null;
-    if (!room) return [x, y];
+    // On a phone the tools lie in a row over the shell: no handle looks out below them.
+    if (!room) return width <= WIDE && y < TOP ? null : [x, y];
     const places = MOVES.map((by): Place => [
       clamp(x, room[0], Math.max(room[0], width - room[0] - (width > WIDE ? RIGHT : 0))), clamp(y + by, TOP, Math.max(TOP, height - room[1])),
     ]);
