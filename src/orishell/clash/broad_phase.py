@@ -25,6 +25,8 @@ DIRECTIONS /= np.linalg.norm(DIRECTIONS, axis=-1, keepdims=True)
 """The 13 directions (13, 3) to faces, edges and corners of a cube, along which nodes are seen."""
 CHUNK = 1 << 12
 """Pairs looked at in one go, so that they stay near the processor."""
+SHORT_CHUNK = 1 << 10
+"""The same, of pairs of which each has two dozen numbers."""
 
 
 @record
@@ -106,42 +108,37 @@ def joined(pairs: Sequence[Pairs]) -> Pairs:
 
 def gaps(states: tuple[Extents, Extents], level: int, pairs: Pairs) -> Array:
     """Widest gap (P,) between two nodes along one of the directions in both states."""
-    (start_low, start_high), (stop_low, stop_high) = (
-        (state.low[level], state.high[level]) for state in states
-    )
-    still = states[0] is states[1]
-
-    def of(first: Integers, second: Integers) -> Array:
-        above = start_low[second] - start_high[first]
-        below = start_low[first] - start_high[second]
-        if not still:
-            np.minimum(above, stop_low[second] - stop_high[first], out=above)
-            np.minimum(below, stop_low[first] - stop_high[second], out=below)
-        return np.asarray(np.maximum(above, below).max(axis=1))
-
-    return in_chunks(of, *pairs)
+    first, last = ((state.low[level], state.high[level]) for state in states)
+    return body_gaps([first] if states[0] is states[1] else [first, last], pairs)
 
 
 def body_gaps(states: Sequence[tuple[Array, Array]], pairs: Pairs) -> Array:
     """Widest gap (P,) between two bodies along one of the directions in both states.
 
-    In each state they have lower and upper ends (B, 13).
+    In each state they have lower and upper ends (B, K).
     """
+    # Gaps above the first and below it are sums of two ends, for all directions at once.
+    ends = [
+        (np.concatenate([-high, low], axis=1), np.concatenate([low, -high], axis=1))
+        for low, high in states
+    ]
 
     def of(first: Integers, second: Integers) -> Array:
-        above = np.minimum(*(low[second] - high[first] for low, high in states))
-        below = np.minimum(*(low[first] - high[second] for low, high in states))
-        return np.asarray(np.maximum(above, below).max(axis=1))
+        found = [ours.take(first, axis=0) + theirs.take(second, axis=0) for ours, theirs in ends]
+        nearest = found[0] if len(found) == 1 else np.minimum(*found)
+        return np.asarray(nearest.max(axis=1))
 
-    return in_chunks(of, *pairs)
+    return in_chunks(of, *pairs, size=SHORT_CHUNK)
 
 
-def in_chunks(function: Callable[..., Array], first: Integers, second: Integers) -> Array:
+def in_chunks(
+    function: Callable[..., Array], first: Integers, second: Integers, size: int = CHUNK
+) -> Array:
     """Run a function of pairs over a few thousand of them at a time."""
-    if len(first) <= CHUNK:
+    if len(first) <= size:
         return function(first, second)
     return np.concatenate(
-        [function(first[k : k + CHUNK], second[k : k + CHUNK]) for k in range(0, len(first), CHUNK)]
+        [function(first[k : k + size], second[k : k + size]) for k in range(0, len(first), size)]
     )
 
 
