@@ -6,6 +6,7 @@ the next. Those of sheets that begin with one nearby change as the target does.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -26,20 +27,24 @@ NEARBY = 1.05
 by 1.1 again and again, sheets ran into their limits and stuck there."""
 
 
-def near_fit(search: SizeFit, start: Array) -> Array:
+def near_fits(search: SizeFit, start: Array) -> Iterator[tuple[Array, Design | None]]:
     """Factors near those that a search looks for, and a fit with whose sheet those there begin.
 
-    The start, where nothing is fitted.
+    The start, where nothing is fitted. First from a fit just there, which may be nearer to its
+    surface; then, where sizes of that leap, from the one that led there.
     """
     first = designed(search.scaled(start))
     if first.fitted is None:
-        return start
+        yield start, None
+        return
     followed = _Followed(search, start, first)
     asked = search.asked[: len(start)]
     rough = Sizing(followed.measure, asked, ROUGH * float(search.asked.min()))
     rough.run(start)
-    search.begin_again({}, followed.design)
-    return rough.found[0]
+    (found, _), led = rough.found, followed.design
+    if (found != followed.factors).any() and followed.fit(found) is not None:
+        yield found, followed.design
+    yield found, led
 
 
 @dataclass(slots=True)
@@ -52,12 +57,17 @@ class _Followed:
 
     def measure(self, factors: Array) -> Array | None:
         """Sizes of a sheet (k,); None if there is none."""
-        near = np.abs(np.log(factors / self.factors)).max() <= np.log(NEARBY)
-        before = self.design if near else None
-        made = self.search.tried(replace(self.search.scaled(factors), before=before))
+        if np.abs(np.log(factors / self.factors)).max() > np.log(NEARBY):
+            found = self.fit(factors)
+        else:
+            made = self.search.tried(replace(self.search.scaled(factors), before=self.design))
+            found = None if made is None else made[1]
+        return None if found is None or (found <= 0).any() else found[: len(factors)]
+
+    def fit(self, factors: Array) -> Array | None:
+        """Sizes (n,) of a sheet that is fitted anew, with which others begin; None if none is."""
+        made = self.search.tried(self.search.scaled(factors))
         if made is None:
             return None
-        design, found = made
-        if not near:
-            self.factors, self.design = factors, design
-        return None if (found <= 0).any() else found[: len(factors)]
+        self.factors, (self.design, found) = factors, made
+        return found

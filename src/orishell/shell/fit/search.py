@@ -23,7 +23,7 @@ from orishell.numerics.broyden import MOST_TRIALS, Sizing
 from orishell.numerics.equals import largest_of
 from orishell.shell.designed import designed
 from orishell.shell.fit.built_size import BuiltShell
-from orishell.shell.fit.followed import near_fit
+from orishell.shell.fit.followed import near_fits
 from orishell.shell.fit.report import FittedSize, in_words
 from orishell.shell.fit.scaling import Scaling, first_factors, scaling_of
 from orishell.shell.size_trials import Choice, measure
@@ -88,13 +88,13 @@ class SizeFit:
         """
         tolerance, open_file = self.file.tolerance, self.base
         if tolerance is None:
-            return self.solved(near_fit(self, self._first()), self.asked), None
+            return self._solved_near(self._first()), None
         factors = self._guess()
         for _ in range(CHOICES):
             scaled = open_file.changed(self._changes(factors))
             sized, choice = meet_tolerance(scaled, tolerance, self.progress)
             self.begin_again({"tolerance": None, "pattern": sized.tables["pattern"]})
-            factors = self.solved(near_fit(self, self._first()), self.asked)
+            factors = self._solved_near(self._first())
             trial = measure(designed(self.scaled(factors), self.progress), True, tolerance)
             if trial.error <= tolerance.surface and tolerance.allows(trial.shortest, trial.longest):
                 chosen = choice.trial
@@ -139,6 +139,21 @@ class SizeFit:
         if np.abs(found - aims).max() > self.exact / 2:
             raise self.refused(found)
         return best
+
+    def _solved_near(self, start: Array) -> Array:
+        """Factors of a shell that has the sizes asked for before it is proved, from some near it.
+
+        Raises DesignError if none are found.
+        """
+        refusal: DesignError | None = None
+        for near, before in near_fits(self, start):
+            self.begin_again({}, before)
+            try:
+                return self.solved(near, self.asked)
+            except DesignError as error:
+                refusal = refusal or error
+        assert refusal is not None
+        raise refusal
 
     def refused(self, found: Array) -> DesignError:
         """The error for sizes that are not met, with the nearest that were found (n,)."""
