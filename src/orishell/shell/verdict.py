@@ -13,7 +13,7 @@ from orishell.design.design import Fixing
 from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
 from orishell.locking import Contact
-from orishell.locking.report import HingedReport
+from orishell.shell.board_rows import board_rows, hinge_rows
 from orishell.shell.carried_rows import carried_rows
 from orishell.shell.drives import degrees_below
 from orishell.shell.end_wall_rows import end_wall_rows
@@ -84,9 +84,9 @@ def find_verdict(
         *_fits(report, stock),
         *order_in_words(report.quantities.order),
         *_unchecked(report),
-        *of_one_motion(report, _boards(report)),
+        *of_one_motion(report, board_rows(report)),
         *thickness_rows(report, two),
-        *of_one_motion(report, _hinges(report)),
+        *of_one_motion(report, hinge_rows(report)),
         *end_wall_rows(report),
         *_feet(report),
         *surface_rows(report.deviation, report.unit),
@@ -261,59 +261,6 @@ def _unchecked(report: Report) -> Iterator[Row]:
     others = [each for each in report.not_checked if each not in SAID]
     if others:
         yield Row("warns", "unchecked", "; ".join(others), known=False)
-
-
-def _boards(report: Report) -> Iterator[Row]:
-    """What panels with a thickness are made of, and whether their boards meet."""
-    panel = report.panel
-    if panel is None:
-        return
-    corners = f", corners cut off at {panel.corners_cut} vertices" if panel.corners_cut else ""
-    proved = "" if panel.path is None else "; none meet on the way (proved)"
-    unit = report.unit
-    thick = size(panel.thickness, unit)
-    if panel.hinged is not None:
-        arm = size(panel.hinged.longest_arm, unit, bound=True)
-        text = f"{panel.boards}, whole, {thick} thick, on hinges up to {arm} off them"
-        text += _in_pieces(panel.hinged, unit)
-    else:
-        back = size(panel.largest_setback, unit, bound=True)
-        one = "" if panel.sides == "both" else f" on the {panel.sides} of a membrane"
-        text = f"{panel.boards}{one}, of panels {thick} thick, set back by up to {back}"
-    yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
-
-
-def _in_pieces(hinged: HingedReport, unit: str) -> str:
-    """In how many pieces boards are, and how these meet."""
-    joints = hinged.joints
-    if joints is None:
-        return ""
-    cut, apart = size(joints.largest_cut, unit, bound=True), size(joints.open_max, unit, bound=True)
-    return (
-        f"; in {len(hinged.pieces)} pieces, cut back by up to {cut} along joints and up to "
-        f"{apart} apart there at the target"
-    )
-
-
-def _hinges(report: Report) -> Iterator[Row]:
-    """How many hinges whole boards have, and how exactly they must be in their places."""
-    built, panel = report.quantities.built, report.panel
-    if built is None or built.hinges is None or panel is None or panel.hinged is None:
-        return
-    bill, play = built.hinges, panel.hinged.play
-    arms = ""
-    if bill.arms:
-        kinds = "one kind" if bill.arm_kinds == 1 else f"{bill.arm_kinds} kinds"
-        arms = f"; {bill.on_arms} of them stand on {bill.arms} arms of {kinds}"
-    length = size(bill.length, report.unit)
-    yield Row("says", "hinges", f"{bill.count}, {length} in all, with {bill.screws} screws{arms}")
-    end = "" if play.end.loop == play.target.loop else f", {plain(play.end.loop, 2)} mm in the pack"
-    yield Row(
-        "says",
-        "play",
-        "1 mm (rms) of hinge error opens up to "
-        f"{plain(play.target.loop, 2)} mm at a vertex at the target{end}",
-    )
 
 
 def _feet(report: Report) -> Iterator[Row]:
