@@ -7,6 +7,7 @@ What the shelter's loads are is asked in tests/shell/test_snow_shelter.py, that 
 from __future__ import annotations
 
 import re
+import shutil
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,16 @@ def test_it_is_read_at_once_and_its_python_runs() -> None:
     exec(block, names)
     assert len(block.strip().splitlines()) - 2 == 5, "five lines, with what they import"
     assert [state.shape for state in names["states"]] == [(11, 13, 3)] * 25
+
+
+def test_a_design_file_is_written_as_it_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (line,) = re.findall(r"`(o\.write_shell\(.*\))`", TEXT)
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(ROOT / "examples" / "figure1.toml", "shell.toml")
+    exec(f"import orishell as o\n{line}", {})
+    assert [each.name for each in Path("out").glob("*.glb")] == ["shell.glb"]
 
 
 def test_two_commands_are_two_and_make_knows_its_targets() -> None:

@@ -115,8 +115,17 @@ def test_flaps_that_part_hold_nothing(supports: str, loads: dict[str, Any]) -> N
 
 def test_what_panels_weigh_is_asked_for() -> None:
     design = arch(workshop={"areal_density": 0})
-    with pytest.raises(InputError, match="what panels weigh is not known"):
+    with pytest.raises(InputError, match=r"what panels weigh is not known.*give density") as caught:
         analysed(design)
+    assert "membrane" not in str(caught.value)
+
+
+def test_the_density_of_a_membrane_is_asked_for_beside_that_of_boards() -> None:
+    panel = {"thickness": 0.002, "membrane": 0.0005, "density": 600}
+    design = arch(workshop={"areal_density": 0})
+    design["structure"].pop("thickness")
+    with pytest.raises(InputError, match="give membrane_density in"):
+        analysed({**design, "panel": panel})
 
 
 @pytest.mark.parametrize("at", [[[9, 0]], [[0, 9]]])

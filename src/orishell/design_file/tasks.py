@@ -29,7 +29,7 @@ TASKS: Final[Mapping[str, Task]] = {
     "arch": Task("for a garden or a stage"),
     "dome": Task("on four feet", "--diameter 5"),
     "canopy": Task("over a surface of your own", "--mesh roof.obj"),
-    "screen": Task("one folded sheet that closes to a stack", "--size 6x3"),
+    "screen": Task("one folded sheet", "--size 6x3"),
     "card": Task("a model of card, cut on one sheet of A3"),
 }
 FLAP = 0.024

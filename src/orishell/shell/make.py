@@ -131,6 +131,8 @@ def make_shell(
     VerificationError
         If the result is not rigid: a fault of the program.
     """
+    if not isinstance(file, DesignFile):
+        raise TypeError("make_shell takes a DesignFile; design_shell reads one from its path")
     require_steps(skip)
     work = Work(progress, clash, skip)
     try:

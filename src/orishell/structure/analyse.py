@@ -77,11 +77,15 @@ def analyse(
     if design.has_whole_boards:
         check_whole_boards(structure)
     if site.areal_mass == 0 and any(case.self_weight for case in structure.cases):
+        panel = design.panel
+        lacking = "density"
+        if panel is not None and panel.density and panel.membrane and not panel.membrane_density:
+            lacking = "membrane_density"
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
             where="[[load_case]] self_weight",
             keys=("load_case",),
-            remedy="give density in [panel], or areal_density in [workshop]",
+            remedy=f"give {lacking} in [panel], or areal_density in [workshop]",
         )
     model = Model(design, structure, site, structure.cells, built)
 
