@@ -13,7 +13,7 @@ from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback, Sides
 from orishell.design.path import Path
-from orishell.design.piece import Piece
+from orishell.design.piece import Facets, Piece
 from orishell.design.plan_rectangle import PlanRectangle
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
@@ -26,6 +26,7 @@ __all__ = [
     "Design",
     "Door",
     "EndWall",
+    "Facets",
     "FlapSide",
     "FormulaSurface",
     "HingeSpec",
