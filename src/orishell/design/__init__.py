@@ -13,7 +13,7 @@ from orishell.design.formula_surface import FormulaSurface
 from orishell.design.mesh_surface import MeshSurface
 from orishell.design.panel import Construction, HingeSpec, PanelSpec, Setback, Sides
 from orishell.design.path import Path
-from orishell.design.piece import Facets, Piece
+from orishell.design.piece import Facets, Foot, Piece
 from orishell.design.plan_rectangle import PlanRectangle
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
@@ -28,6 +28,7 @@ __all__ = [
     "EndWall",
     "Facets",
     "FlapSide",
+    "Foot",
     "FormulaSurface",
     "HingeSpec",
     "Lattice",
