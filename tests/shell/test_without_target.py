@@ -107,7 +107,9 @@ def test_other_families_need_their_target(tmp_path: Path, family: str) -> None:
     if FAMILIES[family].pattern.needs_target():
         with pytest.raises(InputError) as caught:
             read_design_file(path)
-        assert str(caught.value).startswith(f"{path}: [target]: this key is missing.")
+        missing = {"pattern": "[target.pattern]: this family makes a shell of a drawn sheet"}
+        said = missing.get(family, "[target]: this key is missing.")
+        assert str(caught.value).startswith(f"{path}: {said}")
     else:
         assert read_design_file(path).target is None
 

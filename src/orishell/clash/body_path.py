@@ -23,7 +23,6 @@ from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, NearPairs, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, kept_near, near_slabs
-from orishell.clash.open_pairs import step_to_wait_for
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
     BASE,
@@ -43,6 +42,10 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""
+
+EARLY, SOONEST = 1.5, 2.0**-6
+"""A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
+this share of the step at least."""
 
 Rates = tuple[float, tuple[Array, Array], Array]
 """A step, and bounds of accelerations of edges along rows and down columns, and of normals (F,)."""
@@ -139,7 +142,7 @@ class BodySearch(PathSearch):
         pairs = joined([selected(part.open.pairs, left), fresh])
         needed = np.concatenate([needed[left], more])
         self.tests += len(part.open) + len(fresh[0])
-        return examine_bodies(states, pairs, tolerance, needed, part.step)
+        return examine_bodies(states, pairs, tolerance, needed)
 
     def _not_seen_apart(self, part: PathRange, near: Pairs) -> tuple[Pairs, Array]:
         """The pairs of bodies on pairs of panels that a short look leaves, and what they need."""
@@ -214,8 +217,10 @@ class NearBodies:
         gap = self._gaps(ends, left, errors)
         open_ones = ~(gap > self.tolerance)
         left, apart, gap = left[open_ones], apart.chosen(open_ones), gap[open_ones]
+        # The gap that a proof lacks shrinks with the square of the step.
         plain = apart.gaps.min(axis=0)
-        self.sleep[left] = step_to_wait_for(step, plain, plain - gap)
+        share = np.maximum(plain, 0.0) / np.maximum(plain - gap, 1e-300)
+        self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
         pairs = selected(self.pairs, left)
         touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]
         pending = np.concatenate([pending[asleep], left])

@@ -21,7 +21,7 @@ import numpy as np
 
 from orishell.clash.bodies import ALIKE, Apartness, BodyState, one_direction
 from orishell.clash.broad_phase import CHUNK, Pairs, joined, selected
-from orishell.clash.open_pairs import OpenPairs, step_to_wait_for
+from orishell.clash.open_pairs import OpenPairs
 from orishell.clash.separation import (
     common_gap,
     corners_of,
@@ -53,8 +53,6 @@ def examine_pairs(
     pairs: Pairs,
     tolerance: Array,
     chord_error: Array,
-    *,
-    step: float,
 ) -> Findings:
     """Return the pairs of panels that are not proved apart, and those that touch at an end.
 
@@ -72,7 +70,7 @@ def examine_pairs(
             (corners_of(state, faces[first]), corners_of(state, faces[second])) for state in points
         ]
         needed = tolerance[part] + chord_error[part]
-        return Group((first, second), corners, tolerance[part], needed).examined(step)
+        return Group((first, second), corners, tolerance[part], needed).examined()
 
     if len(parts) < CROWDED:
         found = [examine(part) for part in parts]
@@ -106,8 +104,8 @@ class Group:
     tolerance: Array  # (P,), at which they touch
     needed: Array  # (P,), tolerance and chord error: gaps that prove them apart
 
-    def examined(self, step: float) -> tuple[OpenPairs, list[_Touch], list[_Touch]]:
-        """Pairs that stay open in a step, and the nearest that touch at the start and the stop.
+    def examined(self) -> tuple[OpenPairs, list[_Touch], list[_Touch]]:
+        """Pairs that stay open, and the nearest that touch at the start and at the stop.
 
         Lines between nearest points are sought only where normals show no gap: others do not touch,
         and wait for shorter steps.
@@ -126,10 +124,7 @@ class Group:
         left[deep], _ = doubtful.near_along(
             *(b / np.where(d > 0, d, 1.0) for b, d in zip(between, distances, strict=True))
         )
-        gap[deep] = np.minimum(*distances)
-        sleep = step_to_wait_for(step, gap - group.tolerance, group.needed - group.tolerance)
-        found = OpenPairs(group.pairs, np.zeros(len(gap), np.int64), sleep)
-        return found.chosen(left), touching[0], touching[1]
+        return OpenPairs.new(selected(group.pairs, left)), touching[0], touching[1]
 
     def chosen(self, which: Booleans) -> Group:
         """The pairs at which ``which`` (P,) is true."""
@@ -178,9 +173,7 @@ def kept_near(states: States, open_ones: OpenPairs, needed: Array) -> Booleans:
     return near_along(lines, states, open_ones.pairs, needed)
 
 
-def examine_bodies(
-    states: States, pairs: Pairs, tolerance: float, needed: Array, step: float
-) -> Findings:
+def examine_bodies(states: States, pairs: Pairs, tolerance: float, needed: Array) -> Findings:
     """The pairs of bodies (P,) not as far apart as is needed (P,), and those that touch at an end.
 
     Directions square to two edges are ten times as many as normals, and part hardly more: only
@@ -188,15 +181,14 @@ def examine_bodies(
     """
     by_faces = Apartness.of(states, pairs, of_faces=True)
     number, gap = by_faces.number, by_faces.gaps.min(axis=0)
-    left = kept_near(states, OpenPairs(pairs, number, gap), needed)
+    left = kept_near(states, OpenPairs(pairs, number), needed)
     deep = left & (gap <= tolerance)
     touching = selected(pairs, deep)
     apart = Apartness.of(states, touching)
-    number[deep], gap[deep] = apart.number, apart.gaps.min(axis=0)
-    left[deep] = kept_near(states, OpenPairs(touching, apart.number, gap[deep]), needed[deep])
+    number[deep] = apart.number
+    left[deep] = kept_near(states, OpenPairs(touching, apart.number), needed[deep])
     ends = (apart.touching(end, touching, tolerance) for end in (0, 1))
-    sleep = step_to_wait_for(step, gap - tolerance, needed - tolerance)
-    return Findings(OpenPairs(pairs, number, sleep).chosen(left), *ends)
+    return Findings(OpenPairs(pairs, number).chosen(left), *ends)
 
 
 def near_along(

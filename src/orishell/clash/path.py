@@ -192,13 +192,11 @@ class PathSearch:
         step = abs(self.states.drive(stop) - self.states.drive(start))
         self.ranges += 1
         self.steps = (min(self.steps[0], step), max(self.steps[1], step))
-        nodes, pairs = pending
-        asleep = (pairs.sleep < step) & (stop - start > 1)
         bounds = self.bounds.within(start / TICKS, stop / TICKS)
-        part = PathRange(start, stop, step, bounds, nodes, pairs.chosen(~asleep))
+        part = PathRange(start, stop, step, bounds, *pending)
         waiting, near = self._broad_phase(part)
         found = self._narrow_phase(part, near)
-        left = OpenPairs.joined([found.open, pairs.chosen(asleep)])
+        left = found.open
         pair = (int(left.pairs[0][0]), int(left.pairs[1][0])) if len(left) else None
         clear = pair is None and not any(len(each[0]) for each in waiting)
         return Outcome(None if clear else (waiting, left), pair, found.at_start, found.at_stop)
@@ -217,7 +215,7 @@ class PathSearch:
         tolerance += self.rounding
         chord_error = part.step**2 / 8 * part.bounds.between_panels(*self._owners(pairs))
         points = (self.states.at(part.start).points, self.states.at(part.stop).points)
-        return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error, step=part.step)
+        return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
 
     def _broad_phase(self, part: PathRange) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
