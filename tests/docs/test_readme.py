@@ -58,6 +58,11 @@ def test_a_design_file_is_written_as_it_says(
     assert [each.name for each in Path("out").glob("*.glb")] == ["shell.glb"]
 
 
+def test_a_path_is_read_by_the_function_that_is_named() -> None:
+    with pytest.raises(TypeError, match="design_shell reads one from its path"):
+        make_shell("shell.toml")  # type: ignore[arg-type]
+
+
 def test_two_commands_are_two_and_make_knows_its_targets() -> None:
     section = TEXT.split("\n## Two commands\n")[1].split("\n## ")[0]
     (block,) = re.findall(r"^```sh\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)

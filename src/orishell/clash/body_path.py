@@ -42,7 +42,6 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""
-
 EARLY, SOONEST = 1.5, 2.0**-6
 """A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
 this share of the step at least."""

@@ -48,11 +48,7 @@ class Findings:
 
 
 def examine_pairs(
-    points: tuple[Array, Array],
-    faces: Integers,
-    pairs: Pairs,
-    tolerance: Array,
-    chord_error: Array,
+    points: tuple[Array, Array], faces: Integers, pairs: Pairs, tolerance: Array, chord_error: Array
 ) -> Findings:
     """Return the pairs of panels that are not proved apart, and those that touch at an end.
 

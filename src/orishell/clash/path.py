@@ -58,7 +58,7 @@ LENIENCE = 1e-4
 CROWD = 8
 """Pairs per node from which a sample tells whether to halve the range rather than to look at each:
 where a sheet runs through itself all over at the end of a range, its first contact is far from
-there."""
+there, and where all is near in so long a range each pair would be looked at again in its halves."""
 SAMPLE = 512
 """Pairs of panels in such a sample, at most; the range is halved if half of them stay open."""
 CROWDED_ABOVE = TICKS >> 20
