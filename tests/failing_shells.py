@@ -66,7 +66,7 @@ name = "dead"
 self_weight = true
 [[load_case]]
 name = "snow"
-{self}snow = {{ ground = {snow} }}
+{self}snow = {{ ground = {snow}, arrangement = "undrifted" }}
 [[load_case]]
 name = "wind"
 {self}wind = {{ speed = {speed}, terrain = "II", direction_deg = {blows} }}

@@ -51,7 +51,7 @@ cells = 2
 supports = [{ at = "feet", kind = "pinned" }]
 [[load_case]]
 name = "snow that drifts to one side, as at the hut of the mountains"
-snow = { ground = 20000 }
+snow = { ground = 20000, arrangement = "undrifted" }
 """
 """An arch under far more snow than it bears: long rows in the verdict, a case with a long name."""
 

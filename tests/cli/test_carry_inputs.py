@@ -25,7 +25,7 @@ cells = 1
 supports = [{{ at = "feet", kind = "pinned" }}]
 [[load_case]]
 name = "snow"
-snow = {{ ground = 2000 }}
+snow = {{ ground = 2000, arrangement = "undrifted" }}
 """
 RAIL = 'rail = {{ material = "{}", width = {}, height = 0.04, wall = {} }}\ncells'
 OTHER = """[[load_case]]

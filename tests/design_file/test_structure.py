@@ -324,7 +324,7 @@ BAD = {
     "shape of snow": (
         with_case('snow = { ground = 5, shape = "ball" }'),
         "[[load_case]][0] snow shape: ",
-        "'slope', 'cylinder' or 'valleys'",
+        "'both', 'cylinder' or 'valleys'",
     ),
     "terrain": (
         with_case('wind = { speed = 9, terrain = "V", direction_deg = 0 }'),

@@ -91,7 +91,10 @@ BAD = {
     "an infinite pressure": (with_case("pressure = inf"), "pressure"),
     "own weight of a number": (with_case("self_weight = 9.81"), "self_weight"),
     "negative snow": (with_case("snow = { ground = -500 }"), "ground"),
-    "an arrangement of no cylinder": (with_snow('arrangement = "drifted left"'), "arrangement"),
+    "an arrangement of no cylinder": (
+        with_snow('shape = "valleys", arrangement = "drifted left"'),
+        "arrangement",
+    ),
     "an arrangement nobody knows": (
         with_snow('shape = "cylinder", arrangement = "left"'),
         "arrangement",

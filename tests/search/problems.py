@@ -70,7 +70,11 @@ def loaded_tables(**search: Any) -> dict[str, Any]:
         },
         "load_case": [
             {"name": "dead", "self_weight": True},
-            {"name": "snow", "self_weight": True, "snow": {"ground": 500}},
+            {
+                "name": "snow",
+                "self_weight": True,
+                "snow": {"ground": 500, "arrangement": "undrifted"},
+            },
         ],
         "search": search,
     }

@@ -45,7 +45,7 @@ supports = [{ at = "feet", kind = "pinned" }]
 [[load_case]]
 name = "snow"
 self_weight = true
-snow = { ground = 500 }
+snow = { ground = 500, arrangement = "undrifted" }
 [search]
 minimise = ["mass", "deflection"]
 method = "grid"

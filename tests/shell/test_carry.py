@@ -59,7 +59,7 @@ cells = 2
 supports = [{{ at = "feet", kind = "pinned" }}]
 [[load_case]]
 name = "snow"
-snow = {{ ground = {snow} }}
+snow = {{ ground = {snow}, arrangement = "undrifted" }}
 """
 )
 
@@ -334,7 +334,7 @@ def test_changes_that_are_no_longer_needed_are_taken_back(
         {
             "panel.thickness": 0.021,
             "deployment.ties": "folds",
-            "load_case": [{"name": "snow", "snow": {"ground": 200}}],
+            "load_case": [{"name": "snow", "snow": {"ground": 200, "arrangement": "undrifted"}}],
         }
     )
     monkeypatch.setattr(carry, "BUILDER", (railed, carry_feet.anchored))

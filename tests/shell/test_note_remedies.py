@@ -44,7 +44,7 @@ LOADED: dict[str, Any] = {
         "cells": 2,
         "supports": [{"at": "feet", "kind": "pinned"}],
     },
-    "load_case": [{"name": "snow", "snow": {"ground": 500}}],
+    "load_case": [{"name": "snow", "snow": {"ground": 500, "arrangement": "undrifted"}}],
 }
 
 

@@ -23,7 +23,7 @@ from orishell.structure.solve.factorised import Factorised
 GALE = Wind(speed=12.0, terrain="II", direction_deg=70.0)
 CASES = (
     LoadCase(name="dead", self_weight=True),
-    LoadCase(name="snow", self_weight=True, snow=Snow(ground=500.0)),
+    LoadCase(name="snow", self_weight=True, snow=Snow(ground=500.0, arrangement="undrifted")),
     LoadCase(name="gale", self_weight=True, wind=GALE),
 )
 LIMIT = 1e4

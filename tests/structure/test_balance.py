@@ -34,7 +34,7 @@ WIND = Wind(
 )
 CASES = (
     LoadCase(name="dead", self_weight=True),
-    LoadCase(name="snow", snow=Snow(ground=500.0 * LIGHT)),
+    LoadCase(name="snow", snow=Snow(ground=500.0 * LIGHT, arrangement="undrifted")),
     LoadCase(name="wind", wind=WIND),
     LoadCase(
         name="point",
@@ -145,7 +145,11 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     feet = find_feet(design)
     assert feet is not None
     ties = tuple(feet_ties(design.mechanism, feet.rows))
-    cases = (LoadCase(name="all", self_weight=True, snow=Snow(ground=500.0 * LIGHT)),)
+    cases = (
+        LoadCase(
+            name="all", self_weight=True, snow=Snow(ground=500.0 * LIGHT, arrangement="undrifted")
+        ),
+    )
     structure = STRUCTURE.replace_unchecked(supports=(support,), cases=cases, tie_stiffness=1e6)
     found = analyse(design, structure, Site("m", feet, ties, 1.9 * LIGHT))
     points = found.model.mesh.facets.points

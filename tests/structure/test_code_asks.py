@@ -15,7 +15,7 @@ from orishell.structure.pages.sections import structure_sections
 DEAD = LoadCase(name="dead", self_weight=True)
 ALL = (
     DEAD,
-    LoadCase(name="snow", snow=Snow(ground=500)),
+    LoadCase(name="snow", snow=Snow(ground=500, arrangement="undrifted")),
     LoadCase(name="wind", wind=Wind(speed=20, terrain="II", direction_deg=0)),
     LoadCase(name="man", person=Person()),
 )

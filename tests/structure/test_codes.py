@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
 from orishell.structure.combinations import arranged
-from orishell.structure.load_settings import LoadCase, Snow, Wind
+from orishell.structure.load_settings import SHAPES, LoadCase, Snow, Wind
 from orishell.structure.loads import Exposure, Load, case_loads
 from orishell.structure.mesh.sheet import mesh_sheet
 
@@ -94,9 +94,17 @@ def test_snow_in_a_valley_by_hand(slope: float, valley: float) -> None:
     np.testing.assert_allclose(stepped.force, [0, 0, -500 * 0.8 * SPAN * LENGTH], rtol=1e-12)
 
 
-def test_snow_that_slides_off_folds_draws_a_warning() -> None:
-    assert "folds hold it" in load(folded([0, 3, 0]), snow=Snow(ground=500)).caution
-    assert not load(folded([0, 1, 0]), snow=Snow(ground=500)).caution  # 26.6 degrees: none slides
+def test_snow_on_folds_is_a_vaults_and_a_corrugations() -> None:
+    """What is not asked otherwise has the undrifted snow and the drifts of both rules."""
+    exposure = folded([0, 1, 0, 1, 0])
+    asked = {shape: Snow.model_validate({"ground": 500.0, "shape": shape}) for shape in SHAPES}
+
+    def loads(snow: Snow) -> dict[str | None, list[float]]:
+        arranged = {each.arrangement: load(exposure, snow=each) for each in snow.arrangements}
+        return {each: found.forces.ravel().tolist() for each, found in arranged.items()}
+
+    assert Snow(ground=500.0) == asked["both"]
+    assert loads(asked["both"]) == loads(asked["cylinder"]) | loads(asked["valleys"])
 
 
 def vault(**asked: object) -> Wind:
@@ -179,7 +187,7 @@ def test_every_arrangement_is_a_case() -> None:
 @pytest.mark.parametrize(
     "asked",
     [
-        {"shape": "slope", "arrangement": "undrifted"},
+        {"shape": "cylinder", "arrangement": "in valleys"},
         {"shape": "valleys", "arrangement": "drifted left"},
     ],
 )

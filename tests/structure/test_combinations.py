@@ -22,7 +22,7 @@ from orishell.structure.results import Analysis
 
 ACROSS = Wind(speed=26, terrain="II", direction_deg=90)
 DEAD = LoadCase(name="dead", self_weight=True)
-SNOW = LoadCase(name="snow", snow=Snow(ground=500))
+SNOW = LoadCase(name="snow", snow=Snow(ground=500, arrangement="undrifted"))
 FOUR = (
     DEAD,
     SNOW,
@@ -138,7 +138,10 @@ def test_loads_that_say_nothing_are_told_what_they_are() -> None:
     assert "ULS 1.35 dead + rope + 1.5 crowd" in names  # each permanent case has its own factor
     for bad, says in (
         (LoadCase(name="crowd", pressure=1000), "permanent"),
-        (LoadCase(name="both", self_weight=True, snow=Snow(ground=5)), "a case of its own"),
+        (
+            LoadCase(name="both", self_weight=True, snow=Snow(ground=5, arrangement="undrifted")),
+            "a case of its own",
+        ),
         (LoadCase(name="dead", self_weight=True, action="imposed"), "a case of its own"),
     ):
         with pytest.raises(InputError, match=f'"{bad.name}".*{says}'):

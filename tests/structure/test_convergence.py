@@ -121,7 +121,7 @@ def stresses(path: Path, cells: int, structure: Structure, **pattern: object) ->
 @thorough
 def test_stress_does_not_grow_with_finer_cells() -> None:
     """Figure 2's shell, pinned at points, under snow: within 10 %, 0.2 % seen."""
-    snow = (LoadCase(name="snow", snow=Snow(ground=850)),)
+    snow = (LoadCase(name="snow", snow=Snow(ground=850, arrangement="undrifted")),)
     asked = STRUCTURE.replace_unchecked(cases=snow)
     figure = EXAMPLES / "figure2.toml"
     (coarse,), (fine,) = (stresses(figure, cells, asked, rows=7, columns=9) for cells in (4, 8))
@@ -158,7 +158,7 @@ def test_stress_of_a_bus_shelter_settles(
     1 %, and so are 8 and 16 cells but for 3 % where creases are rigid.
     """
     (tmp_path / "bus.toml").write_text(BUS_SHELTER)
-    cases = (LoadCase(name="snow", snow=Snow(ground=850)),)
+    cases = (LoadCase(name="snow", snow=Snow(ground=850, arrangement="undrifted")),)
     asked = STRUCTURE.replace_unchecked(
         cases=cases, thickness=0.012, crease_stiffness=(0.0, np.inf)
     )

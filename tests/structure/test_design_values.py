@@ -22,7 +22,7 @@ from .test_materials import read
 from .test_verdicts import arch
 
 DEAD = LoadCase(name="dead", self_weight=True)
-SNOW = LoadCase(name="snow", snow=Snow(ground=500))
+SNOW = LoadCase(name="snow", snow=Snow(ground=500, arrangement="undrifted"))
 WIND = LoadCase(name="wind", wind=Wind(speed=20, terrain="II", direction_deg=0))
 PLYWOOD = {"material": "birch plywood", "thickness": 0.012}
 
@@ -38,7 +38,10 @@ def without_values(keys: dict[str, Any]) -> dict[str, Any]:
         (DEAD, "permanent"),
         (SNOW, "medium"),
         (WIND, "short"),
-        (LoadCase(name="both", self_weight=True, snow=Snow(ground=500)), "medium"),
+        (
+            LoadCase(name="both", self_weight=True, snow=Snow(ground=500, arrangement="undrifted")),
+            "medium",
+        ),
         (LoadCase(name="crowd", pressure=100, duration="long"), "long"),
         (LoadCase(name="man", points=(PointLoad(at=(1, 1), force=(0, 0, -1e3)),)), "medium"),
         (LoadCase(name="winter", combine={"dead": 1.35, "snow": 1.5}), "medium"),
@@ -74,7 +77,7 @@ def test_other_materials_bear_the_same_however_long() -> None:
 def test_utilisation_of_plywood_by_hand() -> None:
     """0.65/1.2 of what the board bears under snow, 0.7/1.2 under wind, 0.5/1.2 under own weight."""
     cases: list[dict[str, Any]] = [
-        {"name": "snow", "self_weight": True, "snow": {"ground": 500}},
+        {"name": "snow", "self_weight": True, "snow": {"ground": 500, "arrangement": "undrifted"}},
         {"name": "wind", "wind": {"speed": 26, "terrain": "II", "direction_deg": 90}},
         {"name": "own", "self_weight": True},
     ]
@@ -128,7 +131,9 @@ def test_snow_by_exposure_and_warmth() -> None:
     """C_e and C_t are factors of all of it."""
     loads = []
     for snow in ({}, {"exposure_factor": 0.8, "thermal_factor": 0.9}):
-        found = arch({}, [{"name": "s", "snow": {"ground": 500, "shape": "slope", **snow}}])
+        found = arch(
+            {}, [{"name": "s", "snow": {"ground": 500, "arrangement": "undrifted", **snow}}]
+        )
         loads.append(found.cases[0].load[2])
     assert loads[1] == pytest.approx(0.72 * loads[0])
 

@@ -39,7 +39,7 @@ CASES = (
     LoadCase(
         name="dead", self_weight=True, points=(PointLoad(at=(2, 2), force=(3.0, -2.0, -5.0)),)
     ),
-    LoadCase(name="gusts", pressure=100.0, snow=Snow(ground=500.0)),
+    LoadCase(name="gusts", pressure=100.0, snow=Snow(ground=500.0, arrangement="undrifted")),
     LoadCase(name="both", combine={"dead": 1.35, "gusts": -0.4}),
 )
 SLOPE, LENGTH, PRESSURE = np.deg2rad(30), 4.0, 1000.0

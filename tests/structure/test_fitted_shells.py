@@ -20,7 +20,7 @@ SMALL: dict[str, Any] = {"rows": 5, "columns": 5, "direction_deg": 0, "fold_deg"
 """Fitted from one start, in a second."""
 CASES = [
     {"name": "dead", "self_weight": True},
-    {"name": "snow", "self_weight": True, "snow": {"ground": 500}},
+    {"name": "snow", "self_weight": True, "snow": {"ground": 500, "arrangement": "undrifted"}},
     {"name": "wind", "wind": {"speed": 26, "terrain": "II", "direction_deg": 20}},
 ]
 

@@ -135,7 +135,7 @@ def test_a_strip_by_hand(grain: Grain | None) -> None:
 def test_a_shell_of_plywood() -> None:
     """All shares are in the utilisation; panels use what shear does at least, and more together."""
     cases: list[dict[str, Any]] = [
-        {"name": "snow", "self_weight": True, "snow": {"ground": 500}},
+        {"name": "snow", "self_weight": True, "snow": {"ground": 500, "arrangement": "undrifted"}},
         {"name": "wind", "wind": {"speed": 26, "terrain": "II", "direction_deg": 90}},
     ]
     keys = without_values({**PLYWOOD, "line_strength": 1e6, "grain": "along columns"})

@@ -106,16 +106,6 @@ def test_pressure_on_the_outer_face_presses_on_the_plan() -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("degrees", "share"),
-    # mu_1 of EN 1991-1-3: 0.8 to 30 degrees, 0.8 (60 - 40) / 30 at 40, none from 60 on.
-    [(10, 0.8), (30, 0.8), (40, 0.8 * 20 / 30), (59.99, 0.8 * 0.01 / 30), (60.01, 0), (75, 0)],
-)
-def test_snow_by_slope_by_hand(degrees: float, share: float) -> None:
-    found = total(tent(np.deg2rad(degrees)), LoadCase(name="snow", snow=Snow(ground=500)))
-    np.testing.assert_allclose(found, [0, 0, -500 * share * PLAN], rtol=1e-9)
-
-
 def test_wind_by_hand() -> None:
     """From -x on a tent of 40 degrees: outer normals at 50 and 130 degrees to where it comes from.
 
@@ -171,7 +161,7 @@ EVERYTHING = LoadCase(
     name="all",
     self_weight=True,
     pressure=30.0,
-    snow=Snow(ground=500),
+    snow=Snow(ground=500, arrangement="undrifted"),
     wind=BREEZE.replace_unchecked(coefficients=NO_CODE),
     points=(PointLoad(at=(1, 1), force=(10.0, 20.0, -30.0)),),
 )
@@ -187,7 +177,9 @@ def test_forces_are_the_same_whichever_way_rows_run() -> None:
 def test_forces_are_the_same_in_any_unit() -> None:
     """Newtons stay: loads per area are given per square of the unit."""
     per = 1e-6
-    small = EVERYTHING.replace_unchecked(pressure=30.0 * per, snow=Snow(ground=500 * per))
+    small = EVERYTHING.replace_unchecked(
+        pressure=30.0 * per, snow=Snow(ground=500 * per, arrangement="undrifted")
+    )
     metres = case_forces(tent(), EVERYTHING, [EVERYTHING])
     millimetres = case_forces(replace(tent(unit=1e3), unit="mm"), small, [small])
     np.testing.assert_allclose(millimetres, metres, rtol=1e-12, atol=1e-9)
@@ -196,7 +188,7 @@ def test_forces_are_the_same_in_any_unit() -> None:
 def test_a_combination_is_the_sum_of_its_cases() -> None:
     dead, snow = (
         LoadCase(name="dead", self_weight=True),
-        LoadCase(name="snow", snow=Snow(ground=500)),
+        LoadCase(name="snow", snow=Snow(ground=500, arrangement="undrifted")),
     )
     both = LoadCase(name="both", combine={"dead": 1.35, "snow": 1.5})
     cases = (both, dead, snow)
@@ -272,7 +264,7 @@ def test_loads_of_a_combination_are_told_apart() -> None:
                 name="a",
                 snow=Snow(ground=500, shape="cylinder", arrangement="drifted left"),
             ),
-            'shape = "slope"',
+            'shape = "valleys"',
         ),
     ],
 )

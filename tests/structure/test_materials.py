@@ -121,7 +121,7 @@ def structure(**values: object) -> Structure:
         ({"strength": 16.0}, "m", "strength = 16 is 16 N/m2"),
         ({"strength": 1e9}, "m", "strength = 1e+09 is 14.3 % of modulus"),
         (
-            {"cases": (LoadCase(name="a", snow=Snow(ground=0.5)),)},
+            {"cases": (LoadCase(name="a", snow=Snow(ground=0.5, arrangement="undrifted")),)},
             "m",
             "load case a: snow of 0.5 on the ground is 0.5 N/m2; 1 kN/m2 is 1000 here",
         ),
@@ -145,8 +145,8 @@ def test_densities_are_by_cubic_metre() -> None:
 
 def test_usual_values_are_not_doubted() -> None:
     """In metres and in millimetres: 7 GPa, 16 MPa, half a kilonewton of snow."""
-    snow = (LoadCase(name="a", snow=Snow(ground=500)),)
+    snow = (LoadCase(name="a", snow=Snow(ground=500, arrangement="undrifted")),)
     assert not list(doubts(structure(strength=16e6, cases=snow), "m", None))
-    small = (LoadCase(name="a", snow=Snow(ground=500e-6)),)
+    small = (LoadCase(name="a", snow=Snow(ground=500e-6, arrangement="undrifted")),)
     found = doubts(structure(modulus=7000.0, strength=16.0, cases=small), "mm", None)
     assert not list(found)

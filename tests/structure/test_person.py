@@ -25,7 +25,7 @@ from orishell.structure.solve.active_set import respond
 from .test_verdicts import arch
 
 DEAD = LoadCase(name="dead", self_weight=True)
-SNOW = LoadCase(name="snow", snow=Snow(ground=500))
+SNOW = LoadCase(name="snow", snow=Snow(ground=500, arrangement="undrifted"))
 MAN = LoadCase(name="man", person=Person())
 KEYS: dict[str, Any] = {"line_strength": 1e6}
 

@@ -47,7 +47,7 @@ from samples import led_by
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
 NOWHERE = np.zeros(0, np.int64)
-SNOW = LoadCase(name="snow", self_weight=True, snow=Snow(ground=500.0))
+SNOW = LoadCase(name="snow", self_weight=True, snow=Snow(ground=500.0, arrangement="undrifted"))
 STRUCTURE = Structure(
     modulus=6.7e9,
     poisson=0.3,

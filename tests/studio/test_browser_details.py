@@ -76,7 +76,7 @@ supports = [{ at = "feet", kind = "pinned" }]
 
 [[load_case]]
 name = "snow"
-snow = { ground = 500 }
+snow = { ground = 500, arrangement = "undrifted" }
 
 [[load_case]]
 name = "wind"

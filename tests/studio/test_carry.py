@@ -27,7 +27,7 @@ DESIGN: dict[str, Any] = {
         "cells": 1,
         "supports": [{"at": "feet", "kind": "fixed", "edges": True}],
     },
-    "load_case": [{"name": "snow", "snow": {"ground": 20000}}],
+    "load_case": [{"name": "snow", "snow": {"ground": 20000, "arrangement": "undrifted"}}],
 }
 
 

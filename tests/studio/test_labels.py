@@ -42,7 +42,7 @@ LOADED: dict[str, Any] = {
         "supports": [{"at": "feet", "kind": "pinned"}],
     },
     "load_case": [
-        {"name": "snow", "snow": {"ground": 400}},
+        {"name": "snow", "snow": {"ground": 400, "arrangement": "undrifted"}},
         {"name": "wind", "wind": {"speed": 26, "terrain": "II", "direction_deg": 0}},
     ],
 }

@@ -48,7 +48,7 @@ self_weight = true
 
 [[load_case]]
 name = "snow"
-snow = { ground = 500 }
+snow = { ground = 500, arrangement = "undrifted" }
 """
 
 SHOWN = "window.__orishell.shell3d.loaded.shown"
@@ -153,7 +153,7 @@ def test_a_structure_is_made_by_hand(page: Page) -> None:
     settle(page)
     report = page.evaluate("window.__orishell.report.structure")
     cases = by_id("load-case")
-    cases.select_option("snow")
+    cases.select_option("snow, undrifted")
     await_frames(page)
     assert by_id("load-measure").input_value() == "utilisation"
     legend = page.locator(".orishell-legend").inner_text()
@@ -170,7 +170,8 @@ def test_a_structure_is_made_by_hand(page: Page) -> None:
         " for (let k = at * n + 2; k < (at + 1) * n; k += 3) down += loads[k]; return down; })()"
     )
     assert total == pytest.approx(
-        next(each["load"][2] for each in report["cases"] if each["name"] == "snow"), rel=1e-4
+        next(each["load"][2] for each in report["cases"] if each["name"] == "snow, undrifted"),
+        rel=1e-4,
     )
     keep = page.evaluate(f"[...{loaded}.held].filter((_, k) => k % 2)")
     assert keep

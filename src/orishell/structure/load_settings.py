@@ -38,20 +38,20 @@ Coefficient = Annotated[Number, Field(ge=-10, le=10)]
 
 
 SHAPES: Final[dict[str, tuple[str, ...]]] = {
-    "slope": (),
+    "both": ("undrifted", "drifted left", "drifted right", "in valleys"),
     "cylinder": ("undrifted", "drifted left", "drifted right"),
     "valleys": ("undrifted", "in valleys"),
 }
-"""Shapes of roofs that snow lies on, and its arrangements there."""
+"""Shapes of roofs that snow lies on, and its arrangements there: a folded vault is both."""
 
 
 class Snow(Table):
     """Snow, down on the plan of panels whose outer face looks up.
 
     ``ground`` is its load on level ground (force per area). EN 1991-1-3 arranges it on a "cylinder"
-    (5.3.5) or in the "valleys" of a corrugation (5.3.4), in several ways, one after the other
-    unless ``arrangement`` names one. By "slope" it slides off each panel as off a smooth roof
-    (5.3.2). ``exposure_factor`` and ``thermal_factor`` are its C_e and C_t (5.2).
+    (5.3.5) and in the "valleys" of a corrugation (5.3.4), in several ways, one after the other
+    unless ``arrangement`` names one. A folded vault is "both". ``exposure_factor`` and
+    ``thermal_factor`` are its C_e and C_t (5.2).
     """
 
     SAMPLE: ClassVar = {"ground": 500}
@@ -59,22 +59,21 @@ class Snow(Table):
     ground: Annotated[Number, Field(gt=0, le=LARGEST_LOAD)]
     exposure_factor: Annotated[Number, Field(gt=0, le=2)] = 1.0
     thermal_factor: Annotated[Number, Field(gt=0, le=1)] = 1.0
-    shape: Literal["slope", "cylinder", "valleys"] = "slope"
+    shape: Literal["both", "cylinder", "valleys"] = "both"
     arrangement: Literal["undrifted", "drifted left", "drifted right", "in valleys"] | None = None
 
     @property
     def arrangements(self) -> tuple[Self, ...]:
         """The snow in each of its arrangements."""
-        own = SHAPES[self.shape]
-        if self.arrangement is not None or not own:
+        if self.arrangement is not None:
             return (self,)
-        return tuple(self.replace_unchecked(arrangement=each) for each in own)
+        return tuple(self.replace_unchecked(arrangement=each) for each in SHAPES[self.shape])
 
     @model_validator(mode="after")
     def _check(self) -> Self:
         own = SHAPES[self.shape]
         if self.arrangement is not None and self.arrangement not in own:
-            named = ", ".join(f'"{each}"' for each in own) or "no arrangement"
+            named = ", ".join(f'"{each}"' for each in own)
             raise PydanticCustomError(
                 "arrangement",
                 "{named}, for snow of this shape",

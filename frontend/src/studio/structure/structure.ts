@@ -190,7 +190,7 @@ export class StructureControls {
     setNumber(this.boxes.person, person ? short(Number(person["force"] ?? PERSON) / 1000) : "");
     this.rows.roof.hidden = !snow;
     this.rows.terrain.hidden = this.rows.direction.hidden = !wind;
-    this.roof.value = String(snow?.["shape"] ?? "slope");
+    this.roof.value = String(snow?.["shape"] ?? "both");
     this.terrain.value = String(wind?.["terrain"] ?? "II");
     // What these controls do not show.
     const shown = LOADS.map((load) => caseWith(design, load));

@@ -73,7 +73,7 @@ class Exposure:
             raise InputError(
                 "there are no feet, so there is no span",
                 expected="a shell that stands on the two ends of f",
-                remedy='shape = "slope" or "valleys" of snow, zones of rows of wind',
+                remedy='shape = "valleys" of snow, zones of rows of wind',
             )
         first, second = self.ridges()[list(self.feet)][:, self.columns, :2]
         way = second - first

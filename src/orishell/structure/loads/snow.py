@@ -1,9 +1,8 @@
 """Snow, EN 1991-1-3: s = mu C_e C_t s_k on plan areas.
 
 Folds hold the snow that would slide off a smooth vault: the next panel stands in its way, as a
-fence does, and 5.3.2 then has mu at least 0.8 on any slope. So "cylinder" and "valleys" do not ask
-how steep a panel is: undrifted, mu is 0.8 all over, and drifts are spread over the whole width
-between the feet.
+fence does, and 5.3.2 then has mu at least 0.8 on any slope. So how steep a panel is does not
+matter: undrifted, mu is 0.8 all over, and drifts are spread over the whole width between the feet.
 """
 
 from __future__ import annotations
@@ -19,14 +18,10 @@ from orishell.structure.loads.exposure import UP, Exposure
 
 LYING = 0.8
 """mu_1 of 5.3.2, up to 30 degrees and wherever snow does not slide off."""
-FULL, NONE = np.deg2rad(30), np.deg2rad(60)
-"""Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
+FULL = np.deg2rad(30)
+"""The slope from which valleys between such slopes hold the most (radians)."""
 DEEPEST = 1.6
 """mu_2 of 5.3.4 at valleys between slopes of 30 degrees or more."""
-SLIDES = (
-    "snow by slope slides off steep panels; folds hold it: take the rule of EN 1991-1-3 for "
-    'cylinders or valleys (shape = "cylinder" or "valleys" in [load_case])'
-)
 
 GROUND = (50.0, 30e3)
 """Half the least of the maps of EN 1991-1-3, 100 N/m2; three times what lies at 1500 m in the Alps
@@ -46,16 +41,10 @@ def snow(exposure: Exposure, asked: Snow) -> Effect:
     Raises InputError: If a cylinder has no feet.
     """
     level = np.clip(exposure.outer()[:, 2], 0, 1)
-    arranged, caution = asked.arrangements[0], ""
-    if arranged.arrangement is None:
-        slope = np.arccos(level)
-        share = LYING * np.clip((NONE - slope) / (NONE - FULL), 0, 1)
-        rule = "mu_1 by the slope of each panel (EN 1991-1-3, 5.3.2)"
-        caution = SLIDES if (share < LYING - 1e-9).any() else ""
-    elif arranged.arrangement == "undrifted":
+    arranged = asked.arrangements[0]
+    if arranged.arrangement == "undrifted":
         share = np.full(len(level), LYING)
-        clause = "5.3.5 (i)" if arranged.shape == "cylinder" else "5.3.4 (i)"
-        rule = f"undrifted, mu = 0.8 all over, as folds hold it (EN 1991-1-3, {clause}, 5.3.2)"
+        rule = "undrifted, mu = 0.8 all over, as folds hold it (EN 1991-1-3, 5.3.2 (2), 5.3.5 (i))"
     elif arranged.arrangement == "in valleys":
         share, rule = _in_valleys(exposure)
     else:
@@ -64,7 +53,7 @@ def snow(exposure: Exposure, asked: Snow) -> Effect:
     forces = exposure.on_corners(-(factor * asked.ground * share * level)[:, None] * UP)
     if factor != 1:
         rule += f", C_e C_t = {plain(factor)} (5.2)"
-    return Effect(forces, asked.ground, f"{rule}, on plan areas", caution)
+    return Effect(forces, asked.ground, f"{rule}, on plan areas")
 
 
 def drift_shape(rise: float, span: float) -> float:
