@@ -173,3 +173,18 @@ def test_a_shell_that_moves_carries_nothing() -> None:
     sign, finding = rows(shell("shelter_structure").report)["stands"]
     assert sign == "fails"
     assert "gives way under its loads" in finding
+
+
+def test_what_codes_ask_beyond_is_said_with_what_it_carries() -> None:
+    """Each sentence of the list by its first words, in a row that only informs."""
+    report = shell("shelter_structure").report
+    assert report.structure is not None
+    sign, finding = rows(report)["codes"]
+    assert sign == "says"
+    _, names = finding.split(": ")
+    *names, last = names.split(", ")
+    begins = (*names, *last.split(" and "))
+    assert len(begins) == len(report.structure.code_asks)
+    for begin, text in zip(begins, report.structure.code_asks, strict=True):
+        assert text.startswith(begin)
+    assert "codes" not in rows(shell("figure1").report)

@@ -121,6 +121,16 @@ def shown_on_the_canvas(page: Page, sign: str) -> None:
     by_id("structure-snow").focus()
 
 
+def test_what_codes_ask_is_listed_below_the_loads(page: Page) -> None:
+    """As the report has it, of an arch under its own weight and snow."""
+    page.evaluate("design => window.__orishell.store.change(design, 'arch')", tomllib.loads(DESIGN))
+    settle(page)
+    asked = page.evaluate("window.__orishell.report.structure.code_asks")
+    listed = page.get_by_test_id("code-asks").locator("li").all_text_contents()
+    assert len(listed) == len(asked) > 0
+    assert listed[-1] == asked[-1]
+
+
 def test_a_structure_is_made_by_hand(page: Page) -> None:
     """From a plain arch to a verdict: boards of plywood, 0.4 kN/m2 of snow; two inputs."""
     plain = {

@@ -105,10 +105,11 @@ def find_verdict(
 
 
 def _stands(report: Report, stronger: Remedy) -> Iterator[Row]:
-    """Whether the shell carries its load cases."""
+    """Whether the shell carries its load cases, and what codes ask beyond these."""
     structure = report.structure
     if structure is not None:
         yield Row(structure.sign, "stands", structure.in_words(), str(stronger), stronger.changes)
+        yield Row("says", "codes", structure.asks_in_words())
     elif STRUCTURE in report.not_checked:
         yield Row("warns", "stands", "not known: the structure was not analysed", known=False)
 

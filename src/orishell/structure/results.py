@@ -16,7 +16,7 @@ from orishell.structure.anchors import Anchor, find_anchors, ground_warnings
 from orishell.structure.carried import membrane_warnings
 from orishell.structure.case import CaseResult
 from orishell.structure.changes import refinement_warnings
-from orishell.structure.code_asks import code_asks
+from orishell.structure.code_asks import asks_in_words, code_asks
 from orishell.structure.combinations import STRENGTH
 from orishell.structure.envelopes import Envelope, Governing, envelopes, few, reported_cases
 from orishell.structure.equilibrium import Equilibrium
@@ -140,6 +140,10 @@ class Analysis:
     def code_asks(self) -> tuple[str, ...]:
         """What codes ask of it, and is not done here."""
         return code_asks(self.model.structure)
+
+    def asks_in_words(self) -> str:
+        """What codes ask of it, and is not done here, by its names: for one line."""
+        return asks_in_words(self.model.structure)
 
     @property
     def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:

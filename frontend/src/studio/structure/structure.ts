@@ -40,6 +40,9 @@ export class StructureControls {
   private readonly shares = Object.fromEntries(LOADS.map((load) => [load, h("output", { class: "measured share", "data-testid": `share-${load}` }) as HTMLElement])) as Record<Load, HTMLElement>;
   private readonly work: WorkBar;
   private readonly verdict = h("p", { class: "structure-verdict", role: "status", "data-testid": "structure-verdict" });
+  private readonly asks = h("ul");
+  /** What is left to whoever signs. */
+  private readonly left = h("details", { "data-testid": "code-asks" }, h("summary", {}, "What codes ask, and is not done here"), this.asks);
   private readonly again: HTMLButtonElement;
 
   /** `loaded` is told which load was given another value. */
@@ -115,6 +118,7 @@ export class StructureControls {
       this.listed,
       this.work.element,
       this.verdict,
+      this.left,
       this.again,
       new CarryCard(store).element,
     );
@@ -230,6 +234,9 @@ export class StructureControls {
     this.verdict.hidden = !shown;
     this.verdict.replaceChildren(...(shown ? [signOf(shown.sign), " ", h("b", {}, capital(shown.subject)), ` ${this.store.labels.said(shown.finding)}`] : []));
     this.verdict.dataset["tone"] = shown?.sign ?? "";
+    const asks = (found && report.value?.structure?.code_asks) || [];
+    this.left.hidden = !asks.length;
+    this.asks.replaceChildren(...asks.map((each) => h("li", {}, this.store.labels.said(each))));
     this.again.hidden = now.state !== "stopped" && now.state !== "late";
   }
 }
