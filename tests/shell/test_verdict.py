@@ -13,6 +13,7 @@ import pytest
 from orishell.conventions.row import ORDER, Sign
 from orishell.design_file import read_design_file
 from orishell.shell import make_shell
+from orishell.shell.board_warnings import SAW
 from orishell.shell.make import Shell
 from orishell.shell.report import Report
 from orishell.shell.steps import MEASURES
@@ -188,3 +189,45 @@ def test_what_codes_ask_beyond_is_said_with_what_it_carries() -> None:
     for begin, text in zip(begins, report.structure.code_asks, strict=True):
         assert text.startswith(begin)
     assert "codes" not in rows(shell("figure1").report)
+
+
+BEVELLED = """
+[shell]
+family = "orthodiagonal"
+unit = "m"
+[target.f]
+formula = "1.5 - 0.7*x**2"
+range = [-1.5, 1.5]
+[target.g]
+formula = "0.1*cos(2*pi*x)"
+range = [0, 2]
+[pattern]
+rows = 5
+columns = 3
+flap = 0
+depth = 0.16
+heading_deg = 90
+[panel]
+construction = "bevel"
+thickness = 0.005
+gap = 0.001
+"""
+
+
+@pytest.mark.parametrize(("start", "sign"), [("flat", "says"), ("pack", "warns")])
+def test_boards_with_chamfers_that_no_saw_cuts_want_attention(
+    tmp_path: Path, start: str, sign: Sign
+) -> None:
+    """Chamfers lean by half the fold angles: those of a pack are steeper than saws tilt."""
+    path = tmp_path / "arch.toml"
+    path.write_text(BEVELLED)
+    deployment = {"from": start, "flap_attachment": "clipped"}
+    file = read_design_file(path).changed({"deployment": deployment})
+    report = make_shell(file, skip=MEASURES).report
+    assert report.panel is not None
+    assert report.panel.steepest_chamfer is not None
+    leans = np.rad2deg(report.panel.steepest_chamfer)
+    assert (leans > SAW) == (sign == "warns")
+    found, finding = rows(report)["boards"]
+    assert found == sign
+    assert (f"chamfers lean by up to {leans:.3g} degrees" in finding) == (sign == "warns")

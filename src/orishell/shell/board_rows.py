@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from orishell.conventions.quantities import plain, size
-from orishell.conventions.row import Row
+from orishell.conventions.row import About, Note, Row, Sign
 from orishell.locking.report import HingedReport
+from orishell.shell.board_warnings import SAW
 from orishell.shell.report import Report
 
 
@@ -27,7 +30,21 @@ def board_rows(report: Report) -> Iterator[Row]:
         back = size(panel.largest_setback, unit, bound=True)
         one = "" if panel.sides == "both" else f" on the {panel.sides} of a membrane"
         text = f"{panel.boards}{one}, of panels {thick} thick, set back by up to {back}"
-    yield Row("says" if panel.path is None else "holds", "boards", f"{text}{corners}{proved}")
+    sign: Sign = "says" if panel.path is None else "holds"
+    steep = ""
+    if panel.steepest_chamfer is not None and is_noted(report, "chamfers"):
+        sign = "warns"
+        leans = plain(float(np.rad2deg(panel.steepest_chamfer)), 3)
+        steep = (
+            f"; chamfers lean by up to {leans} degrees, and saws tilt to {SAW}: boards on a "
+            "membrane are cut square, and printed panels have any chamfer"
+        )
+    yield Row(sign, "boards", f"{text}{corners}{proved}{steep}")
+
+
+def is_noted(report: Report, about: About) -> bool:
+    """Whether a note of the report is about something."""
+    return any(isinstance(note, Note) and note.about == about for note in report.warnings)
 
 
 def _in_pieces(hinged: HingedReport, unit: str) -> str:
