@@ -107,7 +107,11 @@ def pytest_terminal_summary(
     """What tests measured without a limit, by ``record_property``; what `make thorough` adds."""
     # What a fixture tells at its end is in the report of that, which is in no category.
     reports = (*terminalreporter.getreports("passed"), *terminalreporter.getreports(""))
-    told = [each for report in reports for each in getattr(report, "user_properties", ())]
+    told = [
+        (name, str(value))
+        for report in reports
+        for name, value in getattr(report, "user_properties", ())
+    ]
     for name, value in dict.fromkeys(told):
         if not name.startswith(margins.MARGIN):
             terminalreporter.write_line(f"{name}: {value}")

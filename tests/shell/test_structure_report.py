@@ -12,6 +12,7 @@ import pytest
 from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
 from orishell.conventions.record import as_table
 from orishell.structure.changes import (
+    ENOUGH,
     Changes,
     Figures,
     Stop,
@@ -239,9 +240,17 @@ def test_figures_that_change_with_the_mesh_are_said(
     change: Changes, stopped: Stop | None, says: str
 ) -> None:
     """Above 10 % of displacement and stress and 3 % of buckling, and where refinement ended."""
-    text = "\n".join(refinement_warnings(change, stopped))
+    text = "\n".join(refinement_warnings(change, stopped, ENOUGH))
     assert says in text
+    assert "missing" not in text
     assert bool(says) is bool(text)
+
+
+@pytest.mark.parametrize("stopped", [None, "work"])
+def test_a_change_from_few_cells_is_not_said_to_be_the_error(stopped: Stop | None) -> None:
+    """Which was up to three times as large (``test_more_is_missing_than_few_cells_change``)."""
+    (text,) = refinement_warnings(Changes(0.2, 0.1, 0.01), stopped, 3)
+    assert "with 3 cells three times as much may be missing" in text
 
 
 def test_changes_are_those_of_the_case_that_changes_most() -> None:

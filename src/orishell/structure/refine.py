@@ -21,7 +21,8 @@ LADDER = 1, 2, 3, 4, 6, 8, 12, 16, 24, 32
 """Cells along a side, one after the other."""
 COARSER = 0.75
 """Figures are compared with those of at most this share of the cells: if errors fall with the
-square of their size, figures change from there by about what is still missing."""
+square of their size, figures change from there by about what is still missing; those of few cells
+do not yet (:data:`orishell.structure.changes.ENOUGH`)."""
 SECONDS = 120.0
 """An analysis ends before it takes longer, on one ordinary core as of 2020."""
 MEMORY = 4e9

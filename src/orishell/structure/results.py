@@ -246,7 +246,7 @@ class Analysis:
 
     def _warnings(self) -> Iterator[str]:
         yield from ground_warnings(self.model, self.anchors, self.named_balanced)
-        yield from refinement_warnings(self.model.change, self.model.stopped)
+        yield from refinement_warnings(self.model.change, self.model.stopped, self.model.cells)
         yield from arm_warnings(self.model.structure, self.model.mesh)
         yield from membrane_warnings(self.model.design, self.model.structure)
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]

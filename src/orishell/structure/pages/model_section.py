@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.sections import Paragraph, Section, Table
 from orishell.structure.carried import plates_across
-from orishell.structure.changes import STOPPED
+from orishell.structure.changes import STOPPED, missing_in_words
 from orishell.structure.grain import BOTH_WAYS
 from orishell.structure.hinge_lines import DIRECTIONS, LineStrength
 from orishell.structure.materials import DURATIONS
@@ -155,7 +155,8 @@ def _changes_in_words(model: Model) -> str:
         f"from the next coarser mesh displacements changed by {moved}, stress by {stress}, "
         f"buckling factors by {buckling}"
     )
-    return text if model.stopped is None else f"{text}; {STOPPED[model.stopped]}"
+    stopped = "" if model.stopped is None else STOPPED[model.stopped]
+    return "; ".join(filter(None, (text, missing_in_words(model.cells), stopped)))
 
 
 def _sections_in_words(model: Model, said: Quantities) -> str:
