@@ -11,6 +11,7 @@ from orishell.cli.main import app
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import as_table
 from orishell.deployment.feet import find_feet, stand
+from orishell.deployment.verdict import feet_rows
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
@@ -68,6 +69,26 @@ def test_ends_at_different_heights_are_said_to_be_uneven() -> None:
     assert not feet.level
     lowest = (stand(design, feet)[0].origin + design.mechanism.positions(np.pi))[..., 2].min()
     assert lowest == pytest.approx(0, abs=1e-14)
+
+
+def test_flaps_that_reach_below_the_feet_are_named_with_them() -> None:
+    """Feet are level all the same: flaps are none of them, however little they reach below."""
+    f, g = graph("-2*x**2", -0.5, 1.5), graph("0*x", 0, 4)
+    found = []
+    for side in ("start", "end"):
+        pattern = OrthodiagonalPattern(
+            rows=9, columns=2, depth="auto", flap=0.4, flap_side=[side, side]
+        )
+        design = design_orthodiagonal(f, g, pattern)
+        feet = find_feet(design)
+        assert feet is not None
+        placed = design.mechanism.positions(design.mechanism.target_drive)[..., 2]
+        inner = placed[:, design.mechanism.inner_columns]
+        assert feet.below == pytest.approx(inner.min() - placed.min(), abs=1e-12)
+        (row,) = feet_rows(feet, "m", on_f=True)
+        assert ("; flaps reach" in row.finding) == (feet.below > 0)
+        found.append(feet.below > 0)
+    assert found == [False, True]
 
 
 @pytest.mark.parametrize(
@@ -133,6 +154,7 @@ def test_the_whole_motion_moves_by_the_same_height() -> None:
     assert stands is not None
     assert stands.z == pytest.approx(-drawn.report.deployed.height)
     meant = {"rows": [0, 10], "z": 0.0, "uneven": stands.uneven, "level": True, "points": []}
+    meant["below"] = 0.0
     assert as_table(standing.report.stands) == meant
     up = standing.design.origin - drawn.design.origin
     assert up[2] > 0

@@ -804,6 +804,8 @@ export interface Feet {
   level: boolean;
   /** Where it stands on single vertices of its border: those, all at one height, or nearly for whole boards; the columns that have one in both rows are its feet. */
   points: [number, number][];
+  /** How far vertices of flaps reach below the lowest foot; 0 if none do. */
+  below: number;
 }
 
 /** A format of files that a shell can be written in. */

@@ -10,6 +10,7 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex
+from orishell.motion.layout import has_flaps, points_of
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.equals import first_largest, first_smallest
 
@@ -29,7 +30,7 @@ LEVEL = 1e-6
 class Feet:
     """What a locked shell stands on, flaps left out."""
 
-    REPORTED = ("rows", "z", "uneven", "level", "points")
+    REPORTED = ("rows", "z", "uneven", "level", "points", "below")
 
     rows: tuple[int, int]  # the rows of vertices that are its feet, the lowest towards each end
     z: float  # height of the lowest of their vertices
@@ -38,6 +39,7 @@ class Feet:
     # where it stands on single vertices of its border: those, all at one height, or nearly for
     # whole boards; the columns that have one in both rows are its feet
     points: tuple[Vertex, ...] = ()
+    below: float = 0.0  # how far vertices of flaps reach below the lowest foot; 0 if none do
 
     @property
     def level(self) -> bool:
@@ -105,9 +107,12 @@ def _feet(
     points: tuple[Vertex, ...] = (),
 ) -> Feet:
     """Feet by the lowest corners of panels or boards at them (...), of a shell so high."""
-    uneven = float(np.ptp(lowest))
-    z = float(lowest.min() + design.origin[2])
-    return Feet(rows, z, uneven if uneven > LEVEL * size else 0.0, size, points)
+    mechanism, foot = design.mechanism, float(lowest.min())
+    below = 0.0
+    if has_flaps(mechanism):
+        below = foot - float(points_of(mechanism, mechanism.target_drive)[:, 2].min())
+    uneven, below = (far if far > LEVEL * size else 0.0 for far in (float(np.ptp(lowest)), below))
+    return Feet(rows, foot + float(design.origin[2]), uneven, size, points, below)
 
 
 def stand(design: Design, feet: Feet | None) -> tuple[Design, Feet | None]:

@@ -1,4 +1,4 @@
-"""What the verdict says of a shell's own weight, and of the ground that it needs."""
+"""What the verdict says of a shell's feet and own weight, and of the ground that it needs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,29 @@ import numpy as np
 from orishell.conventions.quantities import plain, size
 from orishell.conventions.row import Row
 from orishell.deployment.air import FAN
+from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
+
+
+def feet_rows(stands: Feet | None, unit: str, *, on_f: bool) -> Iterator[Row]:
+    """On what a shell stands, and what reaches below; ``on_f``: whether it follows a curve f."""
+    if stands is None and not on_f:
+        text = "on no two rows: its first and last rows are not its lowest part; name its supports"
+    elif stands is None:
+        text = "nowhere: f's ends are not its lowest part, so g stays in the plane z = 0"
+    else:
+        first, last = stands.rows
+        low = f"z = {plain(stands.z, 3)}"
+        text = f"level on {low}, on rows {first} and {last}"
+        if stands.points:
+            at = "; ".join(f"{row}, {column}" for row, column in stands.points)
+            text = f"level on {low}, on vertices {at}"
+        if not stands.level:
+            high = size(stands.uneven, unit, bound=True)
+            text = f"on rows {first} and {last}, from {low} up to {high} above"
+        if stands.below:
+            text += f"; flaps reach {size(stands.below, unit, bound=True)} below"
+    yield Row("says", "feet", text)
 
 
 def weight_rows(deployment: DeploymentReport) -> Iterator[Row]:

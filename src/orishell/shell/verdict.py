@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from orishell.conventions.errors import Remedy
-from orishell.conventions.quantities import box, plain, size
+from orishell.conventions.quantities import box, plain
 from orishell.conventions.row import ORDER, Note, Row, Sign
 from orishell.deployment.report import DeploymentReport
-from orishell.deployment.verdict import air_rows, ground_rows, weight_rows
+from orishell.deployment.verdict import air_rows, feet_rows, ground_rows, weight_rows
 from orishell.design.design import Fixing
 from orishell.deviation.report import surface_rows
 from orishell.document.sizes import size_rows
@@ -88,7 +88,11 @@ def find_verdict(
         *thickness_rows(report, two),
         *of_one_motion(report, hinge_rows(report)),
         *end_wall_rows(report),
-        *_feet(report),
+        *(
+            ()
+            if report.deviation is None
+            else feet_rows(report.stands, report.unit, on_f=report.deviation.f is not None)
+        ),
         *surface_rows(report.deviation, report.unit),
         *(() if report.families is None else report.families.rows(report.unit)),
         *(() if report.turned is None else report.turned.rows(report.unit)),
@@ -262,29 +266,6 @@ def _unchecked(report: Report) -> Iterator[Row]:
     others = [each for each in report.not_checked if each not in SAID]
     if others:
         yield Row("warns", "unchecked", "; ".join(others), known=False)
-
-
-def _feet(report: Report) -> Iterator[Row]:
-    stands, unit = report.stands, report.unit
-    if report.deviation is None:
-        return
-    if stands is None and report.deviation.f is None:
-        text = "on no two rows: its first and last rows are not its lowest part; name its supports"
-    elif stands is None:
-        text = "nowhere: f's ends are not its lowest part, so g stays in the plane z = 0"
-        if report.deviation.f is None:
-            text = "nowhere: no two rows carry it, so it stays where its surface is drawn"
-    else:
-        first, last = stands.rows
-        low = f"z = {plain(stands.z, 3)}"
-        text = f"level on {low}, on rows {first} and {last}"
-        if stands.points:
-            at = "; ".join(f"{row}, {column}" for row, column in stands.points)
-            text = f"level on {low}, on vertices {at}"
-        if not stands.level:
-            high = size(stands.uneven, unit, bound=True)
-            text = f"on rows {first} and {last}, from {low} up to {high} above"
-    yield Row("says", "feet", text)
 
 
 def _sizes(report: Report) -> Iterator[Row]:
