@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +14,13 @@ import pytest
 from command_line import Ran, orishell
 from deployed_shelters import shelter as shelter_text
 from orishell.design_file import check_design
+from orishell.document.from_design import states_of
 from orishell.io import read_fold
 from orishell.io.fold import document_of_fold
 from orishell.shell.make import design_shell, make_shell
+from orishell.workshop.kit.facts import find_facts
+from orishell.workshop.kit.parts import kit_tools
+from orishell.workshop.kit.steps import kit_steps
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -224,7 +229,9 @@ def test_hinges_that_do_not_reach_the_target(
 
 
 @pytest.mark.parametrize(("unit", "threads"), [("mm", True), ("m", False)])
-def test_feet_of_a_model_are_tied_with_threads(unit: str, threads: bool) -> None:
+def test_feet_of_a_small_shell_are_tied_with_threads_and_not_anchored(
+    unit: str, threads: bool
+) -> None:
     """Of the same numbers 300 mm wide, or 300 m; without ties both open under their weight."""
     tables = {
         "shell": {"family": "parallel-repeating", "unit": unit},
@@ -237,3 +244,9 @@ def test_feet_of_a_model_are_tied_with_threads(unit: str, threads: bool) -> None
     shell = make_shell(check_design(tables, Path("x.toml")), skip=["remedies", "deviation"])
     (note,) = [each for each in shell.report.warnings if "opens under its own weight" in each]
     assert ("tie its feet together with threads" in note) is threads
+    document = replace(shell.document, states=states_of(shell.motion))
+    facts = find_facts(document)
+    assert facts.feet > 0
+    steps = [each.name for each in kit_steps(document, shell.file.workshop, facts, ())]
+    tools = [name for name, _ in kit_tools(document, facts, ())]
+    assert ("anchor" in steps, "anchors" in tools) == (not threads, not threads)

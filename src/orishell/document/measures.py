@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
 from orishell.motion.freedom import FreedomOfSheet
 from orishell.motion.grid import Vertex
+from orishell.numerics.arrays import Array
+
+HAND_SIZED_MM = 1000.0
+"""A shell smaller than this stands on a table or hangs from a ceiling, as lampshades and models."""
+
+
+def is_hand_sized(points: Array, unit: str) -> bool:
+    """Whether a shell of vertices (..., 3) is so small that threads tie it and no anchor holds it.
+
+    unit: Of length.
+    """
+    return float(np.ptp(points.reshape(-1, 3), axis=0).max()) * MILLIMETRES[unit] < HAND_SIZED_MM
 
 
 @record

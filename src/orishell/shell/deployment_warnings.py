@@ -9,22 +9,20 @@ import numpy as np
 from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress
-from orishell.conventions.quantities import MILLIMETRES, plain
+from orishell.conventions.quantities import plain
 from orishell.conventions.row import Note
 from orishell.deployment import OwnWeight, Pack, find_pack
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design
 from orishell.design_file import DesignFile
+from orishell.document.measures import is_hand_sized
 from orishell.locking import Lock
-from orishell.motion import extents
 from orishell.motion.layout import points_of
 from orishell.shell.facts import Facts
 from orishell.shell.instead import first_that_does, trying
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
-MODEL_MM = 1000.0
-"""A shell smaller than this is a model, of card or of paper: its ties are threads."""
 SMALLER = 0.5
 """A change that packs the shell into less than this share of the box is worth a word."""
 
@@ -114,8 +112,8 @@ def _of_weight(
     unit = "N" if weight.force_unit == "N" else "times its weight"
     force = f"{plain(abs(weight.at_feet), 3)} {unit} at each line of feet"
     if weight.at_feet > 0 and report.opening is None:
-        size = max(extents(points_of(design.mechanism, design.mechanism.target_drive)))
-        threads = " with threads" if size * MILLIMETRES[length] < MODEL_MM else ""
+        points = points_of(design.mechanism, design.mechanism.target_drive)
+        threads = " with threads" if is_hand_sized(points, length) else ""
         yield Note(
             f"the shell opens under its own weight with {force}, and nothing but its supports "
             f'holds it: tie its feet together{threads} (ties = "feet" in [deployment])',

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.document import SHELL, Document
-from orishell.document.measures import BoxReport, Measures
+from orishell.document.measures import BoxReport, Measures, is_hand_sized
 from orishell.document.sizes import deployed_in_words
 from orishell.motion.freedom import FreedomOfSheet
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -37,6 +37,9 @@ class KitFacts:
     tied: Integers  # vertices (K, 2) that they join
     ties_early: bool  # whether they are fixed to the pack: all are proved slack until it is open
     feet: int  # how many vertices it stands on; 0 where it has no feet
+    # whether these are anchored in the ground: not those of a shell that is as small as a lampshade
+    # or a model, unless a load case pulls one up
+    anchored: bool
     footing: Integers  # vertices (K,) of its feet, as far as the plan of the ground has them
     apart: tuple[float, float] | None  # the least and largest distance of feet opposite each other
     pieces: tuple[Booleans, ...]  # panels (F,) of each piece
@@ -88,6 +91,7 @@ def find_facts(document: Document) -> KitFacts:
         tied=tied,
         ties_early=packed and len(pieces) == 1 and all(tie.slack for tie in document.ties),
         feet=feet,
+        anchored=feet > 0 and (_pulled(document) or not is_hand_sized(points, document.unit)),
         footing=_footing(document),
         apart=apart,
         pieces=pieces,
@@ -137,6 +141,11 @@ def _tied(document: Document) -> Integers:
     ends = np.array([tie.ends for tie in document.ties], np.int64).reshape(-1, 2, 2)
     across = 0 if document.grid_shape is None else document.grid_shape[1]
     return np.asarray(across * ends[..., 0] + ends[..., 1])
+
+
+def _pulled(document: Document) -> bool:
+    """Whether a load case pulls a foot up."""
+    return document.ground is not None and any(foot.pull for foot in document.ground.feet)
 
 
 def _footing(document: Document) -> Integers:

@@ -232,7 +232,7 @@ def kit_tools(
         yield "vice", {}
     if facts.ties:
         yield ("thread" if facts.model else "cable"), {"length": _all(facts, document.unit)}
-    if facts.feet and not facts.model:
+    if facts.anchored and not facts.model:
         yield "anchors", {"count": plain(facts.feet)}
     crossed = () if document.ground is None else document.ground.crossed
     measured = (

@@ -118,7 +118,7 @@ def _putting_up(document: Document, facts: KitFacts) -> Iterator[Step]:
         yield from tie
     others = {part.kind for part in document.attached} - moving
     yield from fitted_steps(document, others - LAST, SHELL)
-    if facts.feet:
+    if facts.anchored:
         check = "apart" if facts.apart is not None else ""
         values = {**said, "feet": plain(facts.feet)}
         yield Step("anchor", values, SHELL, marked=facts.footing, check=check)
