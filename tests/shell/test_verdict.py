@@ -90,21 +90,26 @@ def test_panels_that_meet_speak_against_a_shell() -> None:
     ("closing", "opening", "push", "subject", "sign"),
     [
         (None, None, 0.0, "locks", "warns"),
-        (None, "ties", 0.1, "held", "holds"),
+        (None, "ties", 0.1, "held", "warns"),
         (None, "ties", -0.1, "held", "warns"),
         ("flaps", None, 0.1, "locks", "warns"),
-        ("flaps", None, -0.1, "locks", "holds"),
+        ("flaps", None, -0.1, "locks", "warns"),
+        ("flaps", None, None, "locks", "warns"),
         ("flaps", "ties", 0.1, "locks", "holds"),
+        ("flaps", "ties", None, "locks", "holds"),
     ],
 )
-def test_what_nothing_but_supports_holds_wants_attention(
+def test_half_a_lock_wants_attention_whatever_own_weight_does(
     closing: Literal["flaps"] | None,
     opening: Literal["ties"] | None,
-    push: float,
+    push: float | None,
     subject: str,
     sign: Sign,
 ) -> None:
-    """Of a shell that was made, with other things to hold it, pushed open or closed by weight."""
+    """Of a shell that was made, with other things to hold it, pushed open or closed by weight.
+
+    None: nobody looked what its weight does.
+    """
     report = shell("figure1").report
     weight = report.deployment.weight
     assert weight is not None
@@ -112,7 +117,7 @@ def test_what_nothing_but_supports_holds_wants_attention(
         report.deployment,
         closing=closing,
         opening=opening,
-        weight=replace(weight, at_feet=push),
+        weight=None if push is None else replace(weight, at_feet=push),
     )
     assert rows(replace(report, deployment=other))[subject][0] == sign
 

@@ -193,12 +193,9 @@ def _locks(report: Report) -> Iterator[Row]:
         if held.opening == "ties"
         else "only its supports stop it opening"
     )
-    push = 0.0 if held.weight is None else held.weight.at_feet
-    if held.closing is None:
-        # Its own weight may press it against its ties, which is all that holds it then.
-        sign: Sign = "holds" if push > 0 and held.opening is not None else "warns"
-    else:
-        sign = "warns" if push > 0 and held.opening is None else "holds"
+    # Half a lock is none: what own weight keeps from moving is held until wind lifts it.
+    half = held.closing is None or held.opening is None
+    sign: Sign = "warns" if half else "holds"
     if any(tie.slack is False for tie in held.ties):
         sign = "warns"  # what is not proved slack may stop it short, or hold nothing
     text = f"{CLOSING[held.closing]}; {opening}"
