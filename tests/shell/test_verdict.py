@@ -187,9 +187,8 @@ def test_what_codes_ask_beyond_is_said_with_what_it_carries() -> None:
     assert report.structure is not None
     sign, finding = rows(report)["codes"]
     assert sign == "says"
-    _, names = finding.split(": ")
-    *names, last = names.split(", ")
-    begins = (*names, *last.split(" and "))
+    *first, last = finding.partition(": ")[2].split(", ")
+    begins = (*first, *last.split(" and "))
     assert len(begins) == len(report.structure.code_asks)
     for begin, text in zip(begins, report.structure.code_asks, strict=True):
         assert text.startswith(begin)
