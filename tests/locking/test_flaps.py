@@ -13,6 +13,7 @@ from design_tables import Tables, formula, tables
 from orishell.conventions.errors import ClashError, Remedy
 from orishell.design_file import DesignFile, check_design
 from orishell.locking import find_lock, reaches_target
+from orishell.shell import remedies
 from orishell.shell.candidate import ended
 from orishell.shell.designed import designed
 from orishell.shell.make import make_shell
@@ -54,6 +55,22 @@ def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     _, lock = ended(asked, designed(asked), Work())
     assert lock.cause == "flaps"
     assert not works(bend(1.01 * widest))
+
+
+@pytest.mark.parametrize("slow", [False, True])
+def test_no_flaps_are_offered_where_no_width_is_found_in_time(
+    monkeypatch: pytest.MonkeyPatch, slow: bool
+) -> None:
+    """Widths take long to prove where panels have boards: that none do is known before."""
+
+    def over(*_: Any) -> Any:
+        raise remedies._OutOfTimeError
+
+    monkeypatch.setattr(remedies, "_coarsely" if slow else "largest_quotable", over)
+    monkeypatch.setattr(remedies, "LONGER", 1e6 if slow else 0.0)
+    remedy = mended(bend(4.0))
+    assert remedy.changes == {"pattern.flap": 0.0}
+    assert make_shell(bend(0.0)).report.feasible
 
 
 @pytest.mark.slow

@@ -86,13 +86,14 @@ def with_offers(file: DesignFile, refusal: OversizeError | None) -> Shell | None
     """The shell with what a refusal offers; None if it says that nothing was found."""
     shell, typed = None, set[str]()
     while refusal is not None:
-        (key,), (high, low) = refusal.keys, refusal.needed
         if "expected room for its panels" in str(refusal):
             return None
-        assert f"at least {high:g} x {low:g}" in str(refusal)
-        assert key not in typed  # what is offered is enough; a roll and stock are two offers
-        typed.add(key)
-        file = file.changed({key: [high, low]})
+        assert refusal.keys == tuple(refusal.needed)
+        for high, low in refusal.needed.values():
+            assert f"at least {high:g} x {low:g}" in str(refusal)
+        assert not typed & refusal.needed.keys()  # what is offered is enough
+        typed |= refusal.needed.keys()
+        file = file.changed({key: list(sides) for key, sides in refusal.needed.items()})
         shell, refusal = oversize(file)
     return shell
 

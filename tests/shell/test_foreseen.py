@@ -6,6 +6,7 @@ which is that of a plane rectangle here.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -92,6 +93,10 @@ def test_what_no_panel_can_fit_is_refused_before_the_fit(unfitted: None, sold: s
         assert "6 x 4 m" in said.value.what
         # So many panels are needed at least: with one less each would still be too large.
         assert f"{PANELS + 1} panels or more" in said.value.remedy
+        # The first rows and columns, as many times each, that come to so many.
+        rows, columns = map(int, re.findall(r"= (\d+)", said.value.remedy))
+        assert (rows + 1) * (columns + 1) > PANELS
+        assert (rows, columns) == (ROWS + 1, COLUMNS + 1)
 
 
 def test_what_is_refused_before_is_refused_after_the_fit() -> None:

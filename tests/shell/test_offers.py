@@ -175,8 +175,18 @@ def test_what_ends_the_command_after_the_proof_is_no_offer(key: str, value: Any,
     assert said in error.limit
 
 
+def test_a_shell_that_takes_long_is_looked_at_for_longer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a fitted sheet: the trial of what works takes as long as the refusal did."""
+    monkeypatch.setattr(remedies, "SECONDS", 0.0)
+    monkeypatch.setattr(remedies, "LONGER", 1e6)
+    error = refusal(STEEP, MEASURES)
+    assert error is not None
+    assert error.remedies
+
+
 def test_looking_ends_when_its_time_is_over(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(remedies, "SECONDS", 0.0)
+    monkeypatch.setattr(remedies, "LONGER", 0.0)
     error = refusal(STEEP, MEASURES)
     assert error is not None
     assert not error.remedies

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import zipfile
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -12,11 +13,16 @@ import pytest
 
 from orishell.conventions.errors import InputError, OrishellError
 from orishell.conventions.toml_file import parse_toml
-from orishell.design_file import starter_file
+from orishell.design_file import check_design, starter_file
+from orishell.design_file.tables import with_values
 from orishell.shell import tradeoff
+from orishell.shell.board_limits import as_cut
+from orishell.shell.designed import designed
 from orishell.studio.processes import MAX_VERTICES
+from orishell.studio.refusals import describe_error
 from orishell.studio.tasks import answer
 from orishell.workshop import tiling
+from orishell.workshop.layout import require_stock
 from orishell.workshop.palettes import load_palette
 
 STOCK = {"stock": [2.5, 2.5], "margin": 0.05, "palette": "shop"}
@@ -73,6 +79,12 @@ def test_stock_that_no_panel_fits_is_refused_with_what_would_do() -> None:
         asked("sheets", {"stock": [0.3, 0.3]})
     assert "at least" in caught.value.expected
     assert "larger stock" in caught.value.remedy
+    # Its button has rows and columns whose panels fit.
+    (mend,) = describe_error(caught.value)["error"]["remedies"]
+    assert {*mend["changes"]} == {"pattern.rows", "pattern.columns"}
+    tables = {**parse_toml(starter_file("orthodiagonal")), "workshop": {"stock": [0.3, 0.3]}}
+    file = check_design(with_values(tables, mend["changes"]), Path("awning.toml"))
+    require_stock(as_cut(file, designed(file)), file.workshop)
 
 
 def test_a_paper_model_of_too_many_pages_is_said_and_the_rest_drawn(

@@ -186,7 +186,7 @@ def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> No
     narrow = Workshop(stock=(300.0, 200.0), roll=(12.0, 2000.0), margin=1.0)
     with pytest.raises(OversizeError, match=r"panels do not fit the roll: 0,0; ") as refused:
         require_stock(document, narrow)
-    width, length = refused.value.needed
+    width, length = refused.value.needed["workshop.roll"]
     assert length == 2000.0
     assert f"at least {width:g} x 2000" in str(refused.value)
     assert lay_out(document, narrow.replace_unchecked(roll=(width, length))).sheets >= 1
@@ -195,7 +195,7 @@ def test_a_roll_that_is_too_narrow_is_offered_wider_and_as_long_as_it_is() -> No
     turned = narrow.replace_unchecked(roll=(2000.0, 12.0))
     with pytest.raises(OversizeError) as refused:
         require_stock(document, turned)
-    assert refused.value.needed == (length, width)
+    assert refused.value.needed == {"workshop.roll": (length, width)}
 
 
 def test_hinges_of_whole_boards_have_one_density() -> None:

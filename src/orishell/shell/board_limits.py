@@ -22,7 +22,7 @@ from orishell.locking import Lock, lock_without_clash
 from orishell.locking.report import least_share, steepest_chamfer
 from orishell.solids import build_panels
 from orishell.workshop.fitting import above
-from orishell.workshop.layout import find_oversize
+from orishell.workshop.layout import find_oversize, require_stock
 
 BOARD_ROUNDING = 1e-9
 """Boards of the shell that is made may exceed those that were tried by such a share: states that
@@ -90,6 +90,18 @@ def as_cut(file: DesignFile, design: Design) -> Document:
         return document_of_design(design, file.unit)
     built = build_panels(design, design.mechanism.target_drive)
     return document_of_design(design, file.unit, boards=built.boards, flaps=built.flaps)
+
+
+def require_stock_for_panels(file: DesignFile, design: Design) -> None:
+    """Refuse stock, or a roll, that panels of a design do not fit, before its motion is proved.
+
+    The proof takes longer, and makes no panel smaller, but flaps of no given width: of these
+    nothing is known. Boards, which it cuts back, are said beside panels only.
+
+    Raises OversizeError as the layout on the stock does.
+    """
+    if on_stock(file) and file.pattern.flap != "auto":
+        require_stock(as_cut(file, design), file.workshop, final=False)
 
 
 def require_boards(limits: Tolerance, design: Design, lock: Lock) -> None:

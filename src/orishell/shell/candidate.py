@@ -21,6 +21,7 @@ from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.motion.lattice import InnerStaircase
 from orishell.shell.answers import Answers
+from orishell.shell.board_limits import require_stock_for_panels
 from orishell.shell.designed import designed
 from orishell.shell.end_walls import with_end_walls
 from orishell.shell.steps import Work
@@ -51,6 +52,8 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     """
     clock = work.clock
     design = designed(file, work.progress)
+    if work.asks("stock"):
+        require_stock_for_panels(file, design)
     clock.lap("design")
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":

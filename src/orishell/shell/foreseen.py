@@ -25,7 +25,8 @@ def require_room_for_panels(file: DesignFile) -> None:
     Raises
     ------
     InputError
-        With the number of panels that is needed at least, or the unit that may have been meant.
+        With the panels, rows and columns that are needed at least, or the unit that may have been
+        meant.
     """
     least = _least_panel(file)
     if not least:
@@ -41,12 +42,19 @@ def require_room_for_panels(file: DesignFile) -> None:
     assert file.surface is not None
     sold = "roll" if on_roll else "stock"
     panels = math.ceil(file.panel_count * least / room)
+    finer = math.sqrt(panels / file.panel_count)
+    sides = file.pattern.rows + 1, file.pattern.columns + 1
+    rows, columns = (math.ceil(finer * each) - 1 for each in sides)
     raise InputError(
         f"the {sold} is too small for panels over a target of {in_plan(file.surface, file.unit)}: "
         f"the largest of {file.panel_count} panels has {area(least, file.unit)} or more",
         keys=(f"workshop.{sold}",),
         got="{:.6g} x {:.6g}".format(*workshop.stock),
-        **_meant(file, f"a larger {sold}, or {panels} panels or more"),
+        **_meant(
+            file,
+            f"a larger {sold}, or {panels} panels or more: rows = {rows} with columns = {columns} "
+            "at the least",
+        ),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Collection
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,7 @@ from orishell.shell.candidate import Candidate
 from orishell.shell.facts import Facts, measure, with_structure
 from orishell.shell.fit.built_size import triangles_of
 from orishell.shell.foreseen import require_room_for_panels
+from orishell.shell.more_panels import with_more_panels
 from orishell.shell.notes import all_notes
 from orishell.shell.one_motion import find_joining
 from orishell.shell.open_questions import find_candidate
@@ -41,6 +43,7 @@ from orishell.shell.thickness_remedy import find_stronger
 from orishell.shell.two_thicknesses import find_two_thicknesses
 from orishell.shell.verdict import find_verdict
 from orishell.structure.results import Analysis
+from orishell.workshop.fitting import OversizeError
 
 
 @record
@@ -134,17 +137,19 @@ def make_shell(
     if not isinstance(file, DesignFile):
         raise TypeError("make_shell takes a DesignFile; design_shell reads one from its path")
     require_steps(skip)
-    work = Work(progress, clash, skip)
+    work, begun = Work(progress, clash, skip), time.thread_time()
     try:
         if work.asks("stock"):
             require_room_for_panels(file)
         return _made(find_candidate(file, work), work, told)
     except InputError as error:
+        if isinstance(error, OversizeError) and work.asks("remedies"):
+            error = with_more_panels(file, error, progress)
         raise error.in_file(file.path) from None
     except DesignError as error:
         if clash == "unexamined" or not work.asks("remedies"):
             raise
-        raise with_remedies(file, error, progress) from None
+        raise with_remedies(file, error, progress, time.thread_time() - begun) from None
 
 
 @record

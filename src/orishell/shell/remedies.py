@@ -37,8 +37,9 @@ from orishell.shell.steps import Step, Work
 
 MOST_REMEDIES = 3
 """Remedies that are offered at most."""
-SECONDS = 10.0
-"""Work after which no more are looked for (s)."""
+SECONDS, LONGER = 10.0, 2.0
+"""Work after which no more are looked for (s); or so many times as much as was needed to refuse the
+design, if that is longer."""
 TRIALS, PANELS, SEARCHES = 18, 15_000, 3
 """Designs tried at most; of large sheets as many as have so many panels together, of files
 whose rows and columns must be searched for so many."""
@@ -62,15 +63,18 @@ FORMULA = ("formula", "range", "scale")
 
 
 def with_remedies(
-    file: DesignFile, refusal: DesignError, progress: Progress = no_progress
+    file: DesignFile, refusal: DesignError, progress: Progress = no_progress, spent: float = 0.0
 ) -> DesignError:
-    """Return the refusal with changes that were tried and work, or with why none does."""
-    search = _RemedySearch(file, progress)
+    """Return the refusal with changes that were tried and work, or with why none does.
+
+    spent: Work that it took to refuse the design (s).
+    """
+    search = _RemedySearch(file, progress, max(SECONDS, LONGER * spent))
     try:
         search.run(refusal)
     except _OutOfTimeError:
         search.ended = True
-    refusal.remedies = tuple(search.found.values())
+    refusal.remedies = tuple(search.found.values()) or search.farther
     if not refusal.remedies:
         refusal.limit = search.limit
     return refusal
@@ -84,16 +88,18 @@ class _OutOfTimeError(Exception):
 class _RemedySearch:
     file: DesignFile
     progress: Progress
-    until: float = field(default_factory=lambda: time.thread_time() + SECONDS)
+    seconds: float  # after which no more are looked for
+    begun: float = field(default_factory=time.thread_time)
     tried: float = 0
     failures: list[tuple[Remedy, DesignError]] = field(default_factory=list)
     found: dict[frozenset[str], Remedy] = field(default_factory=dict)
+    farther: tuple[Remedy, ...] = ()  # what works, too, where nothing nearer is found
     ended: bool = False
 
     @property
     def limit(self) -> str:
         """Why the first candidate does not work."""
-        ended = f"looking ended after {SECONDS:g} s of work"
+        ended = f"looking ended after {self.seconds:.2g} s of work"
         if self.ended and not self.failures:
             return ended
         if not self.failures:
@@ -114,7 +120,7 @@ class _RemedySearch:
         single = len(self.failures)
         # They grow by what is tried on top of them.
         for number, (remedy, reason) in enumerate(self.failures):
-            if self.found or (number >= single and self.tried >= DEEPER):
+            if self.found or self.farther or (number >= single and self.tried >= DEEPER):
                 break
             self._look(remedy, self._further(remedy, reason), 1)
 
@@ -173,7 +179,7 @@ class _RemedySearch:
     def _watch(self, share: float = 0.0, what: str = "") -> None:
         """Tell how far the search is, and end it when its time is over."""
         self.progress(min(1.0, self.tried / TRIALS), "looking for what works")
-        if time.thread_time() > self.until:
+        if time.thread_time() > self.begun + self.seconds:
             raise _OutOfTimeError
 
     def _further(self, remedy: Remedy, reason: DesignError) -> Iterator[Remedy]:
@@ -184,32 +190,36 @@ class _RemedySearch:
 
     def _apart(self, clash: ClashError) -> Iterator[Remedy]:
         """The widest flaps, the thickest panels, the largest f and part of g that do not meet."""
-        file, numbers = self.file, _numbers(self.file, clash)
+        file = self.file
         large = file.panel_count > PANELS / TRIALS and not clash.thick
-        if large or file.fit is not None or file.tolerance is not None:
-            yield from _coarsely(numbers)
-            return
-        for number in numbers:
-            # Where the sheet meets itself without flaps, no width of flaps helps.
-            if number.of_flaps and not clash.thick and not self._clear(number, 0.0, whole=True):
+        slow = self.seconds > SECONDS
+        for number in _numbers(file, clash):
+            if number.of_flaps:
+                without = number.change(0.0)
+                reason = self._try(without)
+                if isinstance(reason, ClashError):
+                    continue  # no width of flaps helps
+                self.farther = () if reason else (without,)
+            if large or slow or file.fit is not None or file.tolerance is not None:
+                yield from _coarsely([number])
                 continue
             works = partial(self._clear, number)
             found = largest_quotable(works, number.asked, number.smallest, number.accuracy)
             if found is not None:
                 yield number.change(found)
 
-    def _clear(self, number: _Number, value: float, *, whole: bool = False) -> bool:
+    def _clear(self, number: _Number, value: float) -> bool:
         """Whether a shell can be designed with another number, and does not meet on its way.
 
-        whole: Whether all of it is looked at, where the number is of flaps.
+        Flaps alone are looked at, where the number is theirs.
         """
         self._watch()
         try:
             design = designed(self.file.tried(number.change(value).changes))
         except (DesignError, InputError):
             return False
-        flaps_only = number.of_flaps and not whole
-        return reaches_target(design, self.file.contact_tolerance, flaps_only=flaps_only)
+        tolerance = self.file.contact_tolerance
+        return reaches_target(design, tolerance, flaps_only=number.of_flaps)
 
 
 def _middle(good: Value | None, bad: Value | None) -> Value | None:

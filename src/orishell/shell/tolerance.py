@@ -113,9 +113,9 @@ def _with_any_stock(
     except OversizeError as error:
         nearer = "another distance in [tolerance]: no sheet was found that comes within "
         nearer += f"{tolerance.surface:g} of the surface and whose panels fit"
-        larger = file.changed({error.keys[0]: list(error.needed)})
+        larger = file.changed({key: list(sides) for key, sides in error.needed.items()})
         if _meets(larger, tolerance):
-            error.remedy = f"larger {error.keys[0].rpartition('.')[2]}, or {nearer}"
+            error.remedy = f"{error.larger}, or {nearer}"
         else:
             error.expected, error.remedy = "room for its panels", f"much larger stock, or {nearer}"
         raise

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -126,26 +127,73 @@ class CutSheet:
 
 
 class OversizeError(InputError):
-    """Panels that the stock is too small for.
+    """Panels that the stock, or a roll, is too small for.
 
     Parameters
     ----------
     factor
         By how much the largest of them is larger (more than 1).
     needed
-        Sides of stock or a roll, margins included, that all panels fit; of stock the longer one is
-        first (length).
+        Sides that all panels fit, margins included, by the key of what is too small:
+        "workshop.stock", whose longer one is first, or "workshop.roll" (length).
     """
 
-    def __init__(self, what: str, factor: float, needed: tuple[float, float], **facts: Any) -> None:
-        super().__init__(what, **facts)
-        self.factor, self.needed = factor, needed
+    def __init__(
+        self, what: str, factor: float, needed: Mapping[str, tuple[float, float]], **facts: Any
+    ) -> None:
+        super().__init__(what, keys=tuple(needed), **facts)
+        self.factor, self.needed = factor, dict(needed)
+        self.remedy = f"{self.larger}, or more rows or columns"
+
+    @property
+    def larger(self) -> str:
+        """What would do as the sheet is: larger stock, larger rolls, or both."""
+        names = ("rolls" if each == "roll" else each for each in map(_sold, self.needed))
+        return f"larger {' and '.join(names)}"
+
+    @classmethod
+    def joined(cls, found: Sequence[OversizeError]) -> OversizeError:
+        """One refusal for all that is too small: who mends one does not meet the next.
+
+        Parameters
+        ----------
+        found
+            Those of each of them, one or more.
+        """
+        if len(found) == 1:
+            return found[0]
+        named = [(_sold(key), each) for each in found for key in each.needed]
+        return cls(
+            "; ".join(each.what for each in found),
+            max(each.factor for each in found),
+            {key: sides for each in found for key, sides in each.needed.items()},
+            got=" and ".join(f"{sold} of {each.got}" for sold, each in named),
+            expected="; ".join(f"{sold} of {each.expected}" for sold, each in named),
+        )
 
 
-def require_panels_fit(
-    document: Part, sheet: CutSheet, margin: float = 0.0, key: str = "workshop.stock"
-) -> None:
+def _sold(key: str) -> str:
+    """What a key of the design file has the size of."""
+    return key.removeprefix("workshop.")
+
+
+def require_panels_fit(document: Part, sheet: CutSheet) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
+
+    Raises
+    ------
+    OversizeError
+        With a size that every panel fits.
+    """
+    found = find_too_large(document, sheet)
+    if found is not None:
+        raise found
+
+
+def find_too_large(
+    document: Part, sheet: CutSheet, margin: float = 0.0, key: str = "workshop.stock"
+) -> OversizeError | None:
+    """The refusal of panels that are larger than the stock; None if all fit.
 
     Where panels are cut from it more than once, as boards of two faces are, all follow each other.
 
@@ -155,11 +203,6 @@ def require_panels_fit(
         Rim of the stock beside what can be used of it (length).
     key
         Where the design file has the stock.
-
-    Raises
-    ------
-    OversizeError
-        With a size that every panel fits, margins included.
     """
     import shapely
 
@@ -170,7 +213,7 @@ def require_panels_fit(
     large = np.flatnonzero((size > (sheet.width, sheet.height)).any(axis=1))
     wrong = [int(k) for k in large if not sheet.fits(np.array([k]))]
     if not wrong:
-        return
+        return None
     boxes = np.asarray(shapely.minimum_rotated_rectangle(shapely.multipoints(corners)))
     sides = np.zeros((len(corners), 2))
     flat = shapely.get_type_id(boxes) == POLYGON  # others are panels without a board
@@ -183,22 +226,19 @@ def require_panels_fit(
     stock = sorted((sheet.width, sheet.height))
     # Those that fit the stock as it is must fit what is offered, too.
     low, high = (above(side + 2 * margin) for side in sides.max(axis=0).tolist())
-    sold, larger, needed = "stock", "larger stock", (high, low)
+    needed = high, low
     if key.endswith("roll"):  # it stays as long as it is, if that is enough
-        sold, larger = "roll", "larger rolls"
         least = (low, high) if sheet.width <= sheet.height else (high, low)
         given = (above(side + 2 * margin) for side in (sheet.width, sheet.height))
         needed = max(next(given), least[0]), max(next(given), least[1])
     rim = f", with its margins of {plain(margin)}" if margin else ""
-    raise OversizeError(
-        f"{len(names)} of {count} panels do not fit the {sold}: {_listed(names)}",
+    return OversizeError(
+        f"{len(names)} of {count} panels do not fit the {_sold(key)}: {_listed(names)}",
         max(short / stock[0], long / stock[1], 1 + SLACK),
-        needed,
-        keys=(key,),
+        {key: needed},
         got=f"{sheet.width + 2 * margin:.6g} x {sheet.height + 2 * margin:.6g}{rim}",
         expected=f"at least {' x '.join(map(plain, needed))}{rim}, in which each of them fits; "
         f"the longest is panel {largest}, with its tabs if it has any",
-        remedy=f"{larger}, or more rows or columns",
     )
 
 

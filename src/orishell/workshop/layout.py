@@ -24,7 +24,7 @@ from orishell.workshop.boards import (
     seen_from_outside,
 )
 from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
-from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
+from orishell.workshop.fitting import CutSheet, OversizeError, find_too_large, find_turns
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
 from orishell.workshop.settings import Joint as JointKind
@@ -76,7 +76,9 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
 
     Parts that have neither sheet nor membrane are left out.
     """
-    _require_sheet(document, workshop)
+    large = _sheet_too_large(document, workshop)
+    if large is not None:
+        raise large
     document = cut_of_sheet(document)
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
@@ -94,36 +96,46 @@ def on_its_roll(document: Document, workshop: Workshop) -> Workshop:
     return workshop.for_membrane() if has_membrane(document) else workshop
 
 
-def require_stock(document: Document, workshop: Workshop) -> None:
+def require_stock(document: Document, workshop: Workshop, *, final: bool = True) -> None:
     """Refuse stock and rolls that panels or boards do not fit, before any layout is made.
 
-    Raises OversizeError with a size that all of them fit.
+    final: Whether boards stay as large as they are. Else they refuse nothing by themselves.
+
+    Raises OversizeError, of all that are too small, with sizes that would do.
     """
-    _require_sheet(document, workshop)
+    sheet = _sheet_too_large(document, workshop)
+    boards = _boards_too_large(document, workshop) if final or sheet is not None else None
+    found = [each for each in (sheet, boards) if each is not None]
+    if found:
+        raise OversizeError.joined(found)
+
+
+def _boards_too_large(document: Document, workshop: Workshop) -> OversizeError | None:
+    """The refusal of stock that boards do not fit, where their panels do not say it already."""
     own_roll = on_its_roll(document, workshop) is not workshop
     # On a membrane of the same stock boards are no larger than their panels.
     on_membrane = all(map(has_sheet, document.parts)) and not own_roll
     if workshop.stock is None or document.boards is None or on_membrane:
-        return
+        return None
     everything = laid_flat(document)
     outlines = np.concatenate([_board_outlines(everything, side) for side in SIDES])
     sheet = CutSheet.apart(outlines, *workshop.usable_stock)
-    require_panels_fit(everything, sheet, workshop.margin)
+    return find_too_large(everything, sheet, workshop.margin)
 
 
-def _require_sheet(document: Document, workshop: Workshop) -> None:
-    """Refuse stock, or a roll, that panels of the flat sheet do not fit."""
+def _sheet_too_large(document: Document, workshop: Workshop) -> OversizeError | None:
+    """The refusal of stock, or a roll, that panels of the flat sheet do not fit."""
     laid = on_its_roll(document, workshop)
     if laid.stock is None or not has_sheet(document):
-        return
+        return None
     everything = laid_flat(cut_of_sheet(document))
     width, height = laid.usable_stock
     if len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
-        return
+        return None
     tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
     key = "workshop.stock" if laid is workshop else "workshop.roll"
     sheet = CutSheet.of(everything, width, height, tabs)
-    require_panels_fit(everything, sheet, workshop.margin, key)
+    return find_too_large(everything, sheet, workshop.margin, key)
 
 
 def _board_outlines(document: Document, side: Side) -> Array:

@@ -6,6 +6,7 @@ import { length } from "../../shared/quantities.ts";
 import { sentence } from "../../shared/words.ts";
 import { drawBooklet, drawSheets } from "../server/api.ts";
 import { h } from "../parts/dom.ts";
+import { remedyButton } from "../parts/remedy-button.ts";
 import { faultOf } from "../state/faults.ts";
 import { isAuto } from "../state/aims.ts";
 import { settled } from "../state/sizing.ts";
@@ -95,9 +96,10 @@ export class SheetPreview {
       if (!signal.aborted) this.take(drawn);
     } catch (error) {
       if (signal.aborted) return;
-      const { what, got, expected, remedy, message, kind } = faultOf(error);
+      const fault = faultOf(error);
+      const { what, got, expected, remedy, message, kind } = fault;
       const said = kind === "input" ? [what, got && `Given: ${got}`, expected && `Needed: ${expected}`, remedy && `Remedy: ${remedy}`] : [message];
-      this.refuse(said.map((text) => sentence(text || "")).filter(Boolean).join(" "));
+      this.refuse(said.map((text) => sentence(text || "")).filter(Boolean).join(" "), remedyButton(this.store, fault));
     }
   }
 
@@ -116,12 +118,12 @@ export class SheetPreview {
     this.refuse(`Stopped. The ${this.isBooklet ? "booklet is" : "sheets are"} drawn again when a setting changes.`);
   }
 
-  private refuse(words: string): void {
+  private refuse(words: string, mend: HTMLElement | null = null): void {
     this.work.hide();
     this.drawn = null;
     this.leaves.show([]);
     this.clear();
-    this.note.textContent = words;
+    this.note.replaceChildren(words, ...(mend ? [" ", mend] : []));
     this.note.classList.add("error");
     this.state = "refused";
   }
