@@ -78,6 +78,8 @@ def test_a_canopy_follows_a_mesh() -> None:
         (["--family", "miura"], "unknown family"),
         (["--family", "orthodiagonal", "--diameter", "3"], "a family's file has no sizes"),
         (["card", "there/card.toml"], "the file cannot be written"),
+        (["canopy", "--mesh", "none.obj"], "--mesh: none.obj: the file does not exist"),
+        (["canopy", "--mesh", "roof.3dm"], "this kind of file holds no mesh that is read here"),
     ],
 )
 def test_what_is_no_task_is_one_message(tmp_path: Path, arguments: list[str], said: str) -> None:
@@ -86,6 +88,19 @@ def test_what_is_no_task_is_one_message(tmp_path: Path, arguments: list[str], sa
     assert said in ran.stderr
     assert len(ran.stderr.splitlines()) == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_a_mesh_is_looked_for_where_the_design_file_is(tmp_path: Path) -> None:
+    """The remedy names it from there, and works."""
+    (tmp_path / "there").mkdir()
+    (tmp_path / "roof.obj").write_bytes(ROOF.read_bytes())
+    ran = orishell("new", "canopy", "there/roof.toml", "--mesh", "roof.obj", cwd=tmp_path)
+    assert ran.returncode == 2
+    assert "Remedy: a mesh is named from where the design file is: --mesh ../roof.obj" in ran.stderr
+    ran = orishell("new", "canopy", "there/roof.toml", "--mesh", "../roof.obj", cwd=tmp_path)
+    assert ran.returncode == 0
+    surface = parse_toml((tmp_path / "there" / "roof.toml").read_text())["target"]["surface"]
+    assert surface["mesh"] == "../roof.obj"
 
 
 def test_an_unknown_task_is_refused_in_python() -> None:

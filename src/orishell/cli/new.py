@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Annotated
@@ -58,6 +59,8 @@ def new(
         _require_name([size, *words] if size is not None and context.args else words, task)
         text = task_file(task, mesh=mesh, diameter=_metres(diameter), size=_sides(size))
         path = file if file is not None else Path(f"{task}.toml")
+        if mesh is not None:
+            _require_mesh(mesh, path.parent)
     try:
         with path.open("x", encoding="utf-8") as stream:
             stream.write(text)
@@ -120,6 +123,20 @@ def _require_name(words: list[str], task: str) -> None:
         expected=f"a name as {task}.toml, or none",
         remedy=f"did you mean {option} {said}?" if fits else "",
     )
+
+
+def _require_mesh(mesh: str, directory: Path) -> None:
+    """Refuse a mesh that a design file in a directory could not read: there is none, for one."""
+    from orishell.design.mesh_files import require_mesh_file
+
+    path = directory / mesh
+    try:
+        require_mesh_file(path)
+    except InputError as error:
+        if not path.exists() and Path(mesh).is_file():
+            there = Path(os.path.relpath(mesh, directory)).as_posix()
+            error.remedy = f"a mesh is named from where the design file is: --mesh {there}"
+        raise error.located(f"--mesh: {path}:") from None
 
 
 def _metres(text: str | None) -> float | None:

@@ -19,7 +19,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.conventions.source_file import read_source_file
+from orishell.conventions.source_file import read_source_file, require_source_file
 from orishell.design.gltf_mesh import plain_gltf
 from orishell.design.mesh_errors import MeshFileError
 from orishell.design.mesh_text import plain_obj, plain_stl
@@ -91,14 +91,24 @@ def turned_up(vertices: Array, up: Axis) -> Array:
     return np.stack([x, 0.0 - z, y], axis=-1)
 
 
-def _read(path: Path) -> MeshFile:
-    ending = path.suffix.lower()
-    if ending not in ENDINGS:
+def require_mesh_file(path: Path) -> None:
+    """Refuse what is no file of a kind that is read here, without reading it; InputError."""
+    _require_kind(path)
+    require_source_file(path, "file", MOST_BYTES)
+
+
+def _require_kind(path: Path) -> None:
+    if path.suffix.lower() not in ENDINGS:
         raise InputError(
             "this kind of file holds no mesh that is read here",
             got=path.suffix,
             expected="an OBJ, STL, PLY or glTF file with one open piece of surface",
         )
+
+
+def _read(path: Path) -> MeshFile:
+    ending = path.suffix.lower()
+    _require_kind(path)
     data = read_source_file(path, "file", MOST_BYTES)
     if ending == ".ply":
         vertices, triangles = read_ply(data)
