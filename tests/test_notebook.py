@@ -24,6 +24,7 @@ from orishell import (
     parse_formula,
 )
 from orishell.conventions.errors import InputError
+from orishell.design_file import read_design_file
 from orishell.document.from_design import document_of_design
 from orishell.io import DEFAULT_SETTINGS, read_fold, write_fold
 from orishell.io.formats import all_formats
@@ -31,7 +32,9 @@ from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.export import write_format, write_shell, write_structure
 from orishell.shell.kit import write_kit
+from orishell.shell.make import make_shell
 from orishell.shell.pictures import lay_surface
+from orishell.shell.steps import MEASURES
 from orishell.studio import notebook
 from orishell.studio.notebook import show
 from public_names import public_callables
@@ -108,6 +111,9 @@ def test_what_has_too_little_to_be_shown_or_written_says_what_to_call(tmp_path: 
         write_kit(design, tmp_path / "out")
     with pytest.raises(InputError, match=r"got Design, .* design_shell"):
         analyse_structure(design)
+    with pytest.raises(InputError, match=r"make_shell\(read_design_file\(path\)\)") as refused:
+        write_shell(design, tmp_path / "out")
+    assert 'write_shell(shell, directory, formats=["glb"])' in str(refused.value)
     assert not list(tmp_path.iterdir())
     with pytest.raises(InputError, match=r"got Design, .* take design\.mechanism"):
         FoldingMotion(design, 3)
@@ -176,3 +182,11 @@ def test_draws_in_a_cell_and_leaves_the_notebook_alone(browser: Browser) -> None
         assert page.evaluate(LOOKS) == plain
         page.evaluate("end()")
         assert page.locator("#cell canvas").count() == 0
+
+
+def test_the_remedy_of_a_design_that_is_written_works(tmp_path: Path) -> None:
+    """As its message has it, of a design file."""
+    path = Path(__file__).parents[1] / "examples" / "figure1_card.toml"
+    shell = make_shell(read_design_file(path), skip=MEASURES)
+    written = write_shell(shell, tmp_path / "out", formats=["glb"])
+    assert tmp_path / "out" / "shell.glb" in written

@@ -14,6 +14,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import Unit
 from orishell.conventions.record import as_table
+from orishell.design import Design
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory, document_of_fold, read_fold
@@ -209,12 +210,18 @@ def require_shell(shell: object) -> None:
     Raises InputError.
     """
     if not isinstance(shell, Shell):
+        remedy = "make_shell(read_design_file(path)) makes one"
+        if isinstance(shell, Design):
+            remedy += (
+                ', and write_shell(shell, directory, formats=["glb"]) writes it; a design by '
+                "itself is written as FOLD: orishell.io.write_fold(path, "
+                "orishell.document.from_design.document_of_design(design, unit))"
+            )
         raise InputError(
             "only a shell has a report and pictures",
             got=type(shell).__name__,
             expected="a Shell, which design_shell makes from a design file",
-            remedy="write a design by itself in one format: orishell.io.write_fold(path, "
-            "orishell.document.from_design.document_of_design(design, unit))",
+            remedy=remedy,
         )
 
 
