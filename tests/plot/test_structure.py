@@ -7,17 +7,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextPath
 from PIL import Image
 
 from loaded_shells import loaded_document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, plot_structure
-from orishell.plot.structure import DRAWN, exaggeration
+from orishell.plot.scene import WIDTH, choose_camera
+from orishell.plot.structure import DRAWN, LINES, SIZES, exaggeration, lines_above
 from samples import thorough
 
 TAUT = (20, 134, 143)
 DEEP = (69, 40, 90)
 """The end of the colours."""
+WALL_COLOUR = (230, 227, 220)
 
 
 def shell() -> LoadedShell:
@@ -78,3 +82,41 @@ def test_the_same_bytes_each_time(tmp_path: Path) -> None:
     for name in ("one.png", "two.png"):
         picture(tmp_path / name)
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
+
+
+@pytest.mark.parametrize("columns", [2, 3])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "winter, drifted right, free creases",
+        "ULS 1.35 own weight + 0.75 snow, drifted right + 1.5 wind across, rigid creases",
+        "A NAME OF A LOAD CASE THAT SOMEBODY WROTE IN CAPITALS AND WITH MANY MORE WORDS",
+    ],
+)
+def test_names_of_load_cases_stay_above_their_own_parts(name: str, columns: int) -> None:
+    """Measured with the font that they are drawn in; all of a usual name is there."""
+    width = WIDTH / columns
+    lines = lines_above(name, width, SIZES[0], LINES).split("\n")
+    font = FontProperties(weight="bold")
+    wide = [TextPath((0, 0), line, size=SIZES[0], prop=font).get_extents().width for line in lines]
+    assert max(wide) < 72 * width
+    assert " ".join(lines) == name
+
+
+def test_walls_at_the_ends_are_drawn_behind_the_shell(tmp_path: Path) -> None:
+    """A wall beyond the shell, seen from the camera, as high as it is."""
+    loaded = shell()
+    low, high = loaded.points.min(axis=0), loaded.points.max(axis=0)
+    towards = choose_camera(loaded.points).axes()[2][:2]
+    away = 0.5 * (low + high)[:2] - np.linalg.norm((high - low)[:2]) * towards
+    side = np.array([-towards[1], towards[0]])
+    ends = [away - side, away + side]
+    base, top = ([[*end, z] for end in ends] for z in (low[2], high[2]))
+    wall = np.array([[*base, *top[::-1]]])
+    drawn = [DrawnCase(loaded.cases[0], np.array([True]), "note")]
+    pixels = []
+    for walls in ((), (wall,)):
+        path = tmp_path / "one.png"
+        plot_structure(path, loaded, drawn, title="", sign="holds", unit="m", walls=walls)
+        pixels.append(near(np.asarray(Image.open(path).convert("RGB")).astype(int), WALL_COLOUR))
+    assert pixels[1] > pixels[0] + 10_000

@@ -15,6 +15,7 @@ from orishell.conventions.row import Sign
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.plot.scene import (
+    BORDER,
     HEADING,
     LEGEND,
     TITLE,
@@ -46,8 +47,15 @@ TICKS = 3
 """Intervals along that bar at most, so that its figures do not run into each other."""
 CREASE = (0.15, 0.15, 0.18, 0.55)
 UNLOADED = "#4a4d55"
-LINE = 52
-"""Characters of a line above a part, at most."""
+SIZES = 12, 10
+"""Of the name of a load case and of the note below it (points)."""
+LETTER = 0.66
+"""Width of a letter in bold, as a share of its size: few are wider on average."""
+LINES = 3
+"""Of a name, at most."""
+GAP = 0.15
+"""Between what is said below a part and the name of the next (inches)."""
+WALL = "#e6e3dc"
 TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 
@@ -61,7 +69,14 @@ class DrawnCase:
 
 
 def plot_structure(
-    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, sign: Sign, unit: str
+    path: Path,
+    shell: LoadedShell,
+    cases: Sequence[DrawnCase],
+    *,
+    title: str,
+    sign: Sign,
+    unit: str,
+    walls: Sequence[Array] = (),
 ) -> None:
     """Write the picture of the loaded shell as PNG: a part for every load case.
 
@@ -77,6 +92,8 @@ def plot_structure(
         What the heading says of the shell: red where it fails.
     unit
         Unit of length.
+    walls
+        Walls that close its ends and bear nothing: the corners (P, K, 3) of the panels of each.
     """
     drawn = cases[:MOST_CASES]
     camera = choose_camera(shell.points)
@@ -85,12 +102,15 @@ def plot_structure(
         shell.points + scale * each.case.displacements
         for each, scale in zip(drawn, scales, strict=True)
     ]
-    pictures = [camera.project(points)[0] for points in (shell.points, *places)]
+    around = [np.asarray(wall).reshape(-1, 3) for wall in walls]
+    pictures = [camera.project(points)[0] for points in (shell.points, *places, *around)]
     columns = 2 if len(drawn) == 4 else min(len(drawn), 3)
     rows = -(-len(drawn) // columns)
     width = WIDTH / columns
     height = row_height(0.96 * width, [np.concatenate(pictures)])
-    row = BAR + height + 1.4 * TITLE
+    names = [lines_above(each.case.name, width, SIZES[0], LINES) for each in drawn]
+    more = max(name.count("\n") for name in names)  # lines beyond the first
+    row = BAR + height + 1.4 * TITLE + more * 1.2 * SIZES[0] / 72 + GAP
     figure = new_figure(LEGEND + rows * row + HEADING, title, colour=LIGHT[sign])
     panels = _Panels.of(shell)
     for number, (each, scale, points) in enumerate(zip(drawn, scales, places, strict=True)):
@@ -105,12 +125,13 @@ def plot_structure(
         draw_lines(axes, ties[~each.taut], SLACK, 1.6, (0, (2, 2)))
         _draw_supports(axes, shell, camera)
         frame(axes, np.concatenate(pictures))
-        _say(axes, each)
+        _draw_walls(axes, walls, shell, camera)
+        _say(axes, each, names[number], width)
         beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
         bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
         beside.locator_params(axis="x", nbins=TICKS)
         bar.set_label(_how(each.case, scale, unit))
-    _explain(figure, shell, drawn, len(cases) - len(drawn))
+    _explain(figure, shell, drawn, len(cases) - len(drawn), walls=bool(walls))
     save(figure, path)
 
 
@@ -189,14 +210,32 @@ def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
     return nodes, times == 3
 
 
-def _say(axes: Axes, drawn: DrawnCase) -> None:
+def _draw_walls(axes: Axes, walls: Sequence[Array], shell: LoadedShell, camera: Camera) -> None:
+    """Walls at the ends, behind all panels or before them: none stands among these."""
+    from matplotlib.collections import PolyCollection
+
+    middle = camera.project(shell.points)[1].mean()
+    for wall in walls:
+        picture, depth = camera.project(np.asarray(wall))
+        look = {"facecolors": WALL, "edgecolors": [CREASE], "linewidths": 0.5}
+        axes.add_collection(
+            PolyCollection(list(picture), zorder=-1 if depth.mean() < middle else 0.5, **look)
+        )
+
+
+def lines_above(text: str, width: float, size: float, most: int) -> str:
+    """A text of a size (points) in lines that stay above a part of a width (inches)."""
+    letters = int(72 * (width - 2 * BORDER) / (LETTER * size))
+    return "\n".join(textwrap.wrap(text, letters, max_lines=most, placeholder=" ..."))
+
+
+def _say(axes: Axes, drawn: DrawnCase, name: str, width: float) -> None:
     """Name of a load case, and what it does to the shell, above its part."""
-    name, note = (
-        textwrap.shorten(text, LINE, placeholder=" ...") for text in (drawn.case.name, drawn.note)
-    )
+    note = lines_above(drawn.note, width, SIZES[1], 1)
     colour = LIGHT[drawn.case.sign]
-    axes.set_title(f"{name}\n", y=1.0, fontsize=12, fontweight="bold", color=colour)
-    axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
+    axes.set_title(f"{name}\n", y=1.0, fontsize=SIZES[0], fontweight="bold", color=colour)
+    place: dict[str, Any] = {"transform": axes.transAxes, "ha": "center", "va": "bottom"}
+    axes.text(0.5, 1.012, note, fontsize=SIZES[1], **place)
 
 
 def _how(case: LoadedCase, scale: float, unit: str) -> str:
@@ -207,7 +246,9 @@ def _how(case: LoadedCase, scale: float, unit: str) -> str:
     return f"displacement ({unit}), drawn {drawn}"
 
 
-def _explain(figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], missing: int) -> None:
+def _explain(
+    figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], missing: int, *, walls: bool
+) -> None:
     """What lines and marks mean, below all parts."""
     from matplotlib.lines import Line2D
 
@@ -222,6 +263,10 @@ def _explain(figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], mis
         if some.any():
             mark: dict[str, Any] = {"marker": "^", "markersize": 6, "markeredgecolor": "black"}
             known.append(Line2D([], [], linestyle="", markerfacecolor=fill, label=words, **mark))
+    if walls:
+        look: dict[str, Any] = {"marker": "s", "markersize": 9, "markeredgecolor": CREASE}
+        words = "end wall, which bears nothing"
+        known.append(Line2D([], [], linestyle="", markerfacecolor=WALL, label=words, **look))
     if missing:
         known.append(Line2D([], [], linestyle="", label=f"{missing} more load cases not drawn"))
     figure.legend(handles=known, loc="lower center", ncols=len(known), frameon=False)

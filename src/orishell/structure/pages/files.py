@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
@@ -13,6 +14,7 @@ from orishell.document.loaded import LoadedShell
 from orishell.io.formats.tables import write_csv
 from orishell.io.html_pages import static_page
 from orishell.io.sections import Bullets, Paragraph, Picture, Section, sections_html
+from orishell.numerics.arrays import Array
 from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
 from orishell.structure.case import CaseResult
 from orishell.structure.pages.anchor_tables import HEAD as ANCHOR_HEAD
@@ -32,7 +34,12 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
     assert document.loaded is not None
     unit = document.require_unit()
     path = directory / "structure.png"
-    draw_structure(path, document.loaded, analysis, unit)
+    walls = [
+        each.shell.positions[np.asarray(each.mesh.faces)]
+        for each in document.attached
+        if each.kind == "end_wall"
+    ]
+    draw_structure(path, document.loaded, analysis, unit, walls)
     drawn = [
         DrawnPath(
             analysis.name_of(case), found.path.factors, found.path.displacements,
@@ -73,10 +80,17 @@ def structure_page(
     return static_page(f"Structure: {title}", sections_html(sections))
 
 
-def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: str) -> None:
+def draw_structure(
+    path: Path,
+    loaded: LoadedShell,
+    analysis: Analysis,
+    unit: str,
+    walls: Sequence[Array] = (),
+) -> None:
     """Draw the shell under its loads, the worst case first.
 
     loaded: The shell, in the document's frame, with the load cases of the analysis.
+    walls: Corners (P, K, 3) of panels of the walls that close its ends, in that frame.
     """
     said = Quantities(unit)
     shown = {case: each for each, case in zip(loaded.cases, analysis.cases, strict=True)}
@@ -87,7 +101,7 @@ def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: st
             taut = case.equilibrium.tie_forces > 0
         drawn.append(DrawnCase(shown[case], taut, _note(case, said)))
     title = f"Structure: {VERDICTS[analysis.sign]}"
-    plot_structure(path, loaded, drawn, title=title, sign=analysis.sign, unit=unit)
+    plot_structure(path, loaded, drawn, title=title, sign=analysis.sign, unit=unit, walls=walls)
 
 
 VERDICTS = {
