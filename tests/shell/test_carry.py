@@ -123,6 +123,12 @@ def test_what_is_found_carries_once_it_is_typed_in(found: tuple[DesignFile, Carr
         assert made.analysis.carries is True
         assert made.analysis.model.mass == pytest.approx(each.mass)
         assert each.parts >= 1 + len(made.report.deployment.ties)
+        # What its own warnings, or its verdict, ask for then is said with what carries.
+        held = made.report.deployment
+        assert ("opening" in each.left) == (held.opening is None)
+        assert ("closing" in each.left) == (held.closing is None)
+        opens = [note for note in made.report.warnings if "opens under its own weight" in note]
+        assert not opens or "opening" in each.left
     masses = [each.mass or 0.0 for each in search.found]
     assert masses == sorted(masses)
     # None is as heavy, in as many parts and with as many changes as another that is lighter.
@@ -670,6 +676,7 @@ def test_the_command_writes_design_files(
         written = read_design_file(path)
         assert written.tables == arch(tmp_path).changed(each.change.values).tables
         assert each.change.words.replace(SPACE, " ") in " ".join(done.stdout.split())
+        assert each.left in " ".join(done.stdout.split())
     _, told = done.stdout.split("Designs that carry, the lightest first")
     told = told.partition("wrote ")[0]
     assert all(len(line) <= carry_cli.WIDTH for line in told.splitlines())

@@ -287,6 +287,8 @@ export interface Carrying {
   used: number | null;
   /** What governs, in words; empty if nothing does. */
   governs: string;
+  /** What nothing but supports does, in words; empty if the shell locks by itself. */
+  left: string;
 }
 
 /** A load case with one stiffness of creases. */

@@ -101,7 +101,7 @@ def _summary(found: CarrySearch, written: list[Path], unit: str) -> Iterator[str
         yield from section_lines([Section("Designs that carry, the lightest first", (table,))])
         yield "What is changed"
         for name, each in zip(names, found.found, strict=True):
-            yield from _wrapped(f"{name}: {each.words}")
+            yield from _wrapped("; ".join(filter(None, (f"{name}: {each.words}", each.left))))
     else:
         yield "No design was found that carries."
         yield from _wrapped(f"Nearest came {found.near}", "") if found.near else []

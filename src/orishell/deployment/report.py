@@ -68,6 +68,14 @@ class DeploymentReport:
     raising: Raising | None
 
     @property
+    def left_to_supports(self) -> tuple[str, ...]:
+        """What nothing but its supports keeps it from beyond its target: closing, opening."""
+        if self.fixed_by is not None:
+            return ()
+        stops = {"closing": self.closing, "opening": self.opening}
+        return tuple(way for way, stop in stops.items() if stop is None)
+
+    @property
     def lacks_ground(self) -> bool:
         """Whether it stands and nobody knows the ground that it needs on its way."""
         return self.ground is not None and self.ground.swept is None

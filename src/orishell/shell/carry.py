@@ -19,7 +19,13 @@ from orishell.design_file import DesignFile
 from orishell.shell.analyse import require_structure
 from orishell.shell.carry_boards import as_sold, offer, thickness_key
 from orishell.shell.carry_change import Change, Step, together
-from orishell.shell.carry_found import Carrying, CarrySearch, ended, parts_on_site
+from orishell.shell.carry_found import (
+    Carrying,
+    CarrySearch,
+    ended,
+    left_to_supports,
+    parts_on_site,
+)
 from orishell.shell.carry_state import State
 from orishell.shell.carry_steps import BUILDER, DESIGNER, LIGHTER
 from orishell.shell.carry_strengths import MAKES_KNOWN, in_words, not_given, refuse, require_known
@@ -261,5 +267,6 @@ class _Search:
                 continue
             packed = made.deployment.packed
             box = None if packed is None else (packed.length, packed.width, packed.height)
-            found.append(Carrying(state.change, made.analysis, parts_on_site(made), box))
+            left = left_to_supports(made)
+            found.append(Carrying(state.change, made.analysis, parts_on_site(made), box, left))
         return tuple(found)

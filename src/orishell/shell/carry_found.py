@@ -15,12 +15,14 @@ from orishell.structure.results import Analysis
 class Carrying:
     """A design that carries all its cases, made and analysed as its file asks."""
 
-    REPORTED = ("words", "changes", "mass", "parts", "pack", "used", "governs")
+    REPORTED = ("words", "changes", "mass", "parts", "pack", "used", "governs", "left")
 
     change: Change  # of the file
     analysis: Analysis
     parts: int  # on the site: pieces, what is clipped on, ties and locks
     pack: tuple[float, float, float] | None  # sides of its pack (length); None without one
+    # what nothing but supports does, in words; empty if the shell locks by itself
+    left: str
 
     @property
     def words(self) -> str:
@@ -94,6 +96,12 @@ def ended(found: Analysis) -> str:
         return f"carries: {found.governing_in_words()}"
     worst = found.ranked[0]
     return found.in_words().replace(worst.said, worst.findings[0].text)
+
+
+def left_to_supports(facts: Facts) -> str:
+    """What nothing but supports does for a shell, as its verdict says it; empty if it locks."""
+    ways = facts.deployment.left_to_supports
+    return f"only its supports stop it {' and '.join(ways)}" if ways else ""
 
 
 def parts_on_site(facts: Facts) -> int:

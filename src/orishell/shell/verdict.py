@@ -194,8 +194,7 @@ def _locks(report: Report) -> Iterator[Row]:
         else "only its supports stop it opening"
     )
     # Half a lock is none: what own weight keeps from moving is held until wind lifts it.
-    half = held.closing is None or held.opening is None
-    sign: Sign = "warns" if half else "holds"
+    sign: Sign = "warns" if held.left_to_supports else "holds"
     if any(tie.slack is False for tie in held.ties):
         sign = "warns"  # what is not proved slack may stop it short, or hold nothing
     text = f"{CLOSING[held.closing]}; {opening}"

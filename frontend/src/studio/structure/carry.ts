@@ -109,6 +109,7 @@ export class CarryCard {
       h("tr", {}, h("th", { scope: "rowgroup", colspan: 3 }, words), h("td", {}, take)),
       h("tr", {}, ...cells.map((text) => h("td", {}, text))),
       each.governs ? h("tr", {}, h("td", { class: "governs", colspan: 4 }, `${capital(each.governs)} governs.`)) : null,
+      each.left ? h("tr", {}, h("td", { class: "governs", colspan: 4 }, `${capital(each.left)}.`)) : null,
     );
   }
 
