@@ -217,7 +217,7 @@ def _draw_walls(axes: Axes, walls: Sequence[Array], shell: LoadedShell, camera: 
     middle = camera.project(shell.points)[1].mean()
     for wall in walls:
         picture, depth = camera.project(np.asarray(wall))
-        look = {"facecolors": WALL, "edgecolors": [CREASE], "linewidths": 0.5}
+        look: dict[str, Any] = {"facecolors": WALL, "edgecolors": [CREASE], "linewidths": 0.5}
         axes.add_collection(
             PolyCollection(list(picture), zorder=-1 if depth.mean() < middle else 0.5, **look)
         )
