@@ -89,9 +89,10 @@ def public_callables() -> dict[str, Callable[..., Any]]:
             found[path] = thing
             continue
         for name, member in vars(thing).items():
+            if name.startswith("_"):
+                continue
             inner = member.fget if isinstance(member, property) else member
             inner = getattr(inner, "__func__", inner)
-            if name.startswith("_") or not inspect.isfunction(inner):
-                continue
-            found[f"{path}.{name}"] = inner
+            if inspect.isfunction(inner):
+                found[f"{path}.{name}"] = inner
     return found

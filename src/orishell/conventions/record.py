@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass
 from functools import cached_property
+from inspect import Signature, signature
 from operator import attrgetter
 from pathlib import Path
 from typing import (
     Annotated,
     Any,
     NamedTuple,
+    NoReturn,
     TypeVar,
     cast,
     dataclass_transform,
@@ -33,13 +35,61 @@ def record(cls: type[T]) -> type[T]:
     """Make a frozen dataclass of a class, with slots unless it has a ``cached_property``.
 
     Records may hold arrays, so two of them are equal if they are the same one. A ``__repr__`` that
-    the class has stays.
+    the class has stays. Its ``__init__`` is written when the first of its kind is made: there are
+    hundreds of kinds, and a command makes records of few.
     """
     slots = not any(isinstance(each, cached_property) for each in vars(cls).values())
-    made: Any = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)
+    made: Any = dataclass(init=False, slots=slots, eq=False, repr=False)(cls)
     if cls.__repr__ is object.__repr__:
         made.__repr__ = _in_one_line
+    made.__setattr__, made.__delattr__ = _keep, _keep
+    made.__getstate__, made.__setstate__ = _state, _set_state
+
+    def begin(self: object, *values: object, **named: object) -> None:
+        made.__init__ = _initialiser(made)
+        made.__init__(self, *values, **named)
+
+    made.__init__ = begin
+    made.__signature__ = _SIGNATURE
     return cast("type[T]", made)
+
+
+def _keep(self: object, name: str, *_: object) -> NoReturn:
+    """Refuse to set, or to delete, a field."""
+    raise FrozenInstanceError(f"cannot change field {name!r}")
+
+
+def _state(self: object) -> dict[str, Any]:
+    """What a copy of a record, and another process, are given."""
+    known = {each.name: getattr(self, each.name) for each in fields(cast("Any", self))}
+    return {**known, **getattr(self, "__dict__", {})}
+
+
+def _set_state(self: object, state: Mapping[str, Any]) -> None:
+    for name, value in state.items():
+        object.__setattr__(self, name, value)
+
+
+def _initialiser(made: Any) -> Any:
+    """The ``__init__`` of a frozen dataclass with the fields of a record."""
+    known = {each.name: each for each in fields(made)}
+    body: dict[str, Any] = {"__module__": made.__module__, "__qualname__": made.__qualname__}
+    if hasattr(made, "__post_init__"):
+        body["__post_init__"] = made.__post_init__
+    twin: Any = type(made.__name__, (), {**body, **known})
+    twin.__annotations__ = {name: each.type for name, each in known.items()}
+    return dataclass(frozen=True, eq=False, repr=False)(twin).__init__
+
+
+class _SignatureOfKind:
+    """What a kind of record is made of, asked of its class."""
+
+    def __get__(self, thing: object, kind: Any) -> Signature:
+        made = signature(_initialiser(kind))
+        return made.replace(parameters=list(made.parameters.values())[1:])
+
+
+_SIGNATURE = _SignatureOfKind()
 
 
 def _in_one_line(thing: object) -> str:

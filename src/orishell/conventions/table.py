@@ -80,7 +80,7 @@ class Table(BaseModel):
     it notes which of its keys are read.
     """
 
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, defer_build=True)
 
     SAMPLE: ClassVar[Mapping[str, Any]] = {}
     """Some of its keys as messages show it; a value in place of the table is that of the first."""
