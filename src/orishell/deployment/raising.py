@@ -93,9 +93,11 @@ def find_raising(body: Body, weight: OwnWeight, end: float, metres: float) -> Ra
     drives = np.linspace(end, target, STAGES + 1)
     works = _works(body, np.array(weight.drives), weight.energy * unit, drives)
     step, stages = STEP * (target - end), []
-    for number, (drive, work) in enumerate(zip(drives.tolist(), works, strict=True)):
+    thrusts = body.thrusts(drives).tolist()
+    for number, (drive, work, thrust) in enumerate(
+        zip(drives.tolist(), works, thrusts, strict=True)
+    ):
         lift, grows = _moved(body, lifted, drive, -step if number else step)
-        thrust = body.thrust(drive)
         # Where the span grows on the way, feet are pulled apart.
         force = None if np.isnan(thrust) else -thrust * grows * float(np.sign(step)) / unit
         up = None if lift is None else lift / unit

@@ -20,11 +20,10 @@ and what raising takes is given as work.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Literal
 
 import numpy as np
-from numpy.polynomial import Chebyshev
+from numpy.polynomial.chebyshev import chebder, chebfit, chebval
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import Angle, record
@@ -39,6 +38,10 @@ from orishell.numerics.arrays import Array, Integers
 
 NODES = 11
 """States that the polynomials go through."""
+UNIT_NODES = -np.cos(np.pi * np.linspace(0, 1, NODES))
+"""Where they are, between -1 and 1."""
+AT_ONCE = 100_000
+"""Vertices that are placed at once, to bound the memory."""
 REACH, REACH_FROM_END = 0.02, 0.1
 """They cover this much of the drive to either side (radians), and at most a tenth of the drive."""
 HALVINGS, TAIL = 12, 1e-12
@@ -128,9 +131,8 @@ def measure_weight(
     target = mechanism.target_drive
     end = mechanism.end_drive if pack is None else pack
     drives = np.union1d(np.linspace(0.0, end, states), [target])
-    measured = [body.at(drive) for drive in drives]
-    energy, span = np.array(measured).T
-    thrust = np.array([body.thrust(drive) for drive in drives.tolist()])
+    energy, span = body.at(drives)
+    thrust = body.thrusts(drives)
     there = int(np.searchsorted(drives, target))
     return OwnWeight(
         force_unit="weight" if weight_per_area is None else "N",
@@ -185,6 +187,12 @@ class Body:
     def at(self, drives: ArrayLike) -> tuple[Array, Array]:
         """Energy and span (...) at drives (...)."""
         drives = np.asarray(drives, dtype=np.float64)
+        each = max(1, AT_ONCE // len(self.shares))
+        parts = [self._at(drives.flat[k : k + each]) for k in range(0, drives.size, each)]
+        energy, span = np.concatenate(parts, axis=-1)
+        return energy.reshape(drives.shape), span.reshape(drives.shape)
+
+    def _at(self, drives: Array) -> tuple[Array, Array]:
         place = self.standing.place(drives)
         height = dots(self._centre(drives) - place.middle, place.axes[..., 2, :])
         span = lengths(place.apart).mean(axis=-1)
@@ -201,55 +209,75 @@ class Body:
         areas = self.areas.reshape(hinges.levels.shape) / self.areas.sum()
         return np.asarray(centre + np.einsum("rc,...rcx->...x", areas, middles))
 
-    def thrust(self, drive: float) -> float:
-        """The thrust -dV/dL at a drive; not a number where L is stationary on the way."""
-        fitted = min(self._fits(drive), key=lambda fit: fit.tail, default=None)
-        if fitted is None:
-            return float("nan")
-        v, length = fitted.energy, fitted.span
-        order = 1
-        if abs(length.deriv()(drive)) < STATIONARY * abs(length.deriv(2)(drive)):
-            order = 2
-        return -float(v.deriv(order)(drive) / length.deriv(order)(drive))
+    def thrusts(self, drives: Array) -> Array:
+        """The thrust -dV/dL at drives (N,); not a number where L is stationary on the way.
 
-    def _fits(self, drive: float) -> Iterator[_Fit]:
-        """V and L near a drive, over less and less of it until polynomials follow them."""
+        By polynomials through V and L, over less and less of them until they follow both.
+        """
         end = self.mechanism.end_drive
-        reach = min(REACH if drive < end else REACH_FROM_END, 0.1 * drive)
+        reach = np.minimum(np.where(drives < end, REACH, REACH_FROM_END), 0.1 * drives)
+        thrusts, least = np.full(drives.shape, np.nan), np.full(drives.shape, np.inf)
+        some = np.arange(len(drives))
         for _ in range(HALVINGS):
-            low, high = drive - reach, min(drive + reach, end)
-            nodes = 0.5 * (low + high - (high - low) * np.cos(np.pi * np.linspace(0, 1, NODES)))
-            energy, span = self.at(nodes)
-            step = np.diff(span)
-            if not ((step > 0).all() or (step < 0).all()):
-                return
-            fit = _Fit.of(nodes, energy, span, self.weight * float(self.shares.sum()))
-            yield fit
-            if fit.tail <= TAIL:
-                return
-            reach *= 0.5
+            if not len(some):
+                break
+            low, high = drives[some] - reach[some], np.minimum(drives[some] + reach[some], end)
+            energy, span = self.at(low + 0.5 * (1 + UNIT_NODES[:, None]) * (high - low))
+            step = np.diff(span, axis=0)
+            monotone = np.asarray((step > 0).all(axis=0) | (step < 0).all(axis=0))
+            some, low, high = some[monotone], low[monotone], high[monotone]
+            fits = _Fits.of(low, high, energy[:, monotone], span[:, monotone])
+            tails = fits.tails(self.weight * float(self.shares.sum()))
+            better = tails < least[some]
+            thrusts[some[better]] = fits.thrusts(drives[some])[better]
+            least[some[better]] = tails[better]
+            some = some[tails > TAIL]
+            reach[some] *= 0.5
+        return thrusts
 
 
 @record
-class _Fit:
-    """Polynomials through V and L, and what may be missing of them.
+class _Fits:
+    """Polynomials through V and L between drives low and high (N,)."""
 
-    The tail is their last two coefficients, relative to the changes of V and L, where a change of V
-    is at least the weight times that of L.
-    """
-
-    energy: Chebyshev
-    span: Chebyshev
-    tail: float
+    low: Array
+    high: Array
+    energy: Array  # coefficients (NODES, N) of Chebyshev's polynomials
+    span: Array
+    changes: tuple[Array, Array]  # of V and L (N,)
 
     @classmethod
-    def of(cls, nodes: Array, energy: Array, span: Array, weight: float) -> _Fit:
-        v, length = (Chebyshev.fit(nodes, each, NODES - 1) for each in (energy, span))
-        change = float(np.ptp(span))
-        scale = float(np.ptp(energy)) + weight * change
-        last, last_span = (float(np.abs(each.coef[-2:]).sum()) for each in (v, length))
-        tail = max(last / scale if scale > 0 else 0.0, last_span / change)  # 0: weighs nothing
-        return cls(v, length, tail)
+    def of(cls, low: Array, high: Array, energy: Array, span: Array) -> _Fits:
+        """Through V and L (NODES, N) at the nodes."""
+        changes = np.ptp(energy, axis=0), np.ptp(span, axis=0)
+        v, length = (
+            np.asarray(chebfit(UNIT_NODES, each, NODES - 1), dtype=np.float64)
+            for each in (energy, span)
+        )
+        return cls(low, high, v, length, changes)
+
+    def tails(self, weight: float) -> Array:
+        """What may be missing of them: their last two coefficients (N,), relative to the changes.
+
+        A change of V is at least the weight times that of L.
+        """
+        rise, change = self.changes
+        scale = rise + weight * change
+        last, last_span = (np.abs(each[-2:]).sum(axis=0) for each in (self.energy, self.span))
+        weighs = np.divide(last, scale, out=np.zeros_like(last), where=scale > 0)
+        return np.asarray(np.maximum(weighs, last_span / change))
+
+    def thrusts(self, drives: Array) -> Array:
+        """-dV/dL (N,) at drives between low and high."""
+        half = 0.5 * (self.high - self.low)
+        places = (drives - self.low) / half - 1
+        v, length = (
+            [chebval(places, chebder(each, order), tensor=False) / half**order for order in (1, 2)]
+            for each in (self.energy, self.span)
+        )
+        stationary = np.abs(length[0]) < STATIONARY * np.abs(length[1])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return -np.where(stationary, v[1] / length[1], v[0] / length[0])
 
 
 def _climb(energy: Array) -> float:
