@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import KW_ONLY, dataclass, replace
+from inspect import Signature
 from types import UnionType
 from typing import (
     TYPE_CHECKING,
@@ -15,6 +16,7 @@ from typing import (
     Self,
     TypeVar,
     Union,
+    cast,
     get_args,
     get_origin,
 )
@@ -73,12 +75,23 @@ Several = Annotated[tuple[T, ...], entries()]
 Pair = Annotated[tuple[T, T], entries(2)]
 
 
+class _SignatureOfTable:
+    """What a table is made of, asked of its class before any is made."""
+
+    def __get__(self, table: object, kind: Any) -> Signature:
+        kind.model_rebuild()  # which puts the signature there
+        return cast("Signature", kind.__signature__)
+
+
 class Table(BaseModel):
     """A table of the design file, which is the settings of its subject.
 
     It has no unknown keys, and its values have the type they should have. Where it stands in a file
-    it notes which of its keys are read.
+    it notes which of its keys are read. What checks it is made when it is first used: a command
+    uses few of them.
     """
+
+    __signature__ = _SignatureOfTable()
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, defer_build=True)
 
