@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from orishell.document import SHELL, Document
 from orishell.io.format import Settings
 from orishell.io.formats.stl import write_stl
 from orishell.numerics.arrays import Array
+from orishell.shell import candidate
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
 from orishell.workshop import Workshop
@@ -325,6 +327,35 @@ def test_what_is_offered_instead_of_a_refusal_makes_a_shell(words: str) -> None:
     assert error.candidates
     for remedy in error.candidates:
         assert refused(mended(design, remedy)) is None
+
+
+@pytest.mark.parametrize("height", [0.95, 2.0])
+def test_a_door_is_refused_before_the_proof_with_how_large_a_shell_has_room(
+    monkeypatch: pytest.MonkeyPatch, height: float
+) -> None:
+    """A shell of this form, made so many times as large, has room for it, and hardly less has not.
+
+    That no wall has room is said where the door is higher than the shell, and only there.
+    """
+    design = arch(door={"width": 0.6, "height": height})
+
+    def begun(*_: Any, **__: Any) -> None:
+        raise AssertionError("a proof was begun")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(candidate, "ended", begun)
+        with pytest.raises(DesignError) as caught:
+            make_shell(check_design(design, Path("shell.toml")), skip=["remedies"])
+    error = caught.value
+    said = re.search(r"has room for it at ([\d.]+) times its size", error.size)
+    assert said is not None
+    factor = float(said[1])
+    assert factor > 1
+    for share, does in ((1.0, True), (0.99, False)):
+        target = {key: {**ARCH["target"][key], "scale": share * factor} for key in "fg"}
+        found = refused({**design, "target": target})
+        assert (found is None) is does
+    assert ("no wall of it has room" in error.size) is (height > shell().report.outside.height)
 
 
 def test_strips_fit_the_stock_that_boards_are_cut_from() -> None:

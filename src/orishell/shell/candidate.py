@@ -23,7 +23,7 @@ from orishell.motion.lattice import InnerStaircase
 from orishell.shell.answers import Answers
 from orishell.shell.board_limits import require_stock_for_panels
 from orishell.shell.designed import designed
-from orishell.shell.end_walls import with_end_walls
+from orishell.shell.end_walls import require_doors, with_end_walls
 from orishell.shell.steps import Work
 from orishell.workshop.masses import mass_of_hinges
 
@@ -54,6 +54,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     design = designed(file, work.progress)
     if work.asks("stock"):
         require_stock_for_panels(file, design)
+    require_doors(design, file.end_walls)
     clock.lap("design")
     design, lock = ended(file, design, work)
     if work.clash != "unexamined":

@@ -16,28 +16,26 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import rounded_down
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.deployment.feet import Feet
+from orishell.deployment.feet import Feet, find_feet
 from orishell.deployment.ground import END_WALL
 from orishell.design import Design, PanelSpec
 from orishell.design.end_walls import BuiltEndWall, End, EndWall, Opening
 from orishell.design.part import SHELL, DocumentState, Part
-from orishell.locking import Lock
+from orishell.locking import Lock, lock_without_clash
 from orishell.motion.layout import points_of
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.components import find_components
+from orishell.shell.doors import require_room_for_door
 from orishell.shell.fit.built_size import standing_triangles
-from orishell.solids.end_walls import Strips, room_for_door, strips_below
+from orishell.solids.end_walls import Strips, strips_below
 
 GAP = 0.005
 """How far a wall keeps off the shell if nobody says so, as a share of its height."""
 FARTHEST = 0.25
 """What reaches further beyond its end, as a share of the wall's height, is no edge to be closed."""
-LINTEL = 0.02
-"""What is left over a door at least, as a share of the door's height."""
 UNTABBED = 0.85
 """The share of a sheet that a strip of a folded wall may take: the rest is for tabs."""
 MOST_SHEETS = 400
@@ -128,39 +126,23 @@ def _room(
             candidates=[Remedy({f"{key}.gap": "auto"})],
             excess=gap / most - 1,
         )
-    _require_door(end, wall, key)
+    require_room_for_door(end.border, wall, key, end.highest)
     return end, gap
 
 
-def _require_door(end: ClosedEnd, wall: EndWall, key: str) -> None:
-    """Refuse a door that the wall has no room for."""
-    door = wall.door
-    if door is None:
+def require_doors(design: Design, asked: tuple[EndWall, ...]) -> None:
+    """Refuse doors that walls have no room for before the motion of a design is proved.
+
+    Raises DesignError as :func:`with_end_walls` does.
+    """
+    feet = find_feet(design)
+    # What ends where its panels meet has its borders elsewhere after the proof.
+    if feet is None or design.ending_at is not None or not any(each.door for each in asked):
         return
-    room = room_for_door(end.border, door)
-    if room >= (1 + LINTEL) * door.height:
-        return
-    remedies: list[Remedy] = []
-    if room > 0:
-        remedies.append(Remedy({f"{key}.door.height": rounded_down(room / (1 + LINTEL))}))
-    if door.offset:
-        remedies.append(Remedy({f"{key}.door.offset": 0.0}))
-    narrower = (door.width * share for share in (0.9, 0.75, 0.6, 0.5))
-    for width in map(rounded_down, narrower):
-        other = door.replace_unchecked(width=width)
-        if room_for_door(end.border, other) >= (1 + LINTEL) * door.height:
-            remedies.append(Remedy({f"{key}.door.width": width}))
-            break
-    raise DesignError(
-        "an end wall has no room for its door",
-        place=f"at the {wall.at} end",
-        keys=tuple(f"{key}.door.{each}" for each in ("width", "height", "offset")),
-        size=f"the wall is {plain(room, 3)} high there, and the door {plain(door.height, 3)}"
-        if room
-        else "the door goes past the wall",
-        candidates=[*remedies, Remedy({f"{key}.door": None})],
-        excess=None if not room else (1 + LINTEL) * door.height / room - 1,
-    )
+    lock = lock_without_clash(design)
+    for number, wall in enumerate(asked):
+        end = ClosedEnd.of(design, lock, feet, wall.at)
+        require_room_for_door(end.border, wall, f"end_wall.{number}", end.highest)
 
 
 @record
@@ -175,6 +157,7 @@ class ClosedEnd:
     border: Array  # its vertices (R, 2) along the ground and above it
     away: Array  # where these are (R,) outwards
     reach: float  # how far outwards what is built and overlaps the wall along the ground goes
+    highest: float  # of all vertices of the sheet over the ground (length)
 
     @classmethod
     def of(cls, design: Design, lock: Lock, feet: Feet, at: End) -> ClosedEnd:
@@ -200,7 +183,8 @@ class ClosedEnd:
         where = triangles @ right
         beside_it = (where.max(axis=1) < low) | (where.min(axis=1) > high)
         reach = float((triangles[~beside_it] @ out).max())
-        return cls(column, right, out, origin, border, line @ out, reach)
+        highest = float(points[..., 2].max()) - ground
+        return cls(column, right, out, origin, border, line @ out, reach, highest)
 
     @property
     def height(self) -> float:
