@@ -21,6 +21,8 @@ LINE, PLANE, HINGE = "#33363c", LIGHT["unfolded"], LIGHT["target"]
 BESIDE, ABOVE = 0.8, 0.3
 """What is drawn beside the set-back, and above the highest point, as shares of the set-back and the
 thickness together."""
+LEAST = 0.8
+"""Width of lines at least (points): boards are thin beside a large set-back, and are seen."""
 ABREAST = 3
 """States that a row has room for."""
 
@@ -83,7 +85,7 @@ def _profile(profile: Profile, reach: float) -> Array:
 
 def _draw_state(axes: Axes, section: HingeSection, fold: float) -> None:
     reach, build = _reach(section), section.build
-    thin = float(np.clip(72 * 0.08 * build.height * _scale(section), 0.25, 1.1))
+    thin = float(np.clip(72 * 0.08 * build.height * _scale(section), LEAST, 1.1))
     axes.axvline(0, color=PLANE, linewidth=0.8, linestyle=(0, (6, 3)), zorder=1)
     for profile in section.profiles:
         points = folded(_profile(profile, reach), fold, right=profile.right)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.colours import LIGHT, rgb
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import box
 from orishell.conventions.record import record
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
 from orishell.motion.grid import CreaseValues
@@ -81,6 +81,7 @@ def plot_overview(
     beside: OffsetSection | None = None,
     hinges: HingeLines = IN_CREASES,
     others: Callable[[float], Sequence[Array]] = _no_others,
+    sizes: tuple[str, str] | None = None,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -107,6 +108,9 @@ def plot_overview(
     others
         Corners (K, 4, 3) of panels of each part that goes with the sheet and is there at a drive
         (radians).
+    sizes
+        What is said of the sizes of the flat sheet and of the shell, as its report says them; None
+        for those of the panels that are drawn.
     """
     target = motion.mechanism.target_drive
     mechanism, flaps = motion.mechanism, _FlapsBeside.of(motion.mechanism)
@@ -143,14 +147,14 @@ def plot_overview(
     pattern = add_part(figure, 0, foot, WIDTH / 2, above)
     thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), WIDTH / 2)
     flaps.draw_pattern(pattern, points)
-    size = np.ptp(points, axis=0)
-    set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
+    drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
+    own = [box(np.ptp(each, axis=0).tolist(), unit) for each in (points, drawn)]
+    flat, folded = (each.replace(" x ", " × ") for each in sizes or own)
+    set_title(pattern, f"Crease pattern, {flat}{thinned}")
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
     _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
-    drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
-    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(drawn, axis=0))
-    set_title(shell, f"{last}{', with f and g' if targets else ''}, {sizes} {unit}")
+    set_title(shell, f"{last}{', with f and g' if targets else ''}, {folded}")
     each = WIDTH / count
     frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
     for axes, drive, corners in zip(frames, drives, states, strict=True):

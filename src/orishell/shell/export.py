@@ -80,7 +80,7 @@ def write_shell(
             lock=shell.lock,
             deviation=shell.deviation,
             choice=shell.choice,
-            deployment=shell.report.deployment,
+            report=shell.report,
         )
         _write_structure(shell, draft)
         if shell.design.by_curves:

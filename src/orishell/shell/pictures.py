@@ -15,6 +15,7 @@ from orishell.design import Design, PiecedSurface
 from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, drawn_shell, measure_points, measure_signed
 from orishell.document import Document
+from orishell.document.sizes import sheet_in_words, sides_in_words
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
 from orishell.motion.quads import grid_corners
@@ -30,6 +31,7 @@ from orishell.plot import (
     plot_tradeoff,
     plot_weight,
 )
+from orishell.shell.report import Report
 from orishell.shell.size_trials import Choice, Trial
 
 CELLS = 40
@@ -72,7 +74,7 @@ def draw_pictures(
     lock: Lock,
     deviation: Deviation | None,
     choice: Choice | None,
-    deployment: DeploymentReport,
+    report: Report,
 ) -> None:
     """Write ``overview.png`` and what applies of ``deviation``, ``tradeoff`` and ``weight.png``.
 
@@ -94,6 +96,7 @@ def draw_pictures(
         beside=_offset_section(design),
         hinges=document.hinges,
         others=lambda drive: _others(design, drive),
+        sizes=_sizes(report),
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
@@ -105,9 +108,16 @@ def draw_pictures(
             choice.tolerance,
             file.unit,
         )
-    weight = weight_of(deployment, lock)
+    weight = weight_of(report.deployment, lock)
     if weight is not None and file.deployment != FROM_FLAT:
         plot_weight(directory / "weight.png", weight)
+
+
+def _sizes(report: Report) -> tuple[str, str]:
+    """Sizes of the flat sheet and of the shell, as all of its rows have them."""
+    deployed = sides_in_words(report.deployed, report.unit)
+    of = "" if report.panel is None else " of its boards"
+    return sheet_in_words(report.sheet, report.unit), f"{deployed}{of}"
 
 
 def weight_of(deployment: DeploymentReport, lock: Lock) -> DrawnWeight | None:
