@@ -125,6 +125,7 @@ def with_structure(facts: Facts, work: Work) -> Facts:
         work.progress,
         built=found.lock.built,
         remedies=work.asks("remedies"),
+        briefly=work.briefly,
     )
     order = (*facts.quantities.order, *rail_order(analysis.model))
     work.clock.lap("structure")

@@ -53,11 +53,12 @@ class LoadTrials:
     ) -> Facts | Refused:
         """What is found of a changed shell, or why it is none.
 
-        quick: Whether it has few cells, and it is left open if its boards reach their target.
+        quick: Whether it has few cells, of which only that is found which tells if it carries, and
+        it is left open if its boards reach their target.
         """
         work = trying(self.progress, f"trying {words}", skip)
         if quick:
-            work = replace(work, clash="unexamined")
+            work = replace(work, clash="unexamined", briefly=True)
         try:
             file = self._tried(values, quick=quick)
             found = shell_of(file, work)

@@ -68,6 +68,7 @@ class Work:
     progress: Progress = no_progress
     clash: ClashPolicy = "refused"
     skip: Collection[Step] = ()  # what is not found out of it
+    briefly: bool = False  # whether of its structure only that is found which tells if it carries
     clock: Clock = field(default_factory=Clock)
 
     def asks(self, step: Step) -> bool:

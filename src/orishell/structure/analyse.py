@@ -64,12 +64,15 @@ def analyse(
     *,
     built: BuiltPanels | None = None,
     remedies: bool = True,
+    briefly: bool = False,
 ) -> Analysis:
     """Analyse a shell at its target.
 
     structure: What holds and loads it.
     built: Its panels, if they have a thickness.
     remedies: Whether it is tried what would hold it where it moves.
+    briefly: Whether only that is found which tells if it carries: no figures of a coarser mesh, no
+    frequencies, and the first way to buckle alone.
     Raises InputError: If supports or loads do not fit the sheet, or its own weight is asked for and
     not known.
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
@@ -90,18 +93,25 @@ def analyse(
     model = Model(design, structure, site, structure.cells, built)
 
     def run(cells: int, told: Progress, *, last: bool) -> Run:
-        return _run(replace(model, cells=cells), told, last=last, remedies=remedies)
+        finer = replace(model, cells=cells)
+        return _run(finer, told, last=last, modes=last and not briefly, remedies=remedies)
 
-    found, cases, change, stopped = refined(model, run, progress)
-    model = found.with_refinement(change, stopped)
+    if briefly:
+        model, cases, _ = run(structure.cells, progress, last=True)
+    else:
+        found, cases, change, stopped = refined(model, run, progress)
+        model = found.with_refinement(change, stopped)
     followed = follow_soft(
         model, [case.of(model) for case, _ in cases], [how for _, how in cases], progress
     )
     return Analysis(model, followed)
 
 
-def _run(model: Model, progress: Progress, *, last: bool, remedies: bool) -> Run:
-    """All load cases, with the least stiffness of creases first; figures only if not ``last``."""
+def _run(model: Model, progress: Progress, *, last: bool, modes: bool, remedies: bool) -> Run:
+    """All load cases, with the least stiffness of creases first; figures only if not ``last``.
+
+    modes: Whether frequencies are found, and more than the first way to buckle.
+    """
     found: list[tuple[CaseResult, Loaded | None]] = []
     compared: list[Figures] = []
     asked = model.structure
@@ -111,7 +121,7 @@ def _run(model: Model, progress: Progress, *, last: bool, remedies: bool) -> Run
         kept = KeptModes()
         for solved in _solve(model, stiffness):
             progress(len(compared) / total, f"loading {solved.case.name}")
-            linear = _equilibrium(model, solved, kept, modes=last) if solved.stands else None
+            linear = _equilibrium(model, solved, kept, modes=modes) if solved.stands else None
             compared.append(figures(linear))
             if last:
                 case = _result(model, solved, linear, remedies=remedies)
