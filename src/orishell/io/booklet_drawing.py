@@ -47,6 +47,25 @@ class Drawn:
     thick: bool = False  # whether it is drawn over others, as what is dashed is
 
 
+DASHES = (4.0, 2.5)
+"""Lengths of dashes and gaps (points)."""
+SHORTEST = 0.1
+"""A line that is shorter is a point (points)."""
+
+
+def dashes_of(points: Array) -> tuple[float, float]:
+    """Lengths of dashes and gaps of a line (k, 2), about :data:`DASHES`.
+
+    It begins and ends with a dash, and has a gap however short it is: else a short one would look
+    whole.
+    """
+    dash, gap = DASHES
+    length = max(float(np.hypot(*np.diff(points, axis=0).T).sum()), SHORTEST)
+    gaps = max(1, round((length - dash) / (dash + gap)))
+    size = length / (gaps * (dash + gap) + dash)
+    return round(size * dash, 3), round(size * gap, 3)
+
+
 def width_of(said: Said) -> float:
     """Width of a line of words."""
     from reportlab.pdfbase.pdfmetrics import stringWidth

@@ -48,8 +48,6 @@ LOOSE = ("flap", "end_wall")
 """Parts that are carried beside the packs."""
 THIN, TIE = 0.45, 1.1
 """Widths of lines, and of those that are dashed."""
-DASHES = (4.0, 2.5)
-"""Their dashes and gaps."""
 
 
 @record

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from html import escape
 
-from orishell.io.booklet_drawing import Drawn, Said, width_of
-from orishell.io.booklet_pages import DASHES, HIGH, THIN, TIE, WIDE, BookletPage
+from orishell.io.booklet_drawing import Drawn, Said, dashes_of, width_of
+from orishell.io.booklet_pages import HIGH, THIN, TIE, WIDE, BookletPage
 from orishell.io.format import plain_line
 
 FONT = "Helvetica, Arial, sans-serif"
@@ -41,7 +41,8 @@ def _line(each: Drawn) -> str:
     if each.dashed or each.thick:
         look += f' stroke-width="{TIE}"'
     if each.dashed:
-        look += f' stroke-dasharray="{DASHES[0]} {DASHES[1]}"'
+        dash, gap = dashes_of(each.points)
+        look += f' stroke-dasharray="{dash:g} {gap:g}"'
     return f'<path d="M{places}{"Z" if each.closed else ""}"{look}/>'
 
 

@@ -27,7 +27,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.document.ground import GroundFoot, GroundPlan, SweptGround
 from orishell.document.measures import BoxReport, Measures
 from orishell.io import write_fold
-from orishell.io.booklet_drawing import BESIDE, width_of
+from orishell.io.booklet_drawing import BESIDE, DASHES, dashes_of, width_of
 from orishell.io.booklet_pages import FOOT, HIGH, SIDE, WIDE, booklet_pages
 from orishell.io.booklet_svg import dump_page
 from orishell.io.format import Settings
@@ -198,6 +198,16 @@ def test_ties_that_are_not_proved_slack_are_fixed_once_it_is_open() -> None:
     assert titles == ["Fold up", "Open", "Tie"]
     assert "hang loose" not in text
     assert "Beside the packs: 1 x Ties." in text
+
+
+@pytest.mark.parametrize("length", [0.3, 1.0, 3.0, 4.0, 6.5, 10.0, 47.0, 500.0])
+def test_dashed_lines_have_a_gap_however_short_they_are(length: float) -> None:
+    """And end with a dash, so that where they end is seen; those that are long are as usual."""
+    dash, gap = dashes_of(np.array([[0.0, 1.0], [0.0, 1.0 + length]]))
+    gaps = (length - dash) / (dash + gap)
+    assert gaps == pytest.approx(max(round(gaps), 1), abs=0.02)
+    assert dash / gap == pytest.approx(DASHES[0] / DASHES[1], rel=0.02)
+    assert length < 40 or dash == pytest.approx(DASHES[0], rel=0.1)
 
 
 def test_what_a_design_does_not_have_is_left_out() -> None:

@@ -177,6 +177,17 @@ def test_colours_come_from_the_palette_and_dashes_tell_folds_apart(tmp_path: Pat
         assert 0 in dashes.values()
 
 
+def test_creases_that_do_not_fold_are_explained_where_there_are_some(tmp_path: Path) -> None:
+    """On a single page, beside mountains and valleys."""
+    document = demo_document("orthodiagonal")
+    assert "F" in document.assignment
+    letters = ("M" if letter == "F" else letter for letter in document.assignment)
+    for drawn, said in ((document, True), (replace(document, assignment=(*letters,)), False)):
+        (page,) = written(tmp_path, drawn, paper_scale=0.03).pages
+        assert ("not folded" in page.extract_text()) is said
+        assert "mountain" in page.extract_text()
+
+
 def test_labels_are_words_on_the_page(tmp_path: Path) -> None:
     document = demo_document("orthodiagonal")
     (page,) = written(tmp_path, document, paper_scale=0.04, labels="panels").pages

@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.document import Document
-from orishell.io.booklet_drawing import Drawn
+from orishell.io.booklet_drawing import Drawn, dashes_of
 from orishell.io.booklet_pages import (
-    DASHES,
     HIGH,
     THIN,
     TIE,
@@ -50,7 +49,7 @@ def _draw(canvas: Canvas, page: BookletPage) -> None:
     canvas.setStrokeGray(0)
     for each in page.drawn:
         canvas.setLineWidth(TIE if each.dashed or each.thick else THIN)
-        canvas.setDash(list(DASHES) if each.dashed else [])
+        canvas.setDash(list(dashes_of(each.points)) if each.dashed else [])
         _draw_line(canvas, each)
     canvas.setFillGray(0)
     for said in page.said:

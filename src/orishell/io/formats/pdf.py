@@ -214,10 +214,14 @@ def _draw_foot(canvas: Canvas, model: PaperModel, page: Page, number: int) -> No
         place = f"row {page.row}, column {page.column}"
         _say(canvas, right, top - 4, place, 8, anchor="end")
     else:
-        folds: tuple[Layer, ...] = ("MOUNTAIN", "VALLEY")
-        for k, layer in enumerate(folds):
-            _sample(canvas, model, layer, (right - 32, right - 17), top - 4 * k + 0.9)
-            _say(canvas, right - 15, top - 4 * k, layer.lower(), 8)
+        drawn = {line.layer for line in model.lines}
+        folds: dict[Layer, str] = {"MOUNTAIN": "mountain", "VALLEY": "valley"}
+        if drawn & folds.keys() and "ENGRAVE" in drawn:
+            folds["ENGRAVE"] = MEANINGS["ENGRAVE"]
+        lows = np.linspace(top, top - 5.5, len(folds)).tolist()
+        for y, (layer, meaning) in zip(lows, folds.items(), strict=True):
+            _sample(canvas, model, layer, (right - 32, right - 17), y + 0.9)
+            _say(canvas, right - 15, y, meaning, 8)
 
 
 def _draw_bar(canvas: Canvas, model: PaperModel, left: float, bottom: float) -> None:
