@@ -64,6 +64,55 @@ def test_a_canopy_follows_a_mesh() -> None:
     assert made(text).report.feasible
 
 
+def write_vault(place: Path, wide: float, deep: float) -> None:
+    """A mesh of a vault that bends both ways, 1.5 m high, on four corners of one height."""
+    x, y = np.meshgrid(np.linspace(-1, 1, 25), np.linspace(-1, 1, 17))
+    points = np.stack([0.5 * wide * x, 0.5 * deep * y, 1.5 * (1 - x**2) * (1 - 0.5 * y**2)], -1)
+    number = 1 + np.arange(x.size).reshape(x.shape)
+    quads = np.stack([number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]], -1)
+    lines = [f"v {a} {b} {c}" for a, b, c in points.reshape(-1, 3).tolist()]
+    lines += [f"f {a} {b} {c} {d}" for a, b, c, d in quads.reshape(-1, 4).tolist()]
+    place.write_text("\n".join(lines))
+
+
+def counts(directory: Path) -> tuple[int, int]:
+    """Rows and columns of the file for the mesh of a directory."""
+    text = task_file("canopy", mesh="roof.obj", beside=directory / "canopy.toml")
+    pattern = parse_toml(text)["pattern"]
+    return pattern["rows"], pattern["columns"]
+
+
+def test_a_canopy_has_panels_by_the_size_of_its_mesh(tmp_path: Path) -> None:
+    """About as large as each other, however large the roof; nothing hangs on how it is turned."""
+    assert counts(tmp_path) == (15, 15)  # there is no mesh yet
+    place = tmp_path / "roof.obj"
+    write_vault(place, 12, 8)
+    rows, columns = counts(tmp_path)
+    assert rows == columns
+    assert 0.3 < 12 * 8 / ((rows + 1) * (columns + 1)) < 0.5
+    write_vault(place, 20, 5)
+    rows, columns = counts(tmp_path)
+    assert columns > 1.5 * rows
+    write_vault(place, 5, 20)
+    assert counts(tmp_path) == (columns, rows)
+    write_vault(place, 5, 4)
+    assert counts(tmp_path) == (11, 11)
+    place.write_text("v 0 0 0\n")  # orishell design says what is wrong with it
+    assert counts(tmp_path) == (15, 15)
+
+
+@pytest.mark.slow
+@thorough
+def test_a_canopy_over_a_roof_is_even_and_fits_what_is_on_the_market(tmp_path: Path) -> None:
+    """Of 12 x 8 m, bent both ways; with 9 x 11 vertices the largest panel was 4 times the mean."""
+    write_vault(tmp_path / "roof.obj", 12, 8)
+    text = task_file("canopy", mesh="roof.obj", beside=tmp_path / "canopy.toml")
+    shell = make_shell(check_design(parse_toml(text), tmp_path / "canopy.toml"), skip=MEASURES)
+    assert shell.report.feasible
+    areas = shell.document.areas()[: shell.file.panel_count]  # flaps come last
+    assert areas.max() < 3 * areas.mean()
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

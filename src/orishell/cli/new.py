@@ -57,8 +57,10 @@ def new(
         _require_task(task)
         words = [str(each) for each in (file, *context.args) if each is not None]
         _require_name([size, *words] if size is not None and context.args else words, task)
-        text = task_file(task, mesh=mesh, diameter=_metres(diameter), size=_sides(size))
         path = file if file is not None else Path(f"{task}.toml")
+        text = task_file(
+            task, mesh=mesh, diameter=_metres(diameter), size=_sides(size), beside=path
+        )
         if mesh is not None:
             _require_mesh(mesh, path.parent)
     try:

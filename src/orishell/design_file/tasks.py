@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,6 +15,18 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.meant import no_such
 
 FILES = Path(__file__).with_name("starters")
+
+
+EVEN = 4
+"""Edge ratio of a canopy over a mesh. With 8, panels at the border of vaults that bend both ways
+were up to 4 times as large as their mean, with 4 and as many more of them 2.7 times."""
+PANEL = 0.4
+"""Area of a panel of such a canopy (square metres): of a roof of 12 x 8 m all fit boards on the
+market."""
+LONG = 1.5
+"""Where a mesh is longer than this, by its width, there are more panels along it than across."""
+FEWEST, MOST, USUAL = 11, 21, 15
+"""Rows, and columns, of such a canopy; the usual ones where its mesh cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +57,7 @@ def task_file(
     mesh: str | None = None,
     diameter: float | None = None,
     size: tuple[float, float] | None = None,
+    beside: Path = Path("canopy.toml"),
 ) -> str:
     """Text of a design file for what is to be built.
 
@@ -57,6 +71,8 @@ def task_file(
         Of the circle through the feet of a dome's surface (metres).
     size
         Width and depth of a screen (metres).
+    beside
+        Where the design file will be: a mesh is looked for there, for rows and columns of its size.
 
     Raises
     ------
@@ -78,9 +94,12 @@ def task_file(
             )
     text = (FILES / f"{task}.toml").read_text(encoding="utf-8")
     if mesh is not None:  # whose corners may have other heights
-        text = re.sub("(?m)^ground = ", "# ground = ", text)
+        text = re.sub("(?m)^(ground|ties) = ", r"# \1 = ", text)
         text = re.sub(r"(?m)^\[target\.surface\].*\nformula = .*\nx = .*\ny = .*\n", MESH, text)
         text = with_value(text, "mesh", mesh)
+        text = with_value(text, "edge_ratio", EVEN)
+        for key, count in zip(("rows", "columns"), _counts_over(text, beside), strict=True):
+            text = with_value(text, key, count)
     if diameter is not None:
         text = with_value(text, "scale", _positive(diameter, "--diameter") / 2)
         text = with_value(text, "flap", FLAP * diameter)
@@ -99,9 +118,31 @@ mesh = ""                   # OBJ, STL, PLY or glTF
 """
 
 
+def _counts_over(text: str, path: Path) -> tuple[int, int]:
+    """Rows and columns for the mesh of a design file; usual ones where it cannot be read yet."""
+    from orishell.conventions.quantities import conversion
+    from orishell.conventions.toml_file import parse_toml
+    from orishell.design_file.doubts import likely_unit
+    from orishell.design_file.file import check_design
+
+    try:
+        file = check_design(parse_toml(text), path)
+    except InputError:  # orishell design says what is wrong with it, and where that is mended
+        return USUAL, USUAL
+    assert file.surface is not None
+    drawn = likely_unit(file.surface, file.unit) or file.unit
+    across, along = (conversion(drawn, file.unit) * each for each in file.surface.piece.extents)
+    panels, long = across * along / PANEL, max(1.0, across / along / LONG, along / across / LONG)
+    wide, high = (long, 1 / long) if across > along else (1 / long, long)
+    rows, columns = (2 * round(0.5 * math.sqrt(panels * each)) - 1 for each in (high, wide))
+    return min(max(rows, FEWEST), MOST), min(max(columns, FEWEST), MOST)
+
+
 def with_value(text: str, key: str, value: Any) -> str:
     """The text of a design file in which the first line of a key has another value."""
-    written = json.dumps(value if isinstance(value, str) else rounded(value), ensure_ascii=False)
+    written = json.dumps(
+        value if isinstance(value, str | int) else rounded(value), ensure_ascii=False
+    )
 
     def line(found: re.Match[str]) -> str:
         comment = found[1] or ""
