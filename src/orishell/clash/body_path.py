@@ -16,10 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
-from orishell.clash.acceleration_bounds import NormalBounds
+from orishell.clash.acceleration_bounds import NormalBounds, RangeBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, NearPairs, one_direction
 from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, kept_near, near_slabs
@@ -116,6 +117,7 @@ class BodySearch(PathSearch):
         super().__init__(mechanism, end, tolerance, only=only, bodies=bodies, start=start)
         self.bodies = bodies
         self.normals = NormalBounds(self.layout, points_of(mechanism, 0.0))
+        self._swings = lru_cache(1)(self._swings_within)  # a range asks for them again and again
 
     def contact(self, drive: float, clear: float, found: Found) -> PathContact:
         """Where two boards touch, or are not proved apart."""
@@ -129,7 +131,7 @@ class BodySearch(PathSearch):
         return max(0.0, float(Apartness.of((state, state), (first, second)).gaps[0, 0]))
 
     def _swung(self, part: PathRange, level: int, pairs: Pairs) -> Array | float:
-        return 2 * float(self._swings(part).max())
+        return 2 * float(self._swings(part.bounds).max())
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
         tolerance = self.tolerance + self.rounding
@@ -146,7 +148,7 @@ class BodySearch(PathSearch):
     def _not_seen_apart(self, part: PathRange, near: Pairs) -> tuple[Pairs, Array]:
         """The pairs of bodies on pairs of panels that a short look leaves, and what they need."""
         tolerance = self.tolerance + self.rounding
-        swings = self._swings(part)
+        swings = self._swings(part.bounds)
         between = part.bounds.between_panels(*near) + swings[near[0]] + swings[near[1]]
         slabs = [self.states.at(tick).slabs for tick in (part.start, part.stop)]
         near = near_slabs((slabs[0], slabs[1]), near, tolerance + part.step**2 / 8 * between)
@@ -155,14 +157,14 @@ class BodySearch(PathSearch):
 
     def _needed(self, part: PathRange, pairs: Pairs) -> Array:
         """Gaps that prove pairs of bodies (P,) apart."""
-        swings = self._swings(part)
+        swings = self._swings(part.bounds)
         first, second = (self.bodies.panels[each] for each in pairs)
         between = part.bounds.between_panels(first, second) + swings[first] + swings[second]
         return np.asarray(self.tolerance + self.rounding + part.step**2 / 8 * between)
 
-    def _swings(self, part: PathRange) -> Array:
+    def _swings_within(self, bounds: RangeBounds) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""
-        return self.bodies.height * self.normals.within(*part.bounds.steps)
+        return self.bodies.height * self.normals.within(*bounds.steps)
 
 
 class NearBodies:
