@@ -22,6 +22,7 @@ from orishell import (
     LongitudinalPattern,
     OrthodiagonalPattern,
     ParallelRepeatingPattern,
+    THedralPattern,
     curve_from_formulas,
     design_longitudinal_linear_repeating,
     design_orthodiagonal,
@@ -407,6 +408,45 @@ def draw_end_wall(path: Path) -> None:
     save(figure, path)
 
 
+def draw_strips(path: Path) -> None:
+    """The vault of the guide's page: its strips, and how it opens from its pack."""
+    from PIL import Image
+
+    page = path_of_guide("t-hedral.md").read_text(encoding="utf-8")
+    tables = tomllib.loads(page.split("```toml\n")[1].split("```")[0])
+    shell = make_shell(check_design(tables, Path("vault.toml")), skip=MEASURES)
+    plot_overview(
+        path,
+        shell.motion,
+        shell.design.targets,
+        title="A vault whose columns have their vertices on f",
+        last="Folded until it meets the target",
+        unit="m",
+    )
+    with Image.open(path) as picture:
+        smaller = picture.convert("RGB").reduce(2)
+    smaller.save(path, optimize=True)
+
+
+def draw_order(path: Path) -> None:
+    """Distance from f against rows, of vertices on f and of staircases."""
+    f, rows = graph("-0.5*x**2", -1.5, 1.5), [3, 7, 15, 31, 63]
+    figure, (axes,) = new_figure(6.4, 4.2, 1)
+    for pattern, name, colour in (
+        (ParallelRepeatingPattern, "staircase (parallel repeating): 1/rows", OTHER_COLOUR),
+        (THedralPattern, "vertices on f (T-hedral): 1/rows\u00b2", LINE_COLOUR),
+    ):
+        off = [pattern(rows=count, columns=5).distance_from_f(f) for count in rows]
+        axes.loglog(rows, off, "o-", color=colour, label=name)
+    axes.set_xticks(rows, [str(count) for count in rows])
+    axes.minorticks_off()
+    axes.set_xlabel("rows")
+    axes.set_ylabel("largest distance from f (m), f 3 m wide")
+    axes.grid(alpha=0.3)
+    axes.legend(frameon=False)
+    save(figure, path)
+
+
 def path_of_guide(name: str) -> Path:
     """A page of the guide."""
     return Path(__file__).parents[1] / "docs" / "guide" / name
@@ -432,6 +472,8 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "locking-clash.png": draw_clash,
     "second-skin.png": draw_skin,
     "end-walls.png": draw_end_wall,
+    "t-hedral.png": draw_strips,
+    "t-hedral-order.png": draw_order,
 }
 
 

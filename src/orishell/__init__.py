@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         ParallelRepeatingPattern,
         design_parallel_repeating,
     )
+    from orishell.families.t_hedral import THedralPattern, design_t_hedral
     from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
     from orishell.shell.analyse import analyse_structure
     from orishell.shell.export import convert_fold, write_shell
@@ -44,6 +45,7 @@ __all__ = [
     "ParallelRepeating",
     "ParallelRepeatingPattern",
     "Shell",
+    "THedralPattern",
     "__version__",
     "analyse_structure",
     "check_design",
@@ -55,6 +57,7 @@ __all__ = [
     "design_orthodiagonal",
     "design_parallel_repeating",
     "design_shell",
+    "design_t_hedral",
     "make_shell",
     "measure_fold_angles",
     "measure_residuals",
@@ -82,6 +85,7 @@ _HOMES = {
         "ParallelRepeatingPattern",
         "design_parallel_repeating",
     ),
+    "orishell.families.t_hedral": ("THedralPattern", "design_t_hedral"),
     "orishell.verification.residuals": ("measure_residuals",),
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
     "orishell.studio.notebook": ("show",),

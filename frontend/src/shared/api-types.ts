@@ -1772,7 +1772,7 @@ export interface Residuals {
   panel_length: number;
   /** Distance between a panel's two diagonals, relative to the sheet's diagonal. */
   planarity: number;
-  /** Difference of the four sector angles at an inner vertex from 2 pi (radians). */
+  /** Difference of the four sector angles at an inner vertex from 2 pi, or, where the sheet is not flat at drive 0, from what they are there (radians). */
   sector_sum_rad: number;
   /** Difference of the fold angles measured from the positions from the closed form (radians). */
   fold_angle_rad: number;
@@ -1878,14 +1878,16 @@ export interface SearchedDesign {
   figures: Record<string, number>;
 }
 
-/** Size of the flat sheet. */
+/** Size of the flat sheet, or of the strips that it is made of. */
 export interface SheetReport {
-  /** Its bounding box. */
+  /** Its bounding box, or that of the largest strip. */
   width: number;
-  /** Its bounding box. */
+  /** Its bounding box, or that of the largest strip. */
   height: number;
   /** Area of all panels. */
   area: number;
+  /** How many strips there are; 0 for one sheet. */
+  strips: number;
 }
 
 /** The drawings that a workshop gets, and what they come to. */

@@ -11,9 +11,9 @@ from orishell.deployment.ties import feet_ties, fold_ties
 from orishell.design import Design
 from orishell.design.fittings import fit_hinges
 from orishell.motion import area_of
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.grid import VertexPair
 from orishell.motion.hinges import Hinges
-from orishell.motion.quads import grid_corners
 from orishell.solids import BuiltPanels
 
 
@@ -112,7 +112,7 @@ def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
     boards = build.density * float(built.boards.chosen(~built.boards.arms).volumes().sum())
     mass = metres * (boards + build.membrane_density * build.membrane * area)
     if isinstance(design.hinges, Hinges):
-        panels = grid_corners(design.mechanism.positions(0.0))[..., :2].reshape(-1, 4, 2)
+        panels = panels_laid_flat(design.mechanism).reshape(-1, 4, 2)
         fittings = fit_hinges(panels, design.hinges, build)
         mass += metres * fittings.arm_mass(build) + fittings.hinge_mass(build) / metres
     return mass / area

@@ -118,6 +118,10 @@ class Part:
         """The part, and others that go with it."""
         return (self,)
 
+    def as_cut(self) -> Self:
+        """The part as it is cut: itself."""
+        return self
+
     @property
     def hinges(self) -> HingeLines:
         """Where its hinges are: in the creases, but for whole boards."""
@@ -251,10 +255,10 @@ class Part:
     @property
     def whole_grid(self) -> tuple[int, int] | None:
         """Rows and columns of vertices where there are no panels but those of a grid."""
-        shape = self.grid_shape
-        if shape is None or (shape[0] - 1) * (shape[1] - 1) != len(self.mesh.faces):
+        shape, faces = self.grid_shape, self.mesh.faces
+        if shape is None or (shape[0] - 1) * (shape[1] - 1) != len(faces):
             return None
-        return shape
+        return shape if faces.max() + 1 == shape[0] * shape[1] else None
 
     @property
     def rows_and_columns(self) -> tuple[Integers, Integers] | None:
@@ -275,8 +279,9 @@ class Part:
         )
 
     def edge_lengths(self) -> Array:
-        """Length (E,) of every edge of the flat sheet."""
-        ends = self.require_flat()[self.mesh.edges]
+        """Length (E,) of every edge."""
+        places = self.shell.positions if self.flat is None else self.flat
+        ends = places[self.mesh.edges]
         return np.asarray(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
 
     def _flat_state(self) -> DocumentState:

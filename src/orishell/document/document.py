@@ -55,6 +55,8 @@ class Document(Part):
     world coordinates of them, when they are written.
     """
 
+    # the sheet as it is cut, where it is no one flat sheet: strips that are joined; else None
+    cut: Part | None = field(default=None, repr=False)
     # polylines (k, 3) beside the last state: the curves that the shell follows, by name
     curves: Mapping[str, Array] = field(default_factory=dict)
     # lattice (a, b, 3) of the surface that the last state follows, if it is known
@@ -95,6 +97,29 @@ class Document(Part):
     def sheet(self) -> Self:
         """The sheet that folds, without the parts that go with it."""
         return replace(self, attached=()) if self.attached else self
+
+    def require_flat(self) -> Array:
+        """The flat sheet (V, 2).
+
+        Raises
+        ------
+        InputError
+            If there is none: it is made of strips, or only folded states are known.
+        """
+        if self.cut is not None:
+            raise InputError(
+                "the shell is no one flat sheet: it is made of strips that are joined",
+                expected="a sheet that is flat before it is folded",
+                remedy="write its states (fold, obj, glb) or its strips (dxf, svg, pdf)",
+            )
+        return Part.require_flat(self)
+
+    def as_cut(self) -> Self:
+        """The document whose sheet is what is cut: itself, or its strips in place of its sheet."""
+        if self.cut is None:
+            return self
+        names = ("mesh", "assignment", "flat", "fold_angles_deg", "states")
+        return replace(self, cut=None, **{name: getattr(self.cut, name) for name in names})
 
     @property
     def parts(self) -> tuple[Part, ...]:

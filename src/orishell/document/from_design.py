@@ -15,6 +15,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design.carried import CarriedPart
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
+from orishell.motion.as_made import in_strips
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
 from orishell.motion.layout import (
@@ -25,7 +26,8 @@ from orishell.motion.layout import (
     mesh_of,
     points_of,
 )
-from orishell.motion.mesh import build_mesh
+from orishell.motion.mesh import QuadMesh, build_mesh
+from orishell.motion.quads import is_level
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -51,16 +53,17 @@ def document_of_motion(
     ``attached``.
     """
     mechanism = motion.mechanism
-    grid, states = mechanism.grid, states_of(motion)
+    grid, states, flat = mechanism.grid, states_of(motion), _flat(mechanism)
     beside = isinstance(mechanism, SlitFlaps)
     return Document(
         title=title,
         unit=unit,
-        mesh=mesh_of(mechanism),
-        assignment=tuple(_letters(mechanism)),
-        flat=_clean(points_of(mechanism, 0.0)[:, :2]),
-        fold_angles_deg=_degrees(edge_folds(mechanism, mechanism.target_drive), states.folds),
+        mesh=states.mesh,
+        assignment=states.letters(),
+        flat=flat,
+        fold_angles_deg=states.degrees(mechanism.target_drive),
         states=states,
+        cut=_cut(motion, unit) if flat is None else None,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
@@ -104,14 +107,14 @@ def document_of_design(
 def _carried(part: CarriedPart, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
     """Strips that the sheet carries, in all states of it."""
     strips = part.strips
-    mesh, grid, states = mesh_of(strips), strips.grid, states_of(replace(motion, mechanism=strips))
+    grid, states = strips.grid, states_of(replace(motion, mechanism=strips))
     return Part(
         title=part.title,
         unit=unit,
-        mesh=mesh,
-        assignment=tuple(edges_assignment(find_assignment(strips))),
-        flat=_clean(points_of(strips, 0.0)[:, :2]),
-        fold_angles_deg=_degrees(edge_folds(strips, strips.target_drive), states.folds),
+        mesh=states.mesh,
+        assignment=states.letters(),
+        flat=_flat(strips),
+        fold_angles_deg=states.degrees(strips.target_drive),
         states=states,
         grid_shape=(grid.rows, grid.columns),
         named=motion.named,
@@ -222,7 +225,30 @@ def _of_pair(boards: Boards, pair: Integers) -> Boards:
 
 def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:
     """The states of a motion, made as they are taken; ``what`` is told with their progress."""
-    return States(motion, edge_signs(motion.mechanism) != 0, progress, what)
+    return States(motion, mesh_of(motion.mechanism), edge_signs(motion.mechanism), progress, what)
+
+
+def _cut(motion: FoldingMotion, unit: str) -> Part:
+    """The strips that a sheet is made of, in all states of it."""
+    made = in_strips(motion.mechanism)
+    own = motion, made.mesh, edge_signs(motion.mechanism)[made.edges]
+    states = States(*own, vertices=made.vertices, edges=made.edges)
+    return Part(
+        title="Strips, to be joined",
+        unit=unit,
+        mesh=made.mesh,
+        assignment=states.letters(),
+        flat=_clean(made.flat),
+        fold_angles_deg=states.degrees(motion.mechanism.target_drive),
+        states=states,
+        named=motion.named,
+    )
+
+
+def _flat(mechanism: Mechanism) -> Array | None:
+    """Vertices (V, 2) of the flat sheet; None where it has no flat state."""
+    points = points_of(mechanism, 0.0)
+    return _clean(points[:, :2]) if is_level(points) else None
 
 
 @record
@@ -230,10 +256,15 @@ class States(Sequence[DocumentState]):
     """The states of a motion, made one by one."""
 
     motion: FoldingMotion
-    folds: Booleans  # which edges (E,) fold: the others have an angle of exactly 0
+    mesh: QuadMesh  # panels and edges
+    # signs (E,) of edges, 0 for those that do not fold: their angle is exactly 0
+    signs: Integers
     # is told the share that is done when all are taken, and what for
     progress: Progress = no_progress
     what: str = ""
+    # numbers of the vertices (V,) and edges (E,) of the mesh in the mechanism; None: its own
+    vertices: Integers | None = None
+    edges: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.motion)
@@ -256,20 +287,30 @@ class States(Sequence[DocumentState]):
 
     def _written(self, drive: float) -> DocumentState:
         mechanism = self.motion.mechanism
+        points = points_of(mechanism, drive)
         return DocumentState(
-            positions=_clean(points_of(mechanism, drive)),
-            fold_angles_deg=_degrees(edge_folds(mechanism, drive), self.folds),
+            positions=_clean(points if self.vertices is None else points[self.vertices]),
+            fold_angles_deg=self.degrees(drive),
             drive_deg=tidy_degrees(drive),
         )
 
+    def degrees(self, drive: float) -> Array:
+        """Fold angles (E,) of all edges at a drive, 0 where they do not fold (degrees).
 
-def _letters(mechanism: Mechanism) -> list[str]:
-    """Assignment letters of all edges."""
-    if not isinstance(mechanism, SlitFlaps):
-        return edges_assignment(find_assignment(mechanism))
-    mesh, signs = mesh_of(mechanism), edge_signs(mechanism)
-    letters: list[str] = np.where(mesh.crease, np.array([*"MFV"])[signs + 1], "B").tolist()
-    return letters
+        Parameters
+        ----------
+        drive
+            The drive angle (radians).
+        """
+        folds = edge_folds(self.motion.mechanism, drive)
+        if self.edges is not None:
+            folds = folds[self.edges]
+        return _degrees(folds, self.mesh.crease & (self.signs != 0))
+
+    def letters(self) -> tuple[str, ...]:
+        """Assignment letters (E,) of all edges."""
+        found = np.where(self.mesh.crease, np.array([*"MFV"])[self.signs + 1], "B")
+        return tuple(found.tolist())
 
 
 def _names(layout: Layout) -> tuple[str, ...]:

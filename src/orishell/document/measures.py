@@ -24,12 +24,13 @@ def is_hand_sized(points: Array, unit: str) -> bool:
 
 @record
 class SheetReport:
-    """Size of the flat sheet."""
+    """Size of the flat sheet, or of the strips that it is made of."""
 
-    # its bounding box
+    # its bounding box, or that of the largest strip
     width: float
     height: float
     area: float  # area of all panels
+    strips: int = 0  # how many strips there are; 0 for one sheet
 
 
 @record

@@ -41,8 +41,9 @@ def size_rows(
 
 
 def sheet_in_words(sheet: SheetReport, unit: str) -> str:
-    """The sides of a flat sheet."""
-    return box((sheet.width, sheet.height), unit)
+    """The sides of a flat sheet, or of the largest of its strips."""
+    sides = box((sheet.width, sheet.height), unit)
+    return f"{sheet.strips} strips, up to {sides}" if sheet.strips else sides
 
 
 def deployed_in_words(

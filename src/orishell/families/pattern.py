@@ -289,6 +289,7 @@ class Family:
     what: str  # what it makes, in a few words
     starter: FilePath  # A design file to begin with
     borders: str = "flaps"  # what the panels beside its inner columns are
+    in_strips: bool = False  # whether its shells are made in strips, and not of one flat sheet
 
     def __post_init__(self) -> None:
         """Refuse a family that designs nothing."""

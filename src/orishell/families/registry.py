@@ -19,6 +19,7 @@ FOLDERS = (
     "longitudinal_linear_repeating",
     "flat_foldable",
     "drawn",
+    "t_hedral",
 )
 """Each has a module ``pattern`` with its FAMILY."""
 
@@ -31,9 +32,12 @@ FAMILIES: dict[str, Family] = {
 
 
 TRIED = tuple(
-    name for name, each in FAMILIES.items() if {"curves", "surface"} & {*each.pattern.aims()}
+    name
+    for name, each in FAMILIES.items()
+    if {"curves", "surface"} & {*each.pattern.aims()} and not each.in_strips
 )
-"""Those that can follow curves or a surface, and are tried where the family is to be chosen."""
+"""Those that can follow curves or a surface with one flat sheet, and are tried where the family is
+to be chosen."""
 
 AUTO = "auto"
 """What a design file calls the family that is to be chosen."""

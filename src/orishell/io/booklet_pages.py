@@ -65,6 +65,7 @@ def booklet_pages(
 
     Where feet are marked out is said unless ``ground`` is False.
     """
+    document = document.as_cut()
     if not ground:
         document = replace(document, ground=None)
     words, facts = load_words(workshop.language), find_facts(document)

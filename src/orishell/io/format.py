@@ -73,6 +73,9 @@ class Format:
     analysed: bool = False
     # whether it says what is known of a designed shell only: ties, pack, feet
     designed: bool = False
+    # whether strips of a sheet that is no flat one are joined in it, as they fold; else they are as
+    # they are cut
+    joined: bool = False
     # what one writes it for: "cut", "paper", "kit", "cad" or "analysis"; empty for none of these
     task: str = ""
 

@@ -107,6 +107,30 @@ class CreasePattern:
         return np.where(creases >= 0, turn, np.nan)
 
 
+@record
+class FoldedPattern(CreasePattern):
+    """Panels of a sheet that has no flat state; ``vertices`` only say which crease is next."""
+
+    points: Array  # vertices (V, 3) in any state
+
+    @cached_property
+    def sectors(self) -> Array:
+        """Angles (I, D) below pi at inner vertices from each crease to the next (radians).
+
+        NaN behind the last; their sum is no matter.
+        """
+        creases, ends = self.fans
+        if not creases.size:
+            return np.zeros(creases.shape)
+        way = self.points[ends] - self.points[self.inner][:, None]
+        count = (creases >= 0).sum(axis=1)[:, None]
+        next_one = (np.arange(creases.shape[1]) + 1) % count
+        after = np.take_along_axis(way, next_one[..., None], axis=1)
+        sine = np.linalg.norm(np.cross(way, after), axis=-1)
+        turn = np.arctan2(sine, (way * after).sum(axis=-1))
+        return np.where(creases >= 0, turn, np.nan)
+
+
 def pattern_of_panels(
     vertices: Array,
     faces: Integers,

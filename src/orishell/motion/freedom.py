@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.motion.crease_pattern import CreasePattern
+from orishell.motion.crease_pattern import CreasePattern, FoldedPattern
 from orishell.motion.following.couplings import Coupled, find_couplings
 from orishell.motion.following.dofs import Freedom, find_freedom, least_count
 from orishell.motion.following.followed import FREEDOM_AT
@@ -24,6 +24,7 @@ from orishell.motion.grid import Grid
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
+from orishell.motion.quads import is_level
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 Lines = Literal["rows", "columns"]
@@ -155,11 +156,14 @@ def _coupled(
 
 
 def _pattern(mechanism: Mechanism) -> CreasePattern:
-    """The flat sheet, all of its creases hinged."""
-    mesh = mesh_of(mechanism)
+    """The sheet, all of its creases hinged."""
+    mesh, points = mesh_of(mechanism), points_of(mechanism, 0.0)
     letters = np.where(mesh.crease, "U", "B")
-    flat = points_of(mechanism, 0.0)[:, :2]
-    return CreasePattern(flat, mesh.edges, letters, mesh.loops, mesh.edge_faces)
+    of_mesh = mesh.edges, letters, mesh.loops, mesh.edge_faces
+    if is_level(points):
+        return CreasePattern(points[:, :2], *of_mesh)
+    row, column = np.divmod(np.arange(len(points)), mechanism.grid.columns)
+    return FoldedPattern(np.stack([column, -row], axis=1), *of_mesh, points)
 
 
 def _between_flaps(mechanism: Mechanism) -> CreasePattern:

@@ -1,7 +1,8 @@
 """The folding sheet as a mechanism: what families give and all that follows works on.
 
 A family implements :class:`Mechanism`: positions and fold angles in closed form at any drive
-angle. The flat sheet is the mechanism at drive 0.
+angle. Most are one flat sheet at drive 0. The others begin there, and are made in strips
+(:mod:`orishell.motion.as_made`).
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions, crease_signs
-from orishell.motion.quads import grid_corners, lengths, unit_normals
+from orishell.motion.quads import grid_corners, is_level, lengths, unit_normals
 from orishell.numerics.arrays import Array
 
 
@@ -64,7 +65,7 @@ class Mechanism(Protocol):
 
     @property
     def target_drive(self) -> float:
-        """The drive angle at which the shell meets its target; the flat sheet is drive 0."""
+        """The drive angle at which the shell meets its target; the motion begins at drive 0."""
 
     @property
     def end_drive(self) -> float:
@@ -154,12 +155,15 @@ class FoldingMotion:
 
     @property
     def named(self) -> dict[str, int]:
-        """Numbers of the states that have a name: "flat", "target", and "pack" if there is one."""
-        last = self.frames - 1
+        """Numbers of the states that have a name: "flat", "target", and "pack" if there is one.
+
+        A mechanism that is not flat at drive 0 has no "flat" but "open" there.
+        """
+        last, first = self.frames - 1, "flat" if is_flat_at_first(self.mechanism) else "open"
         if self.pack is None:
-            return {"flat": 0, "target": last}
+            return {first: 0, "target": last}
         share = 1 - self.mechanism.target_drive / self.pack
-        return {"pack": 0, "target": int(np.clip(round(share * last), 1, last - 1)), "flat": last}
+        return {"pack": 0, "target": int(np.clip(round(share * last), 1, last - 1)), first: last}
 
     def __len__(self) -> int:
         return self.frames
@@ -178,6 +182,11 @@ class FoldingMotion:
     def target(self) -> FoldedState:
         """The shell: the state that meets the target."""
         return FoldedState.of(self.mechanism, self.mechanism.target_drive)
+
+
+def is_flat_at_first(mechanism: Mechanism) -> bool:
+    """Whether all panels of a mechanism lie in one plane at drive 0, so that it is one sheet."""
+    return is_level(mechanism.positions(0.0))
 
 
 def find_assignment(mechanism: Mechanism) -> CreaseValues:

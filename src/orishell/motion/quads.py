@@ -108,3 +108,19 @@ def signed_areas(corners: Array) -> Array:
     after = np.roll(local, -1, axis=-2)
     cross = local[..., 0] * after[..., 1] - local[..., 1] * after[..., 0]
     return np.asarray(0.5 * cross.sum(axis=-1))
+
+
+LEVEL = 1e-12
+"""Points whose heights differ by less than this share of their diagonal are level."""
+
+
+def is_level(points: Array) -> bool:
+    """Whether points (..., 3) lie in one horizontal plane.
+
+    Parameters
+    ----------
+    points
+        The points (..., 3).
+    """
+    sizes = np.ptp(points.reshape(-1, 3), axis=0)
+    return bool(sizes[2] <= LEVEL * np.linalg.norm(sizes))

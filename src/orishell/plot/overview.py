@@ -13,6 +13,7 @@ from orishell.conventions.colours import LIGHT, rgb
 from orishell.conventions.quantities import box
 from orishell.conventions.record import record
 from orishell.motion import FoldingMotion, Mechanism, find_assignment
+from orishell.motion.as_made import AsMade, as_cut
 from orishell.motion.grid import CreaseValues
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
@@ -133,8 +134,8 @@ def plot_overview(
     states = [panels(drive) for drive in drives]
     shown_panels = panels(target)
 
-    points = _landscape(points_of(mechanism, 0.0)[:, :2])
-    sheet = points[: mechanism.grid.vertex_count].reshape(*locked.shape[:2], 2)
+    made = as_cut(mechanism)
+    points = _landscape(made.flat)
     above = row_height(WIDTH / 2, [points, camera.project(shown_panels.reshape(-1, 3))[0]])
     count = len(states)
     spans = [np.ptp(camera.project(each.reshape(-1, 3))[0], axis=0) for each in states]
@@ -145,12 +146,10 @@ def plot_overview(
     figure = new_figure(foot + above + TITLE + HEADING, title)
 
     pattern = add_part(figure, 0, foot, WIDTH / 2, above)
-    thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), WIDTH / 2)
-    flaps.draw_pattern(pattern, points)
     drawn = (shown_panels if hinges.beside else locked).reshape(-1, 3)
     own = [box(np.ptp(each, axis=0).tolist(), unit) for each in (points, drawn)]
     flat, folded = (each.replace(" x ", " × ") for each in sizes or own)
-    set_title(pattern, f"Crease pattern, {flat}{thinned}")
+    _draw_sheet(pattern, mechanism, flaps, (points, made), flat)
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
     _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
@@ -210,6 +209,46 @@ def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) 
         axes.plot([], [], color=colour, label=name, linestyle="--" if colour == UNFOLDED else "-")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=len(names), frameon=False)
     return f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
+
+
+def _draw_sheet(
+    axes: Axes, mechanism: Mechanism, flaps: _FlapsBeside, cut: tuple[Array, AsMade], sides: str
+) -> None:
+    """Draw the crease pattern of a sheet as it is cut, its vertices (V, 2) turned."""
+    points, made = cut
+    if made.is_one_sheet:
+        grid = mechanism.grid
+        sheet = points[: grid.vertex_count].reshape(grid.rows, grid.columns, 2)
+        thinned = _draw_pattern(axes, sheet, find_assignment(mechanism), WIDTH / 2)
+        flaps.draw_pattern(axes, points)
+        set_title(axes, f"Crease pattern, {sides}{thinned}")
+        return
+    _draw_strips(axes, points, made, edge_signs(mechanism)[made.edges], WIDTH / 2)
+    count = mechanism.grid.columns - 1
+    set_title(axes, f"Crease patterns of its {count} strips, joined along their long sides")
+
+
+def _draw_strips(axes: Axes, points: Array, made: AsMade, signs: Integers, inches: float) -> None:
+    """Draw the strips of a sheet, vertices (V, 2), creases by their signs (E,)."""
+    from matplotlib.collections import PolyCollection
+
+    crease, edges = made.mesh.crease, made.mesh.edges
+    width = line_width(points[edges], inches, 1.3, 0.35)
+    faces = list(points[made.mesh.faces])
+    axes.add_collection(PolyCollection(faces, facecolors=PAPER, zorder=0))
+    kinds = [
+        (RIM, "border", ~crease),
+        (MOUNTAIN, "mountain", crease & (signs < 0)),
+        (VALLEY, "valley", crease & (signs > 0)),
+    ]
+    kinds = [kind for kind in kinds if kind[-1].any()]
+    for colour, name, which in kinds:
+        draw_lines(axes, points[edges[which]], colour, width)
+        axes.plot([], [], color=colour, label=name)
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=len(kinds), frameon=False)
 
 
 @record

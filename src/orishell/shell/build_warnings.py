@@ -19,7 +19,8 @@ from orishell.deployment.feet import Feet, find_feet
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, area_of, extents, find_assignment
-from orishell.motion.layout import has_flaps, points_of
+from orishell.motion.as_made import sheet_sides
+from orishell.motion.layout import has_flaps
 from orishell.numerics.arrays import Array, Booleans
 from orishell.shell.board_warnings import warn_of_boards
 from orishell.workshop import Workshop
@@ -53,14 +54,13 @@ def warn_of_building(
     mechanism = design.mechanism
     shell = mechanism.positions(mechanism.target_drive)
     height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
-    flat = points_of(mechanism, 0.0)
     return [
         *_of_unit(design, shell, unit, workshop),
         *_of_flaps(design, shell, feet, unit),
         *_of_feet(design, feet, unit),
         *_of_size(design),
         *_of_unfolded_columns(design),
-        *_of_boards(design, flat, unit, workshop),
+        *_of_boards(design, unit, workshop),
         *_of_depth(design, lock, height, unit),
         *warn_of_boards(design, lock, unit),
     ]
@@ -219,14 +219,14 @@ def _unfolded(mechanism: Mechanism) -> Booleans:
     return unfolded
 
 
-def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+def _of_boards(design: Design, unit: str, workshop: Workshop) -> Iterator[str]:
     """A sheet larger than any board, or than boards that cloth is no board of.
 
     Solid panels are cut one by one.
     """
     if design.panel is not None and design.panel.is_solid:
         return
-    width, height, _ = extents(flat)
+    width, height, strips = sheet_sides(design.mechanism)
     metres = conversion(unit, "m")
     long, short = (metres * side for side in (max(width, height), min(width, height)))
     if design.panel is not None and workshop.stock is not None and workshop.roll is None:
@@ -235,7 +235,8 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
         return
     board = " x ".join(plain(side / metres) for side in LARGEST_BOARD)
     yield Note(
-        f"the flat sheet, {plain(width, 3)} x {plain(height, 3)} {unit}, is larger than any board "
+        f"{'a strip' if strips else 'the flat sheet'}, {plain(width, 3)} x {plain(height, 3)} "
+        f"{unit}, is larger than any board "
         f"(the largest plywood commonly sold is {board} {unit}): say how large your boards are "
         "(stock in [workshop]), and the pattern is split into parts with joints",
         "board",

@@ -15,10 +15,11 @@ from orishell.design import Design, PanelSpec
 from orishell.design.panel import HINGED_ONLY
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Pattern
-from orishell.motion import drive_at_fold, largest_fold
+from orishell.motion import Mechanism, drive_at_fold, largest_fold
 from orishell.motion.convex import require_convex
 from orishell.motion.hinges import FreeLengths, Hinges, Straightened
 from orishell.motion.layout import has_flaps
+from orishell.motion.mechanism import is_flat_at_first
 from orishell.solids import (
     drive_for_height,
     find_stop,
@@ -112,12 +113,23 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
 def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
     """The design with panels of a thickness: its flaps stop where their boards meet."""
     require_convex(design.mechanism)
+    _require_one_sheet(design.mechanism)
     if panel.construction == "hinged":
         return _with_whole_boards(design, panel, closing)
     stop = panel.stop if has_flaps(design.mechanism) else 0.0
     if stop is None:
         stop = find_stop(design.mechanism, panel)
     return replace(design.with_stop(stop), panel=panel)
+
+
+def _require_one_sheet(mechanism: Mechanism) -> None:
+    """Refuse boards on panels that are made in strips."""
+    if not is_flat_at_first(mechanism):
+        raise DesignError(
+            "boards are made for panels that lie in one flat sheet, and these are made in strips",
+            keys=("panel.thickness",),
+            candidates=[Remedy({"panel": None})],
+        )
 
 
 def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:

@@ -291,6 +291,6 @@ def write_document(
     Raises InputError if a setting does not fit the sheet.
     """
     try:
-        format_.write(path, document, settings)
+        format_.write(path, document if format_.joined else document.as_cut(), settings)
     except InputError as error:
         raise error.located(f"{source}: {format_.name}:") from None

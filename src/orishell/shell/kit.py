@@ -256,6 +256,7 @@ def _readme(
     document: Document, workshop: Workshop, folders: dict[str, list[Path]]
 ) -> Iterator[str]:
     """What is where, with counts and sizes."""
+    document = document.as_cut()
     facts, unit = find_facts(document), document.unit
     words = load_words("en")
     yield f"# {document.title}"

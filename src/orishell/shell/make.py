@@ -23,8 +23,9 @@ from orishell.document import Document, FirstContact
 from orishell.document.measures import BoxReport, Measures, SheetReport
 from orishell.locking import Lock
 from orishell.locking.report import describe_panels
-from orishell.motion import FoldingMotion, area_of, extents
-from orishell.motion.layout import Layout, points_of
+from orishell.motion import FoldingMotion, area_of
+from orishell.motion.as_made import sheet_sides
+from orishell.motion.layout import Layout
 from orishell.numerics.arrays import Array
 from orishell.shell.candidate import Candidate
 from orishell.shell.facts import Facts, measure, with_structure
@@ -221,7 +222,7 @@ def _report(facts: Facts, work: Work) -> Report:
     """What ``report.json`` says of a shell, but for the verdict."""
     found, analysis, answers = facts.found, facts.analysis, facts.found.answers
     file, design, lock = found.file, found.design, found.lock
-    width, height, _ = extents(points_of(design.mechanism, 0.0))
+    width, height, strips = sheet_sides(design.mechanism)
     opened = _box(facts.drawn.sheet)
     return Report(
         family=file.family,
@@ -245,7 +246,7 @@ def _report(facts: Facts, work: Work) -> Report:
         stands=found.feet,
         deviation=found.deviation,
         end_walls=design.end_walls,
-        sheet=SheetReport(width, height, area_of(design.mechanism)),
+        sheet=SheetReport(width, height, area_of(design.mechanism), strips),
         deployed=opened,
         outside=_box(facts.drawn) if facts.drawn.attached else opened,
         deployment=facts.deployment,

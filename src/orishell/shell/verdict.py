@@ -154,7 +154,8 @@ def _way(report: Report) -> Iterator[Row]:
             yield Row("holds", "folds", f"nothing touches before {meets}{beyond}{proved}")
     elif lock.path is not None:
         end = degrees_below(report.deployment.end_drive)
-        yield Row("holds", "folds", f"nothing touches from flat to {end}{proved}")
+        begin = "open" if report.sheet.strips else "flat"
+        yield Row("holds", "folds", f"nothing touches from {begin} to {end}{proved}")
     else:
         yield Row("holds", "folds", "no contact to look for")
 

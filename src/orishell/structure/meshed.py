@@ -12,6 +12,7 @@ from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, VertexPair
 from orishell.numerics.arrays import Array, Integers
@@ -154,8 +155,8 @@ class MeshedShell:
 
     @cached_property
     def flat(self) -> Array:
-        """Corners (F, 4, 2) of panels in the flat sheet, counter-clockwise."""
-        return self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
+        """Corners (F, 4, 2) of panels as they are cut, counter-clockwise."""
+        return panels_laid_flat(self.sheet).reshape(-1, 4, 2)
 
     @property
     def boards(self) -> Boards | None:

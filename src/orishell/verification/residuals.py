@@ -12,7 +12,13 @@ from orishell.motion import FoldedState, Mechanism, diagonal, measure_fold_angle
 from orishell.motion.grid import UNFOLDED, Grid, crease_signs
 from orishell.motion.layout import edge_folds, mesh_of, points_of
 from orishell.motion.mesh import measure_mesh_folds, measure_sector_sums
-from orishell.motion.quads import corner_distances, diagonal_gaps, grid_corners, sector_angles
+from orishell.motion.quads import (
+    corner_distances,
+    diagonal_gaps,
+    grid_corners,
+    is_level,
+    sector_angles,
+)
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -63,7 +69,8 @@ class Residuals:
     # sheet's diagonal
     panel_length: float
     planarity: float  # distance between a panel's two diagonals, relative to the sheet's diagonal
-    # difference of the four sector angles at an inner vertex from 2 pi (radians)
+    # difference of the four sector angles at an inner vertex from 2 pi, or, where the sheet is not
+    # flat at drive 0, from what they are there (radians)
     sector_sum_rad: float
     # difference of the fold angles measured from the positions from the closed form (radians)
     fold_angle_rad: float
@@ -75,14 +82,15 @@ class AssignmentCheck:
 
     constant: bool  # whether no crease is a mountain in one state and a valley in another
     # whether each inner vertex meets Maekawa's condition: it has three creases of one sign and one
-    # of the other; a vertex with unfolded creases has two of one sign
-    maekawa: bool
+    # of the other; a vertex with unfolded creases has two of one sign. None where the sheet is not
+    # flat at drive 0, for which there is no such condition.
+    maekawa: bool | None
 
 
 def measure_residuals(
     states: Iterable[FoldedState], flat: FoldedState
 ) -> tuple[Residuals, AssignmentCheck]:
-    """Measure every state against the flat sheet, one state in memory at a time.
+    """Measure every state against that at drive 0, one state in memory at a time.
 
     Parameters
     ----------
@@ -90,19 +98,23 @@ def measure_residuals(
         The states, one after the other.
     """
     blocks = _blocks(*flat.positions.shape[:2])
-    distances = [corner_distances(grid_corners(flat.positions[block])) for block in blocks]
+    begun = [flat.positions[block] for block in blocks]
+    distances = [corner_distances(grid_corners(each)) for each in begun]
+    one_sheet = is_level(flat.positions)
+    sums = [np.full((1, 1), 2 * np.pi) if one_sheet else _sector_sums(each) for each in begun]
     worst = np.zeros(4)
     grid = Grid(*flat.positions.shape[:2])
     edges = grid.edges_vertices()
     seen, constant = SignsSeen(len(edges)), True
     for state in states:
-        for block, expected in zip(blocks, distances, strict=True):
-            worst = np.maximum(worst, _departures(state, block, expected))
+        for block, distance, angle in zip(blocks, distances, sums, strict=True):
+            worst = np.maximum(worst, _departures(state, block, distance, angle))
         constant &= not seen.see(crease_signs(state.fold_angles).on_edges()).any()
     worst[:2] /= diagonal(flat.positions)
     signs = seen.valley.astype(np.float64) - seen.mountain
     met = meets_maekawa(edges, signs, grid.vertex_count)[grid.vertices()[1:-1, 1:-1]]
-    return Residuals(*worst.tolist()), AssignmentCheck(constant, bool(met.all()))
+    maekawa = bool(met.all()) if one_sheet else None
+    return Residuals(*worst.tolist()), AssignmentCheck(constant, maekawa)
 
 
 def measure_with_flaps(
@@ -144,7 +156,7 @@ def _blocks(rows: int, columns: int) -> list[slice]:
     return [slice(start, min(start + step + 2, rows)) for start in range(0, max(rows - 2, 1), step)]
 
 
-def _departures(state: FoldedState, block: slice, distances: Array) -> Array:
+def _departures(state: FoldedState, block: slice, distances: Array, sums: Array) -> Array:
     """The four :class:`Residuals` of some rows in one state, lengths not yet relative."""
     positions = state.positions[block]
     corners = grid_corners(positions)
@@ -153,7 +165,7 @@ def _departures(state: FoldedState, block: slice, distances: Array) -> Array:
         [
             np.abs(corner_distances(corners) - distances).max(),
             diagonal_gaps(corners).max(),
-            np.abs(_sector_sums(positions) - 2 * np.pi).max(initial=0.0),
+            np.abs(_sector_sums(positions) - sums).max(initial=0.0),
             max(
                 turn_between(found, asked).max(initial=0.0)
                 for found, asked in (
@@ -176,7 +188,7 @@ def require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
     lengths = max(residuals.panel_length, residuals.planarity)
     angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
     if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:
-        if assignment.constant and assignment.maekawa:
+        if assignment.constant and assignment.maekawa is not False:
             return
         raise VerificationError(
             "mountains and valleys do not fit the motion: this is a fault of the program"

@@ -34,6 +34,7 @@ def laid_flat(document: AnyPart) -> AnyPart:
     that it goes to, with a gap, or in rows below all others. A document of the sheet alone is
     returned as it is.
     """
+    document = document.as_cut()
     if len(document.parts) == 1:
         return document
     return joined(document.sheet, document.parts[1:], list(parts_lying(document)))
@@ -55,6 +56,7 @@ def parts_lying(document: Part) -> Iterator[Array]:
         flat = piece.require_flat()
         return Polygon(flat[find_outlines(piece.mesh.loops, flat)[0]])
 
+    document = document.as_cut()
     yield document.require_flat()
     if len(document.parts) == 1:
         return

@@ -120,6 +120,7 @@ def has_sheet(document: Part) -> bool:
 
 def cut_of_sheet(document: Document) -> Document:
     """The document with those parts only that are cut from the flat sheet, or from its membrane."""
+    document = document.as_cut()
     parts = tuple(part for part in document.attached if has_sheet(part))
     return document if len(parts) == len(document.attached) else replace(document, attached=parts)
 

@@ -28,9 +28,7 @@ from orishell.design import (
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import (
     F,
-    Planes,
     Profile,
-    Row,
     approach,
     fit_profile,
     inner_staircase,
@@ -55,6 +53,7 @@ from orishell.families.pattern import (
     in_radians,
 )
 from orishell.families.shared.candidates import forgiving, smaller
+from orishell.families.shared.row import Planes, Row
 from orishell.families.shared.sheets import middle_vertex, upright
 from orishell.families.shared.sweep_fit import SweepLimits
 from orishell.families.shared.sweeps import design_sweep

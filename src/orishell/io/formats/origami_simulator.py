@@ -82,4 +82,5 @@ FORMAT = Format(
     (".origami-simulator.svg",),
     "flat pattern for Origami Simulator",
     write_origami_simulator,
+    joined=True,
 )

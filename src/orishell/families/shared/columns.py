@@ -1,4 +1,4 @@
-"""Equation (2): the columns of a parallel repeating sheet, and what their motion is bounded by.
+"""Equation (2): the columns of a T-hedron, and what their motion is bounded by.
 
 The distances of two vertices of one column are known in closed form (the paper's section 2).
 In column j, with kappa and the tightest w of the mechanism's text, they have the square
@@ -124,14 +124,15 @@ def bound_edges(
     columns: Columns,
     chords: Array,
     lengths: Array,
-    reach: Array,
+    edges: tuple[Array, Array],
     drives: tuple[Array, Array],
 ) -> tuple[Array, Array]:
     """Bounds of the second derivative of edge vectors by the drive: along rows, down columns.
 
     chords: Lengths (n-1,) of the middle row's segments.
     lengths: Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
-    reach: What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
+    edges: What column 1's edges (m+1,) take along t, per unit of spread, and their slopes beyond
+        that of the flattest.
     drives: Ends (S,) of ranges of the drive.
     """
     start, stop = (ends[..., None] for ends in drives)
@@ -153,5 +154,8 @@ def bound_edges(
         [spinning_acceleration(angle) for angle in (first, segment, last)], axis=-1
     )
     spread = turning_acceleration(tight.hypot(columns.tau_beyond), axis).max(axis=-1, keepdims=True)
-    down = np.hypot(spread * reach, 0.25 * size * np.sin(stop / 2) * reach)
+    kappa = Enclosure.half_sine(start, stop).times(size)
+    reach, beyond = edges
+    climb = kappa.hypot(beyond).second.magnitude()
+    down = np.hypot(spread * reach, climb * reach)
     return along, np.asarray(down)

@@ -1,0 +1,123 @@
+"""T-hedral shells through the whole design: how near they come, what they are made of."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from design_tables import formula, tables
+from orishell.conventions.errors import DesignError, InputError
+from orishell.curves import Curve
+from orishell.design_file import check_design
+from orishell.deviation import measure_deviation
+from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
+from orishell.families.t_hedral import THedralPattern, design_t_hedral
+from orishell.motion.as_made import in_strips, panels_laid_flat
+from orishell.motion.quads import grid_corners
+from orishell.shell.export import write_shell
+from orishell.shell.make import Shell, make_shell
+from strategies import graph
+
+ARCH, WAVE = graph("-0.5*x**2", -1, 1), graph("0.2*sin(x)", 0, 6)
+ROWS = (7, 15, 31, 63)
+
+
+def order(distances: list[float]) -> float:
+    """The power of one over the number of edges by which distances fall, from first to last."""
+    edges = np.log([rows + 1 for rows in ROWS])
+    return float(-np.polyfit(edges, np.log(distances), 1)[0])
+
+
+def test_distance_from_f_falls_with_the_square_of_its_edges() -> None:
+    """Beside parallel repeating's, whose staircase falls with their number (docs/limits.md)."""
+
+    def off(curve: Curve) -> tuple[float, float]:
+        near, stairs = (
+            [pattern(rows=rows, columns=5).distance_from_f(curve) for rows in ROWS]
+            for pattern in (THedralPattern, ParallelRepeatingPattern)
+        )
+        return order(near), order(stairs)
+
+    square, linear = off(ARCH)
+    assert square == pytest.approx(2, abs=0.1)
+    assert linear == pytest.approx(1, abs=0.1)
+
+
+def test_the_shell_comes_nearer_than_a_staircase() -> None:
+    near = design_t_hedral(ARCH, WAVE, THedralPattern(rows=15, columns=21, flap=0))
+    pattern = ParallelRepeatingPattern(rows=15, columns=21, flap=0)
+    stairs = design_parallel_repeating(ARCH, WAVE, pattern)
+    assert measure_deviation(near).max < measure_deviation(stairs).max / 10
+
+
+def test_vertices_of_columns_lie_on_f() -> None:
+    design = design_t_hedral(ARCH, WAVE, THedralPattern(rows=9, columns=5, flap=0))
+    target = design.mechanism.positions(design.mechanism.target_drive)
+    across = np.linalg.norm(target[:, 0, :2] - target[5, 0, :2], axis=-1)
+    np.testing.assert_allclose(target[:, 0, 2], -0.5 * across**2, atol=1e-12)
+
+
+def test_strips_are_the_panels_laid_flat() -> None:
+    pattern = THedralPattern(rows=7, columns=5, flap=0.2, depth=0.2)
+    mechanism = design_t_hedral(ARCH, graph("0", 0, 4), pattern).mechanism
+    flat = panels_laid_flat(mechanism)
+    corners = grid_corners(mechanism.positions(0.3 * mechanism.end_drive))
+    for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)):
+        one, other = (
+            np.linalg.norm(each[..., a, :] - each[..., b, :], axis=-1) for each in (flat, corners)
+        )
+        np.testing.assert_allclose(one, other, rtol=1e-12)
+    strips = in_strips(mechanism)
+    np.testing.assert_array_equal(
+        strips.flat[strips.mesh.faces].shape, (*flat[..., 0, 0].ravel().shape, 4, 2)
+    )
+    # They are apart: each has a range of x of its own.
+    low, high = flat[..., 0].min(axis=(0, 2)), flat[..., 0].max(axis=(0, 2))
+    assert (low[1:] > high[:-1]).all()
+
+
+def vault(**pattern: Any) -> dict[str, Any]:
+    design = tables("t-hedral", formula("-0.5*x**2", -1.5, 1.5), formula("0", 0, 4))
+    design["pattern"] = {"rows": 7, "columns": 9, "flap": 0, "depth": 0.15, **pattern}
+    design["deployment"], design["motion"] = {"from": "pack"}, {"frames": 5}
+    return design
+
+
+def made(design: dict[str, Any]) -> Shell:
+    return make_shell(check_design(design, Path("vault.toml")))
+
+
+def test_a_vault_folds_flat_and_has_files_of_its_strips(tmp_path: Path) -> None:
+    shell = made(vault())
+    rows = {row.subject: row for row in shell.report.verdict}
+    assert rows["folds"].sign == "holds"
+    assert "from open to 180 degrees (proved" in rows["folds"].finding
+    assert rows["sheet"].finding.startswith("8 strips, up to ")
+    assert shell.report.degrees_of_freedom == 1
+    write_shell(shell, tmp_path, formats=["fold", "dxf", "svg", "glb", "obj", "pdf", "csv"])
+    fold = json.loads((tmp_path / "shell.fold").read_text("utf-8"))
+    assert len(fold["vertices_coords"]) == 9 * 9  # joined, as they fold
+    assert "creasePattern" not in fold.get("frame_classes", [])
+    with pytest.raises(InputError, match="made of strips"):
+        write_shell(shell, tmp_path, formats=["origami-simulator"])
+
+
+def test_flaps_lock_it() -> None:
+    design = vault(flap=0.2)
+    design["deployment"] = {"from": "flat"}
+    rows = {row.subject: row for row in made(design).report.verdict}
+    assert "its flaps stop it closing" in rows["locks"].finding
+
+
+def test_what_it_cannot_be_is_refused() -> None:
+    design = vault()
+    design["panel"] = {"thickness": 0.01, "construction": "bevel", "gap": 0.002}
+    with pytest.raises(DesignError, match="made in strips"):
+        made(design)
+    level = THedralPattern(rows=3, columns=5, flap=0, spacing="equal")
+    with pytest.raises(DesignError, match="level at the target"):
+        design_t_hedral(graph("0", 0, 4), WAVE, level)
