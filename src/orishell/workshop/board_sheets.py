@@ -141,13 +141,18 @@ def _numbers(document: Document) -> Integers:
 
 def count_board_sheets(document: Document, workshop: Workshop) -> int | None:
     """How many sheets of stock all boards take; None without stock."""
-    return None if workshop.stock is None else sum(map(len, sheets_of_stocks(document, workshop)))
+    if workshop.stock is None:
+        return None
+    return sum(map(len, sheets_of_stocks(document, nest_boards(document, workshop))))
 
 
-def sheets_of_stocks(document: Document, workshop: Workshop) -> tuple[range, ...]:
-    """The sheets, numbered from 0, that boards of every stock are cut from."""
+def sheets_of_stocks(document: Document, placed: Sequence[Placement]) -> tuple[range, ...]:
+    """The sheets, numbered from 0, that boards of every stock are cut from.
+
+    placed: Where boards lie, see :func:`nest_boards`.
+    """
     numbers = _numbers(document)
-    sheets = np.array([placed.sheet for placed in nest_boards(document, workshop)])
+    sheets = np.array([each.sheet for each in placed])
     found, begin = [], 0
     for stock in stocks_of_boards(document):
         mine = sheets[np.isin(numbers, stock.boards)]
@@ -204,8 +209,9 @@ def _draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, 
     parts = board_parts(document)
     usual = "boards" if any(part.side for part in parts) else LAYERS[0]
     contents = (part.content() for part in parts)
-    placed = [*zip(contents, nest_boards(document, workshop), strict=True)]
-    stocks = zip(stocks_of_boards(document), sheets_of_stocks(document, workshop), strict=True)
+    places = nest_boards(document, workshop)
+    placed = [*zip(contents, places, strict=True)]
+    stocks = zip(stocks_of_boards(document), sheets_of_stocks(document, places), strict=True)
     for stock, numbers in stocks:
         name = f"{stock.kind}s" if stock.kind else usual
         title = f"{document.title}, {name}{_in_words(stock, document.unit)}"

@@ -69,7 +69,8 @@ def seen_from_outside(document: Document, side: Side) -> SeenBoards:
 
 def distinct_corners(outline: Array) -> Array:
     """The corners (k, 2) of a closed outline (K, 2), those that coincide taken once."""
-    return np.asarray(outline[(outline != np.roll(outline, 1, axis=0)).any(axis=1)])
+    before = np.concatenate([outline[-1:], outline[:-1]])
+    return np.asarray(outline[(outline != before).any(axis=1)])
 
 
 LARGEST_NUMBER = 0.25

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import prod
 
@@ -16,7 +16,7 @@ from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.bars import CutBars, cut_bars
 from orishell.workshop.board_masses import mass_of_boards
-from orishell.workshop.board_sheets import sheets_of_stocks
+from orishell.workshop.board_sheets import nest_boards, sheets_of_stocks
 from orishell.workshop.board_stock import BoardStock, stocks_of_boards
 from orishell.workshop.boards import cut_of_sheet, has_membrane, has_sheet
 from orishell.workshop.hinge_parts import fittings_of
@@ -48,7 +48,9 @@ def _rows(document: Document, workshop: Workshop, nested: bool) -> Iterator[Orde
     everything = laid_flat(document)
     if has_membrane(everything) or not has_sheet(everything):
         stocks, on_stock = stocks_of_boards(document), nested and workshop.stock is not None
-        sheets = sheets_of_stocks(document, workshop) if on_stock else [None] * len(stocks)
+        sheets: Sequence[range | None] = [None] * len(stocks)
+        if on_stock:
+            sheets = sheets_of_stocks(document, nest_boards(document, workshop))
         for stock, own in zip(stocks, sheets, strict=True):
             yield _boards(document, workshop, stock, None if own is None else len(own))
     if has_sheet(everything):

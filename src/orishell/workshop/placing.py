@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
@@ -106,14 +107,16 @@ def draw_stock_sheets(
     if workshop.stock is None:
         raise AssertionError("only stock is drawn sheet by sheet")
     (wide, high), margin = workshop.stock, workshop.margin
-    count = 1 + max((placement.sheet for _, placement in parts), default=-1)
+    on_sheets: defaultdict[int, list[tuple[Content, Placement]]] = defaultdict(list)
+    for content, placement in parts:
+        on_sheets[placement.sheet].append((content, placement))
+    count = 1 + max(on_sheets, default=-1)
     for number in range(count) if numbers is None else numbers:
         several = numbers is not None or count > 1
         called = f"{title}, sheet {number + 1} of {count}" if several else title
         lines, circles, texts = gathered(
             replace(placement, shift=placement.shift + margin).move_all(content)
-            for content, placement in parts
-            if placement.sheet == number
+            for content, placement in on_sheets[number]
         )
         if workshop.title_block and margin > 0:
             words = f"{called}, 1:1 on {wide:g} x {high:g} {unit}"
