@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Collection
 from dataclasses import replace
 from pathlib import Path
@@ -138,7 +137,7 @@ def make_shell(
     if not isinstance(file, DesignFile):
         raise TypeError("make_shell takes a DesignFile; design_shell reads one from its path")
     require_steps(skip)
-    work, begun = Work(progress, clash, skip), time.thread_time()
+    work = Work(progress, clash, skip)
     try:
         if work.asks("stock"):
             require_room_for_panels(file)
@@ -150,7 +149,7 @@ def make_shell(
     except DesignError as error:
         if clash == "unexamined" or not work.asks("remedies"):
             raise
-        raise with_remedies(file, error, progress, time.thread_time() - begun) from None
+        raise with_remedies(file, error, progress, work.clock.since_begun) from None
 
 
 @record

@@ -67,7 +67,7 @@ def with_remedies(
 ) -> DesignError:
     """Return the refusal with changes that were tried and work, or with why none does.
 
-    spent: Work that it took to refuse the design (s).
+    spent: Time that it took to refuse the design (s).
     """
     search = _RemedySearch(file, progress, max(SECONDS, LONGER * spent))
     try:

@@ -17,7 +17,12 @@ class Clock:
 
     def __init__(self) -> None:
         self.seconds: dict[str, float] = {}
-        self._last = time.perf_counter()
+        self._begun = self._last = time.perf_counter()
+
+    @property
+    def since_begun(self) -> float:
+        """Time since it was made (s)."""
+        return time.perf_counter() - self._begun
 
     def lap(self, step: str) -> None:
         """Note the time since the last step was done."""
