@@ -24,7 +24,7 @@ from orishell.document.joined import joined, joined_states
 from orishell.document.loaded import LoadedShell
 from orishell.document.measures import Measures
 from orishell.motion.grid import VertexPair
-from orishell.numerics.arrays import Array, nearby_origin
+from orishell.numerics.arrays import Array, Integers, nearby_origin
 
 LARGEST_COORDINATE = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
@@ -57,6 +57,8 @@ class Document(Part):
 
     # the sheet as it is cut, where it is no one flat sheet: strips that are joined; else None
     cut: Part | None = field(default=None, repr=False)
+    # numbers (V,) that vertices of these strips have in the sheet; empty without strips
+    cut_from: Integers = field(default_factory=lambda: np.zeros(0, np.int64), repr=False)
     # polylines (k, 3) beside the last state: the curves that the shell follows, by name
     curves: Mapping[str, Array] = field(default_factory=dict)
     # lattice (a, b, 3) of the surface that the last state follows, if it is known
@@ -119,7 +121,9 @@ class Document(Part):
         if self.cut is None:
             return self
         names = ("mesh", "assignment", "flat", "fold_angles_deg", "states")
-        return replace(self, cut=None, **{name: getattr(self.cut, name) for name in names})
+        known = {name: getattr(self.cut, name) for name in names}
+        off = None if self.distances is None else self.distances[self.cut_from]
+        return replace(self, cut=None, distances=off, **known)
 
     @property
     def parts(self) -> tuple[Part, ...]:

@@ -15,7 +15,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design.carried import CarriedPart
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
-from orishell.motion.as_made import in_strips
+from orishell.motion.as_made import AsMade, in_strips
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
 from orishell.motion.layout import (
@@ -54,6 +54,7 @@ def document_of_motion(
     """
     mechanism = motion.mechanism
     grid, states, flat = mechanism.grid, states_of(motion), _flat(mechanism)
+    strips = in_strips(mechanism) if flat is None else None
     beside = isinstance(mechanism, SlitFlaps)
     return Document(
         title=title,
@@ -63,7 +64,8 @@ def document_of_motion(
         flat=flat,
         fold_angles_deg=states.degrees(mechanism.target_drive),
         states=states,
-        cut=_cut(motion, unit) if flat is None else None,
+        cut=None if strips is None else _cut(motion, strips, unit),
+        cut_from=np.zeros(0, np.int64) if strips is None else strips.vertices,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
@@ -228,9 +230,8 @@ def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str
     return States(motion, mesh_of(motion.mechanism), edge_signs(motion.mechanism), progress, what)
 
 
-def _cut(motion: FoldingMotion, unit: str) -> Part:
+def _cut(motion: FoldingMotion, made: AsMade, unit: str) -> Part:
     """The strips that a sheet is made of, in all states of it."""
-    made = in_strips(motion.mechanism)
     own = motion, made.mesh, edge_signs(motion.mechanism)[made.edges]
     states = States(*own, vertices=made.vertices, edges=made.edges)
     return Part(

@@ -105,6 +105,7 @@ class Header(TypedDict):
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     """The view of a document, with the first, the last and the named states among those taken."""
+    document = document.as_cut()
     shell = document.shell.positions if len(document.states) else np.zeros((0, 3))
     origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
     if not document.report:

@@ -175,7 +175,7 @@ class Task:
 
     def _verified(self, file: DesignFile, shell: Shell, refusal: Fault | None) -> Verified:
         """What pages are told of a shell; ``refusal`` says why its design is refused."""
-        document = lay_surface(shell.document, shell.design)
+        document = lay_surface(shell.document, shell.design).as_cut()
         distances = np.zeros(0) if document.distances is None else document.distances
         # Flaps of a width that the program chooses may be narrower now than the view had them, a
         # pack, where panels meet, less closed, and boards cut off where they would meet. What loads

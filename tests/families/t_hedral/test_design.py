@@ -20,6 +20,7 @@ from orishell.motion.as_made import in_strips, panels_laid_flat
 from orishell.motion.quads import grid_corners
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.pictures import lay_surface
 from strategies import graph
 
 ARCH, WAVE = graph("-0.5*x**2", -1, 1), graph("0.2*sin(x)", 0, 6)
@@ -121,3 +122,15 @@ def test_what_it_cannot_be_is_refused() -> None:
     level = THedralPattern(rows=3, columns=5, flap=0, spacing="equal")
     with pytest.raises(DesignError, match="level at the target"):
         design_t_hedral(graph("0", 0, 4), WAVE, level)
+
+
+def test_views_have_its_strips_with_distances_of_their_vertices() -> None:
+    shell = made(vault())
+    document = lay_surface(shell.document, shell.design)
+    cut, mesh = document.as_cut(), document.mesh
+    assert document.distances is not None
+    assert cut.distances is not None
+    assert len(cut.distances) == cut.mesh.vertex_count > mesh.vertex_count
+    np.testing.assert_array_equal(cut.shell.positions, document.shell.positions[document.cut_from])
+    np.testing.assert_array_equal(cut.distances[cut.mesh.faces], document.distances[mesh.faces])
+    assert cut.as_cut() is cut
