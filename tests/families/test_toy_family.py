@@ -56,6 +56,7 @@ def test_a_family_follows_what_it_has_a_method_for(tmp_path: Path) -> None:
         "longitudinal-linear-repeating": ["curves", "surface"],
         "flat-foldable": ["surface", "none"],
         "pattern": ["drawing"],
+        "t-hedral": ["curves", "surface"],
     }
     with pytest.raises(TypeError, match="Pattern designs nothing"):
         Family("nothing", Pattern, "Nothing", "No sheet", tmp_path / "starter.toml")

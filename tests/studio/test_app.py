@@ -73,7 +73,9 @@ def test_design_is_a_view_of_the_states(client: httpx.Client, family: str) -> No
     rows, columns = head["grid"]
     assert len(head["drives_deg"]) == 9
     positions, flat = array(answer.content, "positions"), array(answer.content, "flat")
-    assert positions.shape == (9, rows * columns, 3)
+    assert positions.shape == (9, len(flat), 3)
+    # Strips have vertices of their own where they are joined.
+    assert len(flat) == rows * columns + (rows * (columns - 2) if FAMILIES[family].in_strips else 0)
     assert array(answer.content, "faces").shape == ((rows - 1) * (columns - 1), 4)
     # The first state is the flat sheet: the distances in it are those of the crease pattern.
     edges = array(answer.content, "edges")
