@@ -8,11 +8,12 @@ from pathlib import Path
 # autodoc imports modules with TYPE_CHECKING set, which pydantic's models in fastapi do not survive.
 import fastapi  # noqa: F401
 
-from orishell.conventions.version import __version__
-
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_ext"))
+import written_records  # noqa: E402, F401
 from looks import variables  # noqa: E402
+
+from orishell.conventions.version import __version__  # noqa: E402
 
 project = "orishell"
 author = "The orishell authors"

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Collection, Mapping
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass
 from functools import cached_property
 from inspect import Signature, signature
 from operator import attrgetter
 from pathlib import Path
-from types import SimpleNamespace
 from typing import (
     Annotated,
     Any,
@@ -88,23 +86,7 @@ class _SignatureOfKind:
 
     def __get__(self, thing: object, kind: Any) -> Signature:
         made = signature(_initialiser(kind))
-        own = list(made.parameters.values())[1:]
-        return made.replace(
-            parameters=[each.replace(annotation=_kind_of(kind, each.name)) for each in own],
-            return_annotation=None,
-        )
-
-
-def _kind_of(kind: type, name: str) -> Any:
-    """What a field of a record is of; its text where that is known to type checkers only."""
-    own = next(each for each in kind.__mro__ if name in vars(each).get("__annotations__", {}))
-    said = own.__annotations__[name]
-    alone = SimpleNamespace(__annotations__={name: said})
-    try:
-        hints = get_type_hints(alone, vars(sys.modules[own.__module__]), include_extras=True)
-    except NameError:
-        return said
-    return hints[name]
+        return made.replace(parameters=list(made.parameters.values())[1:])
 
 
 _SIGNATURE = _SignatureOfKind()
