@@ -63,7 +63,10 @@ def test_a_pack_of_panels_that_are_thick_under_loads_fails_and_one_thickness_is_
     one = made(file.changed(boards.changes))
     assert one.report.panel is not None
     assert (one.report.panel.thickness, one.report.feasible) == (0.024, True)
-    assert row_of(one, "boards").sign == row_of(one, "packs").sign == "holds"
+    boards = row_of(one, "boards")
+    assert boards.sign == "warns"  # chamfers lean by more than a saw tilts
+    assert "none meet on the way (proved)" in boards.finding
+    assert row_of(one, "packs").sign == "holds"
     thick = one.report.deployment.packed
     assert thick is not None
     assert thick.height > 20 * 0.024

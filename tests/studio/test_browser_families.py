@@ -121,10 +121,10 @@ def test_keys_on_the_way_to_a_family_take_nothing_from_the_design(page: Page) ->
     before = state(page, "design.value")
     page.get_by_test_id("family-parallel-repeating").focus()
     walked = []
-    for _ in range(5):
+    for _ in range(6):
         page.keyboard.press("ArrowRight")
         walked.append(state(page, "design.value.shell.family"))
-    assert walked[-2:] == ["pattern", "auto"]
+    assert walked[-3:] == ["pattern", "t-hedral", "auto"]
     assert state(page, "design.value.target") == before["target"]
     page.keyboard.press("ArrowRight")
     assert state(page, "design.value") == before

@@ -77,7 +77,7 @@ def test_report_has_the_fields_of_the_contract(shell: Shell) -> None:
     assert surface["sample_spacing"] < 1e-3
     assert report["deviation"]["approached"] is None
     assert report["deviation"]["f"]["max"] == pytest.approx(0.133464, abs=1e-6)
-    assert set(report["sheet"]) == {"width", "height", "area"}
+    assert set(report["sheet"]) == {"width", "height", "area", "strips"}
     assert set(report["deployed"]) == {"width", "depth", "height"}
     assert report["deployed"]["height"] == pytest.approx(1 + 0.133464, abs=1e-6)
 
