@@ -150,7 +150,7 @@ WRITE_HELP = f"Further formats, separated by commas: {', '.join(format_modules()
 
 FILE_HELP = "The FOLD file, or the directory that `orishell design` wrote it to."
 
-STATES = ("flat", "target", "pack")
+STATES = ("flat", "target", "pack", "open")
 WELD_HELP = (
     "Points of the pattern that are nearer to each other than this are one (a length in the file's "
     "unit)."

@@ -30,6 +30,9 @@ SHELL = "target"
 FLAT = "flat"
 """Name of the state that is the flat sheet."""
 
+OPEN = "open"
+"""Name of that state of a sheet which is flat in none, where its flattest panels lie level."""
+
 
 @record
 class DocumentState:
@@ -151,7 +154,7 @@ class Part:
         """A state by its number, 0 the first, or by its name, as ``which`` says.
 
         Where no state has a name, "flat" is the first and "target" the last; where there is none
-        at all, both are the flat sheet.
+        at all, both are the flat sheet. What is "open" in one state is flat in none.
 
         Raises
         ------
@@ -159,7 +162,8 @@ class Part:
             If there is no such state.
         """
         count = len(self.states)
-        named = {FLAT: 0, SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
+        begin = {} if OPEN in self.named else {FLAT: 0}
+        named = begin | {SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
         number = named.get(which, count) if isinstance(which, str) else which
         if number == 0 and not count:
             return self._flat_state()

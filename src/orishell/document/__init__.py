@@ -1,6 +1,6 @@
 """The document that files are written from: of a designed shell, or of any FOLD file."""
 
-from orishell.design.part import FLAT, SHELL, DocumentState, Part
+from orishell.design.part import FLAT, OPEN, SHELL, DocumentState, Part
 from orishell.document.document import (
     LARGEST_COORDINATE,
     Document,
@@ -17,6 +17,7 @@ from orishell.document.loaded import (
 __all__ = [
     "FLAT",
     "LARGEST_COORDINATE",
+    "OPEN",
     "SHELL",
     "Document",
     "DocumentState",

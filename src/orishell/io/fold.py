@@ -58,7 +58,7 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
         states=states,
         grid_shape=file.grid_shape,
         curves={},
-        named={name: titles[name] for name in ("flat", SHELL, "pack") if name in titles},
+        named={name: titles[name] for name in ("flat", SHELL, "pack", "open") if name in titles},
     )
 
 

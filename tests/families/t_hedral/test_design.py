@@ -103,6 +103,9 @@ def test_a_vault_folds_flat_and_has_files_of_its_strips(tmp_path: Path) -> None:
     fold = json.loads((tmp_path / "shell.fold").read_text("utf-8"))
     assert len(fold["vertices_coords"]) == 9 * 9  # joined, as they fold
     assert "creasePattern" not in fold.get("frame_classes", [])
+    assert shell.document.state("open").drive_deg == 0
+    with pytest.raises(InputError, match="no such state"):
+        shell.document.state("flat")  # and not the pack, which is the first
     with pytest.raises(InputError, match="made of strips"):
         write_shell(shell, tmp_path, formats=["origami-simulator"])
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from orishell.conventions.colours import MEANINGS, linear_rgb
 from orishell.conventions.quantities import conversion
-from orishell.document import Document, DocumentState, Part
+from orishell.document import FLAT, OPEN, Document, DocumentState, Part
 from orishell.io.format import Format, Settings
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
 from orishell.io.solids import TRIANGLES, find_frames, find_splits, quaternions, y_up
@@ -281,8 +281,10 @@ def _animation(
         shown = np.stack(there, axis=1)[scaled, :, None]
         first = buffers.add(singles(np.repeat(shown, 3, axis=-1)), "VEC3")
         sizes = range(first, first + len(scaled))
+    first_state = OPEN if OPEN in document.named else FLAT
+    packed = "pack" in document.named
     return {
-        "name": "pack to flat" if "pack" in document.named else "flat to target",
+        "name": f"pack to {first_state}" if packed else f"{first_state} to target",
         "samplers": [
             {"input": times, "output": begin + panel, "interpolation": "LINEAR"}
             for begin in paths.values()
