@@ -62,7 +62,7 @@ def test_the_nearest_that_locks_is_taken(shell: Shell) -> None:
     families = shell.report.families
     assert families is not None
     assert shell.file.family == families.family
-    locking = [each for each in families.tried if each.locks]
+    locking = [each for each in families.tried if each.locks and not each.in_strips]
     nearest = min(locking, key=lambda each: each.distance or 0.0)
     assert nearest.family == families.family
     assert shell.deviation is not None
@@ -82,7 +82,42 @@ def test_the_table_is_in_the_verdict(shell: Shell) -> None:
     rows = [row.finding for row in shell.report.verdict if row.subject == "family"]
     assert len(rows) == len(TRIED)
     assert sum("(taken" in row for row in rows) == 1
-    assert all(re.match(r"[a-z-]+: (within .* m2 of sheet, .* lock|none; .)", row) for row in rows)
+    words = r"[a-z-]+: (within .* m2 of (sheet|strips), .* lock|none; .)"
+    assert all(re.match(words, row) for row in rows)
+
+
+ARCH = {**VAULT, "target": {**VAULT["target"], "g": {"formula": "0.3*x**2", "range": [-1.5, 1.5]}}}
+
+
+def test_one_made_in_strips_is_named_where_it_is_nearer_but_never_taken_for_that() -> None:
+    tables = {**ARCH, "pattern": {"rows": 7, "columns": 5}}
+    families = make_shell(check_design(tables, Path("arch.toml"), files=False), skip=REST)
+    choice = families.report.families
+    assert choice is not None
+    made = {each.family: each for each in choice.tried if each.distance is not None}
+    strips, taken = made["t-hedral"], made[choice.family]
+    assert strips.in_strips
+    assert not taken.in_strips
+    assert strips.distance is not None
+    assert taken.distance is not None
+    assert strips.distance < taken.distance
+    rows = [row.finding for row in families.report.verdict if row.subject == "family"]
+    named = [row for row in rows if row.startswith("t-hedral")]
+    assert "m2 of strips" in named[0]
+    assert "nearest, but made in strips" in named[0]
+
+
+def test_one_made_in_strips_is_taken_where_no_sheet_makes_a_shell() -> None:
+    def made(file: DesignFile, progress: Progress) -> Candidate:
+        if file.family != "t-hedral":
+            raise DesignError("it cannot")
+        return find_candidate(file, Work(progress))
+
+    file = check_design({**ARCH, "pattern": {"rows": 3, "columns": 5}}, Path("a.toml"), files=False)
+    choice = choose_family(file, no_progress, made).answers.families
+    assert choice is not None
+    assert choice.family == "t-hedral"
+    assert "(taken: no one sheet makes a shell)" in [row.finding for row in choice.rows("m")][-1]
 
 
 @thorough

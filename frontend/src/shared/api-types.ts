@@ -761,7 +761,7 @@ export interface FamilyTrial {
   distance: number | null;
   /** Number of panels. */
   panels: number | null;
-  /** Area of its flat sheet. */
+  /** Area of its flat sheet, or of all of its strips. */
   sheet_area: number | null;
   /** Whether its motion ends with all panels in one plane. */
   packs_flat: boolean | null;
@@ -771,6 +771,8 @@ export interface FamilyTrial {
   degrees_of_freedom: number | null;
   /** Why there is no shell. */
   why_not: string;
+  /** Whether it is no one sheet, but made in strips that are joined. */
+  in_strips: boolean;
 }
 
 /** What is wrong with a request or its design. */

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, cast
 
@@ -125,13 +124,15 @@ def _examined(
     if inspection.folded and inspection.sheet.flat:
         return inspection, None
     try:
-        pattern = replace(pattern_of_frames(file, frames), states=())  # these are inspected
+        pattern = pattern_of_frames(file, frames)
     except InputError:  # what is wrong with it is said by the inspection
         return inspection, None
-    return inspection, _judged(pattern, tolerance, progress)
+    return inspection, _judged(pattern, tolerance, progress, inspected=True)
 
 
-def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternVerdict:
+def _judged(
+    read: ReadPattern, tolerance: float, progress: Progress, *, inspected: bool = False
+) -> PatternVerdict:
     """What is found of how a sheet folds; of a large one what is known is said at once."""
     from orishell.verification.pattern import judge_pattern
 
@@ -142,7 +143,9 @@ def _judged(read: ReadPattern, tolerance: float, progress: Progress) -> PatternV
             for row in rows:
                 say("\n".join(lines_of(row)), err=True)
 
-    return judge_pattern(read, tolerance=tolerance, progress=progress, so_far=so_far)
+    return judge_pattern(
+        read, tolerance=tolerance, inspected=inspected, progress=progress, so_far=so_far
+    )
 
 
 def _write_nearby(verdict: PatternVerdict | None, target: Path, *, force: bool) -> None:
@@ -193,7 +196,7 @@ def _print_summary(inspection: Inspection, verdict: PatternVerdict | None) -> No
         outcome = "PASS" if each.passed else "FAIL"
         name = each.name.replace("_", " ")
         say(f"{outcome}  {name:{width}}  {each.text}")
-    if inspection.freedom:
+    if inspection.freedom and (verdict is None or verdict.strips is None):
         say("\n".join(lines_of(of_freedom(inspection.freedom))))
     for row in () if verdict is None else verdict.rows:
         say("\n".join(lines_of(row)))

@@ -33,11 +33,11 @@ FAMILIES: dict[str, Family] = {
 
 TRIED = tuple(
     name
-    for name, each in FAMILIES.items()
-    if {"curves", "surface"} & {*each.pattern.aims()} and not each.in_strips
+    for name, each in sorted(FAMILIES.items(), key=lambda item: item[1].in_strips)
+    if {"curves", "surface"} & {*each.pattern.aims()}
 )
-"""Those that can follow curves or a surface with one flat sheet, and are tried where the family is
-to be chosen."""
+"""Those that can follow curves or a surface, and are tried where the family is to be chosen: first
+those of one flat sheet."""
 
 AUTO = "auto"
 """What a design file calls the family that is to be chosen."""

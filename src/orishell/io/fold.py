@@ -119,15 +119,16 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
     document = document.with_moving(parts)
     names = {number: name for name, number in document.named.items()}
     titles = names if "pack" in document.named else {}
-    states = iter(document.states)
-    key = _flat(document) if document.flat is not None else _state(document, next(states))
+    states = (
+        {**_state(document, state), **({"frame_title": titles[k]} if k in titles else {})}
+        for k, state in enumerate(document.states)
+    )
+    key = _flat(document) if document.flat is not None else next(states)
     with path.open("wb") as file:
         file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
         separator = b',\n"file_frames":[\n'
-        for number, state in enumerate(states):
-            frame = {**_state(document, state), "frame_parent": 0, "frame_inherit": True}
-            if number in titles:
-                frame["frame_title"] = titles[number]
+        for state in states:
+            frame = {**state, "frame_parent": 0, "frame_inherit": True}
             file.write(separator + dump(frame))
             separator = b",\n"
         for frame in () if hung is None else _frames_of(hung):

@@ -20,7 +20,10 @@ FLAT = 1e-3
 """A crease whose fold angle is this near to none or to half a turn lies flat (radians)."""
 REACHED = 1e-4
 """A motion that stops this share short of its end reaches it."""
-RULE = "the nearest of those that lock at the target; where none does, the nearest"
+RULE = (
+    "the nearest of those that lock at the target; where none does, the nearest; "
+    "one that is made in strips only where no other makes a shell"
+)
 
 
 def choose_family(
@@ -73,10 +76,10 @@ def choose_family(
     return replace(found, answers=replace(found.answers, families=families))
 
 
-def _rank(trial: FamilyTrial) -> tuple[bool, float]:
+def _rank(trial: FamilyTrial) -> tuple[bool, bool, float]:
     """What is smallest in the best family: see RULE."""
     assert trial.distance is not None
-    return not trial.locks, trial.distance
+    return trial.in_strips, not trial.locks, trial.distance
 
 
 def in_family(file: DesignFile, name: str) -> DesignFile:
@@ -98,6 +101,7 @@ def _measured(found: Candidate) -> FamilyTrial:
         packs_flat=packs_flat(mechanism, lock.closes_to),
         locks=found.deployment.closing is not None and found.freedom.one_motion,
         degrees_of_freedom=found.freedom.count,
+        in_strips=FAMILIES[found.file.family].in_strips,
     )
 
 

@@ -17,13 +17,14 @@ class FamilyTrial:
     # the largest distance between shell and surface, both ways (length); None if there is no shell
     distance: float | None = None
     panels: int | None = None  # number of panels
-    sheet_area: float | None = None  # area of its flat sheet
+    sheet_area: float | None = None  # area of its flat sheet, or of all of its strips
     packs_flat: bool | None = None  # whether its motion ends with all panels in one plane
     # whether anything in it stops it closing at the target, in all of its motions
     locks: bool | None = None
     # how many motions its sheet has; None if that is not known, or there is no shell
     degrees_of_freedom: int | None = None
     why_not: str = ""  # why there is no shell
+    in_strips: bool = False  # whether it is no one sheet, but made in strips that are joined
 
     def in_words(self, unit: str) -> str:
         """The line of a table."""
@@ -31,7 +32,7 @@ class FamilyTrial:
             return f"{self.family}: none; {self.why_not}"
         return (
             f"{self.family}: within {plain(self.distance)} {unit}, {self.panels} panels, "
-            f"{plain(self.sheet_area)} {unit}2 of sheet, "
+            f"{plain(self.sheet_area)} {unit}2 of {'strips' if self.in_strips else 'sheet'}, "
             f"{'packs flat' if self.packs_flat else 'does not pack flat'}, "
             f"{'locks' if self.locks else 'does not lock'}{self._motions()}"
         )
@@ -54,7 +55,15 @@ class FamilyChoice:
     def rows(self, unit: str) -> Iterator[Row]:
         """A row of the verdict for each family."""
         for each in self.tried:
-            taken = ""
-            if each.family == self.family:
-                taken = " (taken: nearest that locks)" if each.locks else " (taken: none locks)"
-            yield Row("says", "family", each.in_words(unit) + taken)
+            yield Row("says", "family", each.in_words(unit) + self._taken(each))
+
+    def _taken(self, trial: FamilyTrial) -> str:
+        """Why a family was taken, or why not although it is the nearest."""
+        if trial.family == self.family:
+            if trial.in_strips:
+                return " (taken: no one sheet makes a shell)"
+            return " (taken: nearest that locks)" if trial.locks else " (taken: none locks)"
+        made = [each.distance for each in self.tried if each.distance is not None]
+        if trial.in_strips and trial.distance is not None and trial.distance == min(made):
+            return f" (nearest, but made in strips: family {trial.family} takes it)"
+        return ""

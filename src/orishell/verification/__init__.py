@@ -3,6 +3,7 @@
 from orishell.verification.findings import Check, Contacts
 from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
 from orishell.verification.run import LENGTH_TOLERANCE, Inspection, inspect_fold, require_tolerance
+from orishell.verification.strips import Strips
 
 __all__ = [
     "LENGTH_TOLERANCE",
@@ -11,6 +12,7 @@ __all__ = [
     "Contacts",
     "Inspection",
     "Residuals",
+    "Strips",
     "inspect_fold",
     "measure_residuals",
     "require_tolerance",

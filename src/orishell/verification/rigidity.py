@@ -111,7 +111,8 @@ LISTED = 100
 class ClashTest:
     """Tests that no panels touch in any frame before the last, nor pass through each other there.
 
-    The end is the last folded frame, or the first one if the file's last frame is not folded.
+    The end is the last folded frame, or the first one if the file's last frame is not folded. Where
+    there is no flat sheet, the motion may end with either.
     A frame with the same fold angles is the end too. Panels there may reach into each other by as
     much as a length may be wrong, which is also the distance below which they touch.
     """
@@ -190,10 +191,14 @@ class ClashTest:
         return found, depth
 
     def _ends(self, state: State) -> bool:
-        end = self._last if self._last_is_folded else self._first
-        if end is None or not state.folded:
-            return False
-        return bool((turn_between(state.folds, end.folds) <= self._sheet.edge_limits).all())
+        ends = [self._last if self._last_is_folded else self._first]
+        if not self._sheet.flat:
+            ends = [self._first, self._last]
+        return state.folded and any(
+            bool((turn_between(state.folds, end.folds) <= self._sheet.edge_limits).all())
+            for end in ends
+            if end is not None
+        )
 
     def _listed(self, touching: list[Contacts]) -> list[dict[str, Any]]:
         return [

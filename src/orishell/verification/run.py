@@ -29,16 +29,27 @@ from orishell.verification.rigidity import (
     RigidTest,
 )
 from orishell.verification.sheet import Sheet, State
+from orishell.verification.strips import Strips, find_strips
 
 
 def freedom_of_frames(
-    file: FoldFile, sheet: Sheet, folded: Iterable[tuple[float, FoldFrame]]
+    file: FoldFile,
+    sheet: Sheet,
+    strips: Strips | None,
+    folded: Iterable[tuple[float, FoldFrame]],
 ) -> tuple[Freedom, ...]:
     """Degrees of freedom in some frames; none where there is no flat sheet that lies in a plane.
 
+    strips: What it is made in, if that is no flat sheet.
     folded: The largest fold angle of every folded frame (radians), and the frame.
     """
     listed = sorted(folded, key=lambda each: each[0])
+    angles = np.array([angle for angle, _ in listed])
+    # Those in the middle of the motion: at its ends creases may be folded flat.
+    middle = {int(np.abs(angles - share * angles[-1]).argmin()) for share in FREEDOM_AT if listed}
+    some = [listed[each][1].positions for each in sorted(middle)]
+    if strips is not None:
+        return tuple(strips.freedom_at(each) for each in some)
     flat = _in_plane(sheet)
     if flat is None or not listed:
         return ()
@@ -46,12 +57,8 @@ def freedom_of_frames(
     letters = np.array(file.assignment or ["U"] * len(mesh.edges))
     pattern = CreasePattern(flat, mesh.edges, letters, mesh.loops, mesh.edge_faces)
     closure = Closure.of(pattern)
-    angles = np.array([angle for angle, _ in listed])
-    # Those in the middle of the motion: at its ends creases may be folded flat.
-    some = {int(np.abs(angles - share * angles[-1]).argmin()) for share in FREEDOM_AT}
     return tuple(
-        find_freedom(closure, measure_mesh_folds(mesh, listed[each][1].positions)[closure.edges])
-        for each in sorted(some)
+        find_freedom(closure, measure_mesh_folds(mesh, each)[closure.edges]) for each in some
     )
 
 
@@ -98,6 +105,7 @@ class Inspection:
     not_checked: tuple[str, ...]  # what could not be tested
     folded: bool  # whether there is a folded state among the frames
     freedom: tuple[Freedom, ...]  # degrees of freedom in some of its folded states
+    strips: Strips | None = None  # what it is made in, if it is no flat sheet but one of ours
 
     @property
     def degrees_of_freedom(self) -> int | None:
@@ -147,6 +155,7 @@ class Inspection:
             "flat_frame": self.flat_frame,
             "diagonal": self.sheet.diagonal,
             "tolerance": self.tolerance,
+            "strips": None if self.strips is None else self.strips.known.strips,
             "degrees_of_freedom": self.degrees_of_freedom,
             "checks": {check.name: check.as_dict() for check in self.checks},
             "not_checked": list(self.not_checked),
@@ -189,13 +198,20 @@ def inspect_fold(
             test.see(state)
 
     folded = bool(largest_folds)
-    freedom = freedom_of_frames(file, sheet, largest_folds)
+    of_sheet, strips = developable.checks(), None
     maekawa, vertices_untested = assignment.maekawa()
+    if not (sheet.flat or all(check.passed for check in of_sheet)):
+        strips = _strips(file, tolerance)
+    if strips is not None:  # what is true of flat sheets is asked of these alone
+        said = f"{strips.sheet} ({strips.family})"
+        of_sheet = [Check("strips", True, said, {"strips": strips.known.strips})]
+        maekawa, vertices_untested = [], 0
+    freedom = freedom_of_frames(file, sheet, strips, largest_folds)
     rigid_checks = rigid.checks()
     checks = (
         convex.check,
         *(FlatTest(sheet, names).checks() if sheet.flat else []),
-        *developable.checks(),
+        *of_sheet,
         *rigid_checks,
         *angles.checks(),
         *assignment.checks(folded=folded),
@@ -211,7 +227,7 @@ def inspect_fold(
         (not folded, "folded states (the file has none): rigid panels, fold angles, contact"),
         (folded and not freedom, "degrees of freedom of its states (no flat sheet in one plane)"),
         (not sheet.flat, f"the flat sheet (the file has none): lengths are those of frame "
-        f"{sheet.frame.number}, overlaps of the pattern are not seen"),
+        f"{sheet.frame.number}, overlaps of what is cut are not seen"),
         (digit > DIGITS, f"lengths to better than {digit:.1e} of the diagonal (coordinates of "
         f"{largest:.3g} have no more digits)"),
         (not len(sheet.inner), "developability (no inner vertices)"),
@@ -240,7 +256,14 @@ def inspect_fold(
         tuple(text for applies, text in untested if applies),
         folded,
         freedom,
+        strips,
     )
+
+
+def _strips(file: FoldFile, tolerance: float) -> Strips | None:
+    """The strips that a file's panels are made in, if they are some that are known."""
+    mesh, states = file.mesh, [frame.positions for frame in file.frames]
+    return find_strips(states, mesh.loops, mesh.edges, mesh.edge_faces, tolerance)
 
 
 def require_tolerance(tolerance: float) -> None:

@@ -16,6 +16,8 @@ from orishell.design_file import check_design
 from orishell.deviation import measure_deviation
 from orishell.families.parallel_repeating import ParallelRepeatingPattern, design_parallel_repeating
 from orishell.families.t_hedral import THedralPattern, design_t_hedral
+from orishell.io import read_fold
+from orishell.io.fold import document_of_fold
 from orishell.motion.as_made import in_strips, panels_laid_flat
 from orishell.motion.quads import grid_corners
 from orishell.shell.export import write_shell
@@ -137,3 +139,13 @@ def test_views_have_its_strips_with_distances_of_their_vertices() -> None:
     np.testing.assert_array_equal(cut.shell.positions, document.shell.positions[document.cut_from])
     np.testing.assert_array_equal(cut.distances[cut.mesh.faces], document.distances[mesh.faces])
     assert cut.as_cut() is cut
+
+
+def test_states_in_fold_have_their_own_names(tmp_path: Path) -> None:
+    """Without a flat sheet the first state is the key frame, and all others come after it."""
+    shell = made(vault())
+    write_shell(shell, tmp_path, formats=["fold"])
+    read = document_of_fold(read_fold(tmp_path / "shell.fold"))
+    for name in ("pack", "target", "open"):
+        found, expected = (each.state(name).positions for each in (read, shell.document))
+        np.testing.assert_array_equal(found, shell.document.in_world(expected))

@@ -11,7 +11,7 @@ import type { Store } from "../state/store.ts";
 const COLUMNS: [string, string][] = [
   ["Distance", "the largest distance between shell and target, both ways"],
   ["Panels", "number of panels"],
-  ["Sheet", "area of the flat sheet"],
+  ["Sheet", "area of the flat sheet, or of all strips"],
   ["Packs flat", "whether its motion ends with all panels in one plane"],
   ["Locks", "whether anything in it stops it at the target"],
 ];
@@ -30,7 +30,7 @@ export function familyTrials(store: Store): HTMLElement {
       ...found!.tried.map((trial) => rows(store, trial, trial.family === found!.family)),
     );
     const under = fitting.value || freshness.value === "computing";
-    note.textContent = found!.family ? "Taken: the nearest of those that lock; where none does, the nearest." : under ? "More families are being tried." : "";
+    note.textContent = found!.family ? "Taken: the nearest of those that lock; where none does, the nearest. One made in strips only where no other makes a shell." : under ? "More families are being tried." : "";
     note.hidden = !note.textContent;
   };
   for (const signal of [store.trials, store.design, store.fitting, store.freshness]) (signal as { bind(listener: () => void): void }).bind(refresh);
@@ -49,7 +49,7 @@ function rows(store: Store, trial: FamilyTrial, taken: boolean): HTMLElement {
     testid: `go-on-${family}`,
     act: () => store.change(inFamily(info, design.value, family), "family"),
   });
-  const name = h("th", { scope: "rowgroup", colspan: made ? 4 : 5 }, label, taken ? h("span", { class: "taken" }, "taken") : null);
+  const name = h("th", { scope: "rowgroup", colspan: made ? 4 : 5 }, label, trial.in_strips ? " in strips" : null, taken ? h("span", { class: "taken" }, "taken") : null);
   const { unit } = design.value.shell;
   const cells = made
     ? [`${short(distance, 3)} ${unit}`, String(trial.panels), `${short(trial.sheet_area ?? 0, 3)} ${unit}\u00b2`, yes(trial.packs_flat), yes(trial.locks)].map((text) => h("td", {}, text))

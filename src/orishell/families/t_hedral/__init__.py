@@ -2,5 +2,12 @@
 
 from orishell.families.t_hedral.mechanism import THedral
 from orishell.families.t_hedral.pattern import THedralPattern, design_t_hedral
+from orishell.families.t_hedral.recognised import KnownTHedron, recognise_t_hedron
 
-__all__ = ["THedral", "THedralPattern", "design_t_hedral"]
+__all__ = [
+    "KnownTHedron",
+    "THedral",
+    "THedralPattern",
+    "design_t_hedral",
+    "recognise_t_hedron",
+]

@@ -34,7 +34,9 @@ class _File:
 
     frames: tuple[FoldFrame, ...]  # with coordinates; the flat one as it is seen from above
     flat: FoldFrame | None  # the frame of the flat sheet
-    folded: bool  # whether that frame calls itself a folded form: it may be folded flat
+    # whether it may be folded flat: it calls itself a folded form, or says nothing where there are
+    # other states, which lie in no plane
+    folded: bool
     edges: Integers | None  # vertices (E, 2)
     letters: NDArray[np.str_] | None  # (E,)
 
@@ -139,13 +141,14 @@ def _file(content: FoldContent, notes: list[str]) -> _File:
     level = [replace(each, positions=above) for each, above in seen if above is not None]
     named = [each for each in level if CREASES in each.classes]
     flat = next(iter(named or level), None)
+    called = flat is not None and "foldedForm" in flat.classes
     return _File(
         frames=tuple(
             flat if flat is not None and each.number == flat.number else each
             for each in content.frames
         ),
         flat=flat,
-        folded=flat is not None and not named and "foldedForm" in flat.classes,
+        folded=not named and (called or len(level) < len(content.frames)),
         edges=content.edges,
         letters=_letters(content, notes),
     )

@@ -157,7 +157,9 @@ class Judged:
             return self._reaches_loosely(motion.loose)
         reached, ends = f"{in_degrees(motion.reached)} degrees", motion.ends
         if motion.proof is not None:
-            return self._reaches_as_proved(motion, motion.proof.contact)
+            return reaches_as_proved(
+                motion.reached, ends, motion.proved_clear, motion.proof.contact, self.unit
+            )
         seen = motion.seen
         if seen is None:
             return Row("warns", "reaches", f"{reached}: {ends}; contact of panels is not known")
@@ -168,22 +170,6 @@ class Judged:
         first, second = seen.panels
         said = f"panels {first} and {second} meet there; {looked}"
         return Row("warns", "reaches", f"{in_degrees(seen.met)} degrees: {said}")
-
-    def _reaches_as_proved(self, motion: FoldingMotion, contact: PathContact | None) -> Row:
-        """How far it is proved to fold, and what meets there or is not proved not to."""
-        upto = f"{in_degrees(motion.proved_clear)} degrees"
-        clear = f"nothing meets up to {upto} (proved)"
-        if contact is None:
-            reached = f"{in_degrees(motion.reached)} degrees"
-            return Row("holds", "reaches", f"{reached}: {motion.ends}; {clear}")
-        first, second = contact.panels
-        if contact.apart is None:
-            at = f"{in_degrees(contact.drive)} degrees"
-            said = f"panels {first} and {second} meet there"
-            return Row("warns", "reaches", f"{at}: {said}; {clear}")
-        apart = self._length(contact.apart)
-        said = f"panels {first} and {second} are {apart} apart there and may meet"
-        return Row("warns", "reaches", f"not proved beyond {upto}: {said}; {clear}")
 
     def _nearby(self, motion: FoldingMotion) -> str:
         """How far vertices are to be moved so that it folds; empty if that is not known."""
@@ -197,6 +183,35 @@ class Judged:
             f"{quantity(float(moved.max()), self.unit)}, most at vertex {first_largest(moved)} "
             f"(tried){nearest}"
         )
+
+
+def reaches_as_proved(
+    reached: float, ends: str, clear: float, contact: PathContact | None, unit: str
+) -> Row:
+    """How far it is proved to fold, and what meets there or is not proved not to.
+
+    Parameters
+    ----------
+    reached, ends
+        The largest fold angle at the end of the motion (radians), and why it ends there.
+    clear
+        The drive up to which it is proved that nothing meets (radians).
+    contact
+        What meets there, or may; None if nothing does.
+    unit
+        Unit of length.
+    """
+    upto = f"{in_degrees(clear)} degrees"
+    proved = f"nothing meets up to {upto} (proved)"
+    if contact is None:
+        return Row("holds", "reaches", f"{in_degrees(reached)} degrees: {ends}; {proved}")
+    first, second = contact.panels
+    if contact.apart is None:
+        said = f"panels {first} and {second} meet there"
+        return Row("warns", "reaches", f"{in_degrees(contact.drive)} degrees: {said}; {proved}")
+    apart = quantity(contact.apart, unit, 2)
+    said = f"panels {first} and {second} are {apart} apart there and may meet"
+    return Row("warns", "reaches", f"not proved beyond {upto}: {said}; {proved}")
 
 
 def of_vertices(pattern: CreasePattern, conditions: VertexConditions) -> Iterator[Row]:

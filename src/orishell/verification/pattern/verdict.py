@@ -13,6 +13,7 @@ from orishell.families.recognised import Recognised, recognise
 from orishell.io import ReadPattern
 from orishell.motion.crease_pattern import CreasePattern
 from orishell.motion.following.hinge_gaps import COORDINATE_ROUNDING
+from orishell.verification.pattern.in_strips import FoldingStrips, find_folding_strips
 from orishell.verification.pattern.motion import ALL, Asked, FoldingMotion, Still, find_motion
 from orishell.verification.pattern.on_grid import OnGrid
 from orishell.verification.pattern.rows import Judged, of_vertices, said_of_motion
@@ -46,6 +47,8 @@ class PatternVerdict:
     tolerance: float  # allowed error of lengths relative to the sheet's diagonal
     findings: Findings | None  # None if there is no flat sheet
     rows: tuple[Row, ...]  # the verdict, worst first
+    # how it folds where it is no flat sheet, but made in strips of a family of ours; else None
+    strips: FoldingStrips | None = None
 
     @property
     def passed(self) -> bool:
@@ -55,6 +58,8 @@ class PatternVerdict:
     @property
     def degrees_of_freedom(self) -> int | None:
         """That of all states looked at; None if they differ, or no gap tells, or there are none."""
+        if self.strips is not None:
+            return self.strips.degrees_of_freedom
         motion = None if self.findings is None else self.findings.motion
         return motion.degrees_of_freedom if isinstance(motion, FoldingMotion) else None
 
@@ -78,6 +83,9 @@ class PatternVerdict:
             "verdict": as_table(self.rows),
             "notes": list(read.notes),
         }
+        if self.strips is not None:
+            freedom = {"degrees_of_freedom": self.degrees_of_freedom}
+            return {**report, "strips": self.strips.as_dict(), **freedom}
         if found is None:
             return report
         return {
@@ -96,6 +104,7 @@ def judge_pattern(
     read: ReadPattern,
     *,
     tolerance: float = LENGTH_TOLERANCE,
+    inspected: bool = False,
     progress: Progress = no_progress,
     so_far: Callable[[tuple[Row, ...]], object] = tuple,
 ) -> PatternVerdict:
@@ -108,26 +117,34 @@ def judge_pattern(
     tolerance
         Allowed error of lengths relative to the sheet's diagonal; an angle may be wrong by as much
         as that over the shortest crease at its vertex.
+    inspected
+        Whether its folded states are examined elsewhere.
     progress
         Is told the share that is done.
     so_far
         Is told the rows that are known before a motion is looked for, which takes the longest.
     """
-    rows, findings = [], None
+    rows: list[Row] = []
+    findings, strips = None, None
     if read.flat is None:
+        strips = find_folding_strips(read, tolerance, progress)
+    if strips is not None:
+        rows += strips.rows()
+    elif read.flat is None:
         rows.append(Row("fails", "sheet", f"none that is flat: {read.not_flat.rstrip('.')}"))
     else:
         findings, found = judge_sheet(
             read.flat, read.unit, tolerance=tolerance, progress=progress, so_far=so_far
         )
         rows += found
-    if read.states and read.flat is not None:
+    unseen = read.states and not inspected and strips is None
+    if unseen and read.flat is not None:
         rows += examine_states(read, read.flat, tolerance * read.flat.diagonal)
-    elif read.states:
+    elif unseen:
         said = f"{len(read.states)} folded states are not examined: there is no flat sheet"
         rows.append(Row("warns", "states", said))
     rows.sort(key=lambda row: ORDER.index(row.sign))
-    return PatternVerdict(read, tolerance, findings, tuple(rows))
+    return PatternVerdict(read, tolerance, findings, tuple(rows), strips)
 
 
 def judge_sheet(
