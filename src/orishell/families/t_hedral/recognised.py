@@ -4,8 +4,8 @@ Edges of rows are level, which says where up is. Then every column, from its mid
 times one vector of the plan: what is left of the best such product, and all else that a T-hedron
 has to be, is what vertices miss the closed form by.
 
-Limit: A state in which an edge of a column is level, or columns lie in one plane, is not recognised
-as T-hedral, as its closed form begins or ends there; other frames of the same file are.
+Limit: A state in which an edge of a column is level, or columns lie in one plane, is not known as
+T-hedral, as its closed form begins or ends there; other frames of the same file are.
 """
 
 from __future__ import annotations
