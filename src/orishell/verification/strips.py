@@ -40,13 +40,25 @@ class Strips:
         return f"t-hedral: vertices to {self.known.miss / self.diagonal:.1g} of the diagonal"
 
     def places(self, drive: float) -> Array:
-        """Vertices (V, 3) in a state of its closed form (radians)."""
+        """Vertices (V, 3) in a state of its closed form.
+
+        Parameters
+        ----------
+        drive
+            The drive (radians).
+        """
         found = np.zeros_like(self.pattern.points)
         found[self.known.numbers] = self.known.mechanism.positions(drive)
         return found
 
     def freedom_at(self, places: Array) -> Freedom:
-        """Degrees of freedom in a state with vertices (V, 3)."""
+        """Degrees of freedom in a state.
+
+        Parameters
+        ----------
+        places
+            Vertices (V, 3).
+        """
         pattern, closure = self.pattern, Closure.of(self.pattern)
         normals = unit_normals(places[pattern.faces])
         folds = folds_between(normals, pattern.edges, pattern.edge_faces, pattern.crease, places)

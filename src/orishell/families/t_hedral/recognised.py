@@ -1,4 +1,4 @@
-"""T-hedra told from their vertices alone, however they lie in space.
+"""T-hedra told from their vertices alone, however they lie in space (not in the paper).
 
 Edges of rows are level, which says where up is. Then every column, from its middle, is one profile
 times one vector of the plan: what is left of the best such product, and all else that a T-hedron
