@@ -48,8 +48,8 @@ from orishell.polylines import (
     warn_of_coarse_row,
 )
 
-SWEEPS = (SweepLimits("moulding"), SweepLimits("cylinder"))
-"""What f along g can be."""
+SWEEPS = (SweepLimits("moulding", steepest=4.0), SweepLimits("cylinder", steepest=4.0))
+"""What f along g can be: edges of columns are as steep as f is, which is no matter."""
 FLATTEST = 1e-6
 """An edge that rises by less for each unit along f's axis is level, and ends the motion there."""
 
