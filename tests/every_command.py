@@ -14,9 +14,10 @@ from pathlib import Path
 
 import httpx
 
+from hops_client import Document, running_hops
 from studio_server import running_studio
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SEARCH = """
 [shell]
 family = "parallel-repeating"
@@ -62,7 +63,7 @@ SHOWN = ("numpy", "scipy", "pydantic", "typer", "rhino3dm")
 
 def commands() -> set[str]:
     """The commands that are tried, by their names."""
-    return {line.partition(" ")[0] for line in COMMANDS} | {"studio"}
+    return {line.partition(" ")[0] for line in COMMANDS} | {*SERVERS}
 
 
 def failure(line: str, place: Path) -> str:
@@ -89,6 +90,18 @@ def studio_failure() -> str:
     return "" if set(answers.values()) == {200} else f"answers {answers}"
 
 
+def hops_failure() -> str:
+    """What is wrong with Grasshopper's components; empty if they make a design and a state."""
+    with running_hops() as address, httpx.Client(base_url=f"{address}/", timeout=60) as client:
+        document = Document(client)
+        design = document.solve("file", path=str(EXAMPLES / "vault.toml"))["design"]
+        return "" if document.solve("state", design=design)["mesh"] else "no mesh"
+
+
+SERVERS = {"studio": studio_failure, "hops": hops_failure}
+"""Commands that serve, and what is wrong with them."""
+
+
 def main() -> None:
     """Try all, and say which failed; status 1 if any did."""
     where = ".".join(map(str, sys.version_info[:3]))
@@ -96,8 +109,8 @@ def main() -> None:
     failed = 0
     with tempfile.TemporaryDirectory() as place:
         (Path(place) / "search.toml").write_text(SEARCH)
-        for line in (*COMMANDS, "studio"):
-            wrong = studio_failure() if line == "studio" else failure(line, Path(place))
+        for line in (*COMMANDS, *SERVERS):
+            wrong = SERVERS[line]() if line in SERVERS else failure(line, Path(place))
             failed += bool(wrong)
             print("x" if wrong else "v", "orishell", line, wrong, flush=True)  # noqa: T201
     raise SystemExit(int(failed > 0))

@@ -78,7 +78,7 @@ def running_studio(
 
     program: What is run in place of it, in Python.
     """
-    port = port or _free_port()
+    port = port or free_port()
     built = python != sys.executable or viewer_is_built()
     code = program or ("" if built else WITHOUT_PAGES)
     begin = ["-c", code] if code else ["-m", "orishell"]
@@ -113,7 +113,7 @@ def descendants(process: int) -> set[str]:
     return found
 
 
-def _free_port() -> int:
+def free_port() -> int:
     """A port that no client is given (those begin at 32768) nor a test of another process takes."""
     first = 10_000 + 41 * os.getpid() % 20_000
     for port in range(first, first + 41):

@@ -55,7 +55,8 @@ def test_help_imports_nothing_heavy() -> None:
 
 
 @pytest.mark.parametrize(
-    "command", ["new", "design", "structure", "search", "solve", "check", "convert", "studio"]
+    "command",
+    ["new", "design", "structure", "search", "solve", "check", "convert", "studio", "hops"],
 )
 def test_help_of_a_command_imports_nothing_heavy(command: str) -> None:
     found = imported(RUN, command, "--help") & HEAVY

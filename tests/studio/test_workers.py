@@ -38,6 +38,29 @@ def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
     return {"design": design}
 
 
+def test_a_loop_that_watches_no_pipes() -> None:
+    """As that of Windows: answers come all the same, and what takes too long is stopped."""
+
+    async def scene() -> None:
+        loop = asyncio.get_running_loop()
+        watching = loop.add_reader
+
+        def refuse(fileno: int, *_: Any) -> None:
+            raise NotImplementedError
+
+        pool = Pool(answer_or_never, 1, seconds=HANGS)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(loop, "add_reader", refuse, raising=False)
+            assert len(await pool.run("design", payload())) > 10_000
+            pool.seconds = 0.5
+            with pytest.raises(OutOfTimeError):
+                await pool.run("never", {})
+        assert loop.add_reader == watching
+        pool.close()
+
+    run_apart(scene())
+
+
 def test_slow_requests_are_stopped_and_others_go_on() -> None:
     async def scene() -> None:
         pool = Pool(answer_or_never, 2, seconds=HANGS)

@@ -14,6 +14,7 @@ from orishell.cli.check import check, convert
 from orishell.cli.design import design
 from orishell.cli.files import say
 from orishell.cli.fold import fold
+from orishell.cli.hops import hops
 from orishell.cli.kit import kit
 from orishell.cli.new import new
 from orishell.cli.search import search
@@ -31,7 +32,7 @@ app = typer.Typer(
 )
 # What stands behind a size in several words, as in 6 x 3, is asked about by the command itself.
 app.command(context_settings={"allow_extra_args": True})(new)
-for command in (design, kit, structure, search, solve, check, convert, fold, studio):
+for command in (design, kit, structure, search, solve, check, convert, fold, studio, hops):
     app.command()(command)
 
 

@@ -46,13 +46,10 @@ def studio(
     if not (PAGES / "index.html").exists():
         raise InputError("the studio has no pages: they have not been built", remedy=BUILD_PAGES)
     start = None if file is None else _start(file)
-    local = host in {"127.0.0.1", "localhost", "::1"}
-    named = f"[{host}]" if ":" in host else host
-    names = {f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]", named)}
     key = Key(port)
-    app = make_app(key, hosts=names if local or host != "0.0.0.0" else None, start=start)
-    address = f"http://{'127.0.0.1' if host == '0.0.0.0' else named}:{port}/?{key.query}"
-    with _listening(host, port) as place, contextlib.ExitStack() as life:
+    app = make_app(key, hosts=hosts_of(host, port), start=start)
+    address = f"http://{place_of(host)}:{port}/?{key.query}"
+    with listening(host, port) as place, contextlib.ExitStack() as life:
         say(f"studio at {address} (Ctrl-C ends it)", err=True)
         if browse:
             life.enter_context(open_page(address))
@@ -67,11 +64,28 @@ def studio(
             uvicorn.Server(settings).run(sockets=[place])
 
 
-def _listening(host: str, port: int) -> socket.socket:
+def place_of(host: str) -> str:
+    """What stands for a host in an address."""
+    if host == "0.0.0.0":
+        return "127.0.0.1"
+    return f"[{host}]" if ":" in host else host
+
+
+def hosts_of(host: str, port: int) -> set[str] | None:
+    """Host headers that are taken by who listens on a host's port; None takes all."""
+    if host == "0.0.0.0":
+        return None
+    return {f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]", place_of(host))}
+
+
+def listening(host: str, port: int) -> socket.socket:
     """A socket that accepts connections already, before the browser is sent to it."""
     try:
-        family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-        place = socket.socket(family, kind)
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM
+        )[0]
+        # Named, it has asyncio send at once: else short answers wait 40 ms for the last to arrive.
+        place = socket.socket(family, kind, protocol)
     except (OSError, ValueError) as error:
         raise _no_such_place(host, error) from None
     try:
@@ -103,22 +117,6 @@ def _no_such_place(host: str, error: Exception) -> InputError:
 
 def _start(path: Path) -> NamedDesign:
     """Name and tables of a design file, with what files of its target draw in place of them."""
-    from orishell.conventions.toml_file import read_toml
-    from orishell.design_file import read_design_file
-    from orishell.design_file.drawing import DrawingTable
-    from orishell.design_file.surface import SurfaceTable
-    from orishell.design_file.target import Target
+    from orishell.design_file.embedded import embedded
 
-    read_design_file(path)
-    tables = read_toml(path)
-    kinds: dict[str, type[SurfaceTable | DrawingTable | Target]]
-    kinds = {"surface": SurfaceTable, "pattern": DrawingTable}
-    kinds |= dict.fromkeys(("f", "g", "inner"), Target)
-    for name, table in tables.get("target", {}).items():
-        if name not in kinds:
-            continue  # sizes, which no file has
-        named = {"file": table} if isinstance(table, str) else table
-        target = kinds[name].model_validate(named)
-        given = target.without_files(path.parent, tables["shell"]["unit"])
-        tables["target"][name] = given
-    return {"name": path.stem, "design": tables}
+    return {"name": path.stem, "design": embedded(path)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import overload
+from typing import TypeVar, overload
 
 import numpy as np
 
@@ -104,6 +104,36 @@ def document_of_design(
         carried=design.carried,
         attached=design.attached,
     )
+
+
+def document_at(document: Document, drive: float) -> Document:
+    """The document of a designed shell in one state, which takes the name "target".
+
+    Of the parts that go with the sheet it has those that are there in that state.
+
+    Parameters
+    ----------
+    drive
+        The drive angle of the state (radians).
+    """
+    assert isinstance(document.states, States)
+    state = document.states.at(drive)
+    stands = drive == document.states.motion.mechanism.target_drive
+    attached = []
+    for part in document.attached:
+        if isinstance(part.states, States):
+            if part.is_joined_in(state):
+                attached.append(_in_state(part, part.states.at(drive)))
+        elif stands:
+            attached.append(_in_state(part, part.shell))
+    return replace(_in_state(document, state), attached=tuple(attached))
+
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+def _in_state(part: AnyPart, state: DocumentState) -> AnyPart:
+    return replace(part, states=(state,), named={SHELL: 0})
 
 
 def _carried(part: CarriedPart, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
@@ -272,7 +302,7 @@ class States(Sequence[DocumentState]):
 
     def __iter__(self) -> Iterator[DocumentState]:
         states = followed(self.motion.drives, len(self.motion), self.progress, self.what)
-        return (self._written(float(drive)) for drive in states)
+        return (self.at(float(drive)) for drive in states)
 
     @overload
     def __getitem__(self, number: int) -> DocumentState: ...
@@ -283,10 +313,17 @@ class States(Sequence[DocumentState]):
     def __getitem__(self, number: int | slice) -> DocumentState | Sequence[DocumentState]:
         drives = self.motion.drives[number]
         if isinstance(number, slice):
-            return [self._written(float(drive)) for drive in drives]
-        return self._written(float(drives))
+            return [self.at(float(drive)) for drive in drives]
+        return self.at(float(drives))
 
-    def _written(self, drive: float) -> DocumentState:
+    def at(self, drive: float) -> DocumentState:
+        """The state at any drive.
+
+        Parameters
+        ----------
+        drive
+            The drive angle (radians).
+        """
         mechanism = self.motion.mechanism
         points = points_of(mechanism, drive)
         return DocumentState(

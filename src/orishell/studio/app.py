@@ -178,7 +178,20 @@ async def _run(pool: Pool, task: str, request: Request) -> Any:
 
     Then it raises an HTTPException: nobody reads that answer.
     """
-    work = asyncio.create_task(pool.run(task, await _payload(request)))
+    return await result_while_awaited(pool, task, await _payload(request), request)
+
+
+async def result_while_awaited(
+    pool: Pool, task: str, payload: dict[str, Any], request: Request
+) -> Any:
+    """The result of a task on a payload, as long as the client of a request waits for it.
+
+    Raises
+    ------
+    HTTPException
+        If it went away; the task is stopped.
+    """
+    work = asyncio.create_task(pool.run(task, payload))
     gone = asyncio.create_task(_gone(request))
     try:
         await asyncio.wait({work, gone}, return_when=asyncio.FIRST_COMPLETED)
@@ -237,7 +250,7 @@ async def _lines(
                 else:
                     yield kind, _line({kind: value})
     except FAILURES as error:
-        yield "error", _line(_describe(error)[1])
+        yield "error", _line(describe_failure(error)[1])
 
 
 def _line(message: Mapping[str, Any]) -> bytes:
@@ -246,7 +259,7 @@ def _line(message: Mapping[str, Any]) -> bytes:
     return orjson.dumps(message, option=orjson.OPT_APPEND_NEWLINE)
 
 
-def _describe(error: Exception) -> tuple[int, Refusal]:
+def describe_failure(error: Exception) -> tuple[int, Refusal]:
     """Status and body of the answer to a request that failed."""
     match error:
         case RefusalError():
@@ -273,7 +286,7 @@ def _describe(error: Exception) -> tuple[int, Refusal]:
 
 def _handle_errors(app: FastAPI) -> None:
     async def explain(_: Request, error: Exception) -> JSONResponse:
-        status, body = _describe(error)
+        status, body = describe_failure(error)
         return JSONResponse(body, status)
 
     for kind in (*FAILURES, RequestValidationError, HTTPException):

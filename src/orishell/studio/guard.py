@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 from urllib.parse import urlsplit
 
 from starlette.types import ASGIApp, Message, Receive, Send
@@ -30,6 +30,7 @@ from orishell.conventions.progress import cleaning_up
 from orishell.studio.api import FaultKind
 from orishell.studio.refusals import make_refusal
 
+LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
 QUERY = "key"
 """What the key is called in the address."""
 PAGE = """\
@@ -46,6 +47,8 @@ PAGE = """\
 class Key:
     """What lets one in, as an address and as a cookie."""
 
+    LOCKED: ClassVar[str] = LOCKED
+    """What is said to who has none."""
     port: int  # browsers keep the cookies of all ports of a machine together
     word: str = field(default_factory=lambda: secrets.token_urlsafe(32), repr=False)
 
@@ -124,7 +127,6 @@ AT_ONCE = 150
 """Requests with the key at a time, at most: all together must not take the machine's memory."""
 VALUES = 1_000_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
-LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
 DISCARDED, GRACE = 20_000_000, 1.0
 """Of a refused body so much is read and thrown away at most, for so long (bytes, seconds)."""
 HEADERS = (
@@ -161,7 +163,7 @@ class Guard:
             return
         if not self.key.opens(scope):
             await _discard(receive)
-            await _turn_away(send, scope["path"])
+            await _turn_away(send, scope["path"], self.key.LOCKED)
             return
         headers = {name.lower(): value for name, value in scope["headers"]}
         refusal = self._refusal(scope["method"], headers)
@@ -270,12 +272,12 @@ async def _answer(send: Send, status: int, message: str, kind: FaultKind = "limi
     await _send(send, status, body, (b"content-type", b"application/json"))
 
 
-async def _turn_away(send: Send, path: str) -> None:
+async def _turn_away(send: Send, path: str, locked: str) -> None:
     """Say to who has no key where it is: to a page as JSON, to a person as text."""
     if path.startswith("/api/"):
-        await _answer(send, 403, LOCKED, "key")
+        await _answer(send, 403, locked, "key")
         return
-    text = f"{LOCKED[0].upper()}{LOCKED[1:]}.\n".encode()
+    text = f"{locked[0].upper()}{locked[1:]}.\n".encode()
     await _send(send, 403, text, (b"content-type", b"text/plain; charset=utf-8"))
 
 

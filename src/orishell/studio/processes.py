@@ -57,6 +57,8 @@ def ignore(_: Any) -> None:
 
 Kind = Literal["progress", "found", "kept", "result", "refusal", "fault"]
 WARM = "orishell.studio.warm"
+POLLED = 0.2
+"""Seconds for which a pipe is watched at a time, where the system has to be asked."""
 STEP = 0.01
 """Progress is passed on when it grew by this share."""
 
@@ -122,7 +124,13 @@ async def readable(pipe: Connection, end: float | None) -> None:
     """
     loop = asyncio.get_running_loop()
     ready = asyncio.Event()
-    loop.add_reader(pipe.fileno(), ready.set)
+    try:
+        loop.add_reader(pipe.fileno(), ready.set)
+    except NotImplementedError:  # Windows' loop watches no pipes
+        async with asyncio.timeout_at(end):
+            while not await asyncio.to_thread(pipe.poll, POLLED):
+                pass
+        return
     try:
         async with asyncio.timeout_at(end):
             await ready.wait()

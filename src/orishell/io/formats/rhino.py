@@ -14,9 +14,10 @@ import numpy as np
 from orishell.conventions.colours import rgb
 from orishell.document import Document, Part
 from orishell.io.format import Format, Settings, numbered_ids
+from orishell.io.rhino_geometry import mesh_of_faces, polyline_curve, rhino3dm
 from orishell.io.solids import mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import LAYERS
 from orishell.workshop.creases import CREASE_LETTERS
@@ -69,7 +70,7 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     times that rhino3dm writes are replaced by the first second of 1970. It also writes its own
     version and the kind of operating system it ran on.
     """
-    rhino3dm = _rhino3dm()
+    rhino = rhino3dm()
     model = _Model(document)
     if document.flat is not None:
         _add_pattern(model, laid_flat(document))
@@ -82,10 +83,10 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
             mesh = mesh_of((solids,))
             for side, (board, points, faces) in zip(mesh.sides.tolist(), mesh.each(), strict=True):
                 layer = model.layer(name, LAYERS[side])
-                model.add(_mesh(document.in_world(points), faces), layer, f"panel {board}")
+                model.add(mesh_of_faces(document.in_world(points), faces), layer, f"panel {board}")
     for name, points in document.curves.items():
-        model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
-    options = rhino3dm.File3dmWriteOptions()
+        model.add(polyline_curve(document.in_world(points)), model.layer("target", name), name)
+    options = rhino.File3dmWriteOptions()
     options.Version = VERSION
     path.write_bytes(_without_clock(base64.b64decode(model.file.Encode(options))))
 
@@ -94,9 +95,9 @@ class _Model:
     """A file with layers that are made when something is put on them."""
 
     def __init__(self, document: Document) -> None:
-        rhino3dm = _rhino3dm()
-        self.file = rhino3dm.File3dm()
-        system = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS.get(document.unit, "None"))
+        rhino = rhino3dm()
+        self.file = rhino.File3dm()
+        system = getattr(rhino.UnitSystem, _UNIT_SYSTEMS.get(document.unit, "None"))
         self.file.Settings.ModelUnitSystem = system
         self.file.ApplicationName = "orishell"
         self.file.StartSectionComments = (
@@ -107,9 +108,9 @@ class _Model:
 
     def layer(self, *path: str) -> int:
         """The number of a layer; path is its name after those of the layers it is in."""
-        rhino3dm = _rhino3dm()
+        rhino = rhino3dm()
         if path not in self._layers:
-            layer = rhino3dm.Layer()
+            layer = rhino.Layer()
             layer.Name = path[-1]
             layer.Id = next(self._ids)
             red, green, blue = rgb(_MEANINGS.get(path[-1], "border-crease"))
@@ -121,8 +122,8 @@ class _Model:
 
     def add(self, geometry: Any, layer: int, name: str, **user_text: str) -> None:
         """Put something on a layer."""
-        rhino3dm = _rhino3dm()
-        attributes = rhino3dm.ObjectAttributes()
+        rhino = rhino3dm()
+        attributes = rhino.ObjectAttributes()
         attributes.LayerIndex = layer
         attributes.Name = name
         attributes.Id = next(self._ids)
@@ -133,20 +134,20 @@ class _Model:
 
 def _add_pattern(model: _Model, document: Document) -> None:
     """Outlines and creases of the flat sheet, and what is cut inside it."""
-    rhino3dm = _rhino3dm()
+    rhino = rhino3dm()
     flat = document.require_flat()
     points = np.column_stack([flat, np.zeros(len(flat))])
     for name in ("CUT", "MOUNTAIN", "VALLEY"):
         model.layer("flat pattern", name)
     for number, loop in enumerate(find_outlines(document.mesh.loops, flat)):
-        outline = _polyline(points[[*loop, loop[0]]])
+        outline = polyline_curve(points[[*loop, loop[0]]])
         model.add(outline, model.layer("flat pattern", "CUT"), f"outline {number}")
     inner = np.flatnonzero((document.mesh.edge_faces >= 0).all(axis=1))
     ends = points[document.mesh.edges[inner]].tolist()
     angles = document.fold_angles_deg[inner].tolist()
     for edge, (start, end), angle in zip(inner.tolist(), ends, angles, strict=True):
         layer = _LETTERS.get(document.assignment[edge], "CUT")
-        line = rhino3dm.LineCurve(rhino3dm.Point3d(*start), rhino3dm.Point3d(*end))
+        line = rhino.LineCurve(rhino.Point3d(*start), rhino.Point3d(*end))
         known = {} if layer == "CUT" or isnan(angle) else {"fold_angle_deg": repr(angle)}
         kind = "cut" if layer == "CUT" else "crease"
         model.add(line, model.layer("flat pattern", layer), f"{kind} {edge}", **known)
@@ -154,7 +155,7 @@ def _add_pattern(model: _Model, document: Document) -> None:
 
 def _add_shell(model: _Model, part: Part, positions: Array, name: str) -> None:
     """A part of the shell in space as one mesh, and panel by panel if these are surfaces."""
-    model.add(_mesh(positions, part.mesh.faces), model.layer(name, "mesh"), name)
+    model.add(mesh_of_faces(positions, part.mesh.faces), model.layer(name, "mesh"), name)
     if part.boards is not None:
         return
     corners = positions[part.mesh.faces]
@@ -165,48 +166,20 @@ def _add_shell(model: _Model, part: Part, positions: Array, name: str) -> None:
         model.add(surface, layer, f"panel {part.panel_name(panel)}")
 
 
-def _mesh(positions: Array, faces: Integers) -> Any:
-    rhino3dm = _rhino3dm()
-    mesh = rhino3dm.Mesh()
-    mesh.Vertices.UseDoublePrecisionVertices = True
-    for point in positions.tolist():
-        mesh.Vertices.AddPoint3d(*point)
-    for face in faces.tolist():
-        mesh.Faces.AddFace(*face)
-    mesh.Normals.ComputeNormals()
-    return mesh
-
-
 def _bilinear(corners: Array) -> Any:
     """The surface with these corners (4, 3) and straight sides."""
-    rhino3dm = _rhino3dm()
-    a, b, c, d = (rhino3dm.Point3d(*point) for point in corners.tolist())
-    return rhino3dm.NurbsSurface.CreateRuledSurface(
-        rhino3dm.LineCurve(a, b), rhino3dm.LineCurve(d, c)
-    )
+    rhino = rhino3dm()
+    a, b, c, d = (rhino.Point3d(*point) for point in corners.tolist())
+    return rhino.NurbsSurface.CreateRuledSurface(rhino.LineCurve(a, b), rhino.LineCurve(d, c))
 
 
 def _trimmed(corners: Array) -> Any:
     """The part of a plane inside these corners (4, 3)."""
-    rhino3dm = _rhino3dm()
-    plane = rhino3dm.Plane(
-        rhino3dm.Point3d(*corners[0].tolist()), rhino3dm.Vector3d(*unit_normals(corners).tolist())
+    rhino = rhino3dm()
+    plane = rhino.Plane(
+        rhino.Point3d(*corners[0].tolist()), rhino.Vector3d(*unit_normals(corners).tolist())
     )
-    return rhino3dm.Brep.CreateTrimmedPlane(plane, _polyline(corners[[0, 1, 2, 3, 0]]))
-
-
-def _polyline(points: Array) -> Any:
-    rhino3dm = _rhino3dm()
-    return rhino3dm.Polyline(
-        [rhino3dm.Point3d(*point) for point in points.tolist()]
-    ).ToPolylineCurve()
-
-
-def _rhino3dm() -> Any:
-    """The module without its type stubs, which say that nothing can be set or added."""
-    import rhino3dm
-
-    return rhino3dm
+    return rhino.Brep.CreateTrimmedPlane(plane, polyline_curve(corners[[0, 1, 2, 3, 0]]))
 
 
 def _without_clock(data: bytes) -> bytes:

@@ -1,0 +1,1 @@
+"""orishell in Grasshopper: components that Rhino's Hops asks for over HTTP."""
