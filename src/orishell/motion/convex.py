@@ -15,7 +15,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.record import record
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.mechanism import Mechanism
-from orishell.motion.quads import dots, lengths, sector_angles
+from orishell.motion.quads import dots, is_level, lengths, sector_angles
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 LEAVES = 1e-12
@@ -45,7 +45,7 @@ class ConvexParts:
         Raises
         ------
         DesignError
-            If sectors about a reflex corner add up to more than 360 degrees in the flat sheet.
+            If sectors about a reflex corner add up to more than 360 degrees.
         """
         layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
         faces, loops = layout.faces, layout.loops
@@ -132,7 +132,10 @@ def require_convex(mechanism: Mechanism, what: str = "panels with a thickness") 
 
 
 def _require_room(flat: Array, faces: Integers, reflex: Booleans) -> None:
-    """Refuse panels that lie on each other in the flat sheet about a reflex corner (F, 4)."""
+    """Refuse panels that have more than 360 degrees about a reflex corner (F, 4).
+
+    In a flat sheet they lie on each other there; elsewhere nothing is proved of such corners.
+    """
     sums = np.zeros(len(flat))
     angles = sector_angles(flat[faces])
     np.add.at(sums, faces, np.where(reflex, 2 * np.pi - angles, angles))
@@ -141,7 +144,9 @@ def _require_room(flat: Array, faces: Integers, reflex: Booleans) -> None:
     if over.any():
         vertex = int(vertices[over.argmax()])
         raise DesignError(
-            "panels of the flat sheet lie on each other",
+            "panels of the flat sheet lie on each other"
+            if is_level(flat)
+            else "a panel has a reflex corner where nothing can be proved of contact",
             place=f"about vertex {vertex}",
-            size=f"their corners there add up to {np.rad2deg(sums[vertex]):.5g} degrees",
+            size=f"corners of panels there add up to {np.rad2deg(sums[vertex]):.5g} degrees",
         )

@@ -149,3 +149,16 @@ def test_states_in_fold_have_their_own_names(tmp_path: Path) -> None:
     for name in ("pack", "target", "open"):
         found, expected = (each.state(name).positions for each in (read, shell.document))
         np.testing.assert_array_equal(found, shell.document.in_world(expected))
+
+
+@pytest.mark.slow
+def test_a_depth_that_is_too_large_is_refused_with_one_that_works() -> None:
+    """No plane_deg is offered: these planes cannot be turned."""
+    along_a_wave = vault(depth=20.0)
+    along_a_wave["target"]["g"] = formula("0.3*sin(x)", 0, 6)
+    with pytest.raises(DesignError) as refused:
+        made(along_a_wave)
+    assert "plane_deg" not in str(refused.value)
+    [remedy] = refused.value.remedies
+    along_a_wave["pattern"]["depth"] = remedy.changes["pattern.depth"]
+    made(along_a_wave)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -16,7 +17,7 @@ from orishell.curves import Trace
 from orishell.curves.plane import normals_at
 from orishell.families.shared.candidates import angles, does_not_cross
 from orishell.numerics.arrays import Array
-from orishell.numerics.bisection import bisect_integers
+from orishell.numerics.bisection import bisect_integers, largest_below
 from orishell.numerics.equals import first_largest
 from orishell.polylines import Chords, Placement, Spacing, alternating, place_chords
 
@@ -25,6 +26,10 @@ Planes = Literal["tangent", "bisector"]
 
 MORE_COLUMNS = (1.25, 1.6, 2.5)
 """Shares of the fewest columns that are enough, where these are not."""
+SHALLOWER = (0.9, 0.6, 0.3)
+"""Shares of the largest depth that is possible, where one is too large."""
+LEAST_DEPTH = 1e-4
+"""The share of a depth below which none is looked for."""
 
 
 @record
@@ -76,32 +81,58 @@ class Row:
         direction = np.arctan2(chord[:, 1], chord[:, 0])
         return _wrapped(direction - np.stack([self.heading[:-1], self.heading[1:]]))
 
-    def require_crossing(self) -> None:
-        """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
+    def require_crossing(self, *, turnable: bool = True) -> None:
+        """Refuse chords that do not run from one column plane to the next (0 < delta < pi).
+
+        Parameters
+        ----------
+        turnable
+            Whether a design file can turn the planes: by plane_deg.
+        """
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
         worst = np.unravel_index(first_largest(outside, size=np.pi), outside.shape)
         if outside[worst] < 0:
             return
         low, high = _planes_that_cross(self.turns())
-        turnable = self.planes == "tangent" and low < high
-        limits = (
-            f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
-            if turnable
-            else "; no plane_deg fits all columns"
-        )
-        raise does_not_cross(
-            int(worst[1]),
-            delta[worst],
-            limits if self.planes == "tangent" else "",
-            angles("plane_deg", low, high, self.plane) if turnable else self._enough_columns(),
-        )
+        limits, turnable = "", turnable and self.planes == "tangent"
+        candidates = chain(self._less_depth(), self._enough_columns(turnable=turnable))
+        if turnable and low < high:
+            limits = f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
+            candidates = chain(angles("plane_deg", low, high, self.plane))
+        elif turnable:
+            limits = "; no plane_deg fits all columns"
+        raise does_not_cross(int(worst[1]), delta[worst], limits, candidates)
 
-    def _enough_columns(self) -> Iterator[Remedy]:
+    def _less_depth(self) -> Iterator[Remedy]:
+        """The depths just below the largest that is possible."""
+
+        def works(depth: float) -> bool:
+            row = Row.on(
+                self.trace,
+                len(self.heading),
+                self.plane,
+                self.planes,
+                spacing=self.spacing,
+                placement=self.placement,
+                depth=depth,
+            )
+            return row.crosses()
+
+        largest = largest_below(works, self.depth, smallest=LEAST_DEPTH) if self.depth else None
+        if largest is not None:
+            yield from (Remedy({"pattern.depth": rounded(less * largest, 2)}) for less in SHALLOWER)
+
+    def crosses(self) -> bool:
+        """Whether all chords run from one column plane to the next."""
+        delta = self.turns() + self.plane
+        return bool((delta > 0).all() and (delta < np.pi).all())
+
+    def _enough_columns(self, *, turnable: bool) -> Iterator[Remedy]:
         count = len(self.heading)
 
-        def turns(columns: int, spacing: Spacing = self.spacing) -> Array:
-            row = Row.on(
+        def with_columns(columns: int, spacing: Spacing = self.spacing) -> Row:
+            return Row.on(
                 self.trace,
                 columns,
                 self.plane,
@@ -110,11 +141,9 @@ class Row:
                 placement=self.placement,
                 depth=self.depth,
             )
-            return row.turns()
 
         def works(columns: int, spacing: Spacing = self.spacing) -> bool:
-            delta = turns(columns, spacing) + self.plane
-            return bool((delta > 0).all() and (delta < np.pi).all())
+            return with_columns(columns, spacing).crosses()
 
         # Powers of two, so that refusals of one g try the same numbers and find them remembered.
         columns = 2 ** count.bit_length()
@@ -131,10 +160,8 @@ class Row:
         for more in (count, columns):
             if self.spacing == "equal" and works(more, "curvature"):
                 yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
-        if self.planes == "bisector":
-            return
-        least, most = _planes_that_cross(turns(columns))
-        if least < most:
+        least, most = _planes_that_cross(with_columns(columns).turns())
+        if turnable and least < most:
             plane = rounded(tidy_degrees(0.5 * (least + most)), 6)
             yield Remedy({"pattern.plane_deg": plane, "pattern.columns": columns})
 

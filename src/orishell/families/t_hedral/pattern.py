@@ -130,7 +130,7 @@ def design_t_hedral(f: Curve, g: Curve, pattern: THedralPattern) -> Design:
     """
     f_trace, vertices = pattern.column(f)
     row = pattern.row(g)
-    row.require_crossing()
+    row.require_crossing(turnable=False)
     edges = np.diff(vertices, axis=0)
     _require_slopes(edges, pattern)
     slopes = edges[:, 1] / edges[:, 0]
