@@ -36,7 +36,8 @@ from orishell.design_file.file import check_design
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
 from orishell.locking import find_lock
-from orishell.motion.skins import Skin
+from orishell.motion import Mechanism
+from orishell.motion.second_skin import Skinned
 from orishell.plot import DrawnContact, find_hinge_section, plot_overview, plot_tradeoff
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.scene import WIDTH
@@ -362,12 +363,29 @@ def draw_skin(path: Path) -> None:
     f, g = graph("-0.35*x**2", -2, 2), graph("0.4*sin(x)", 0, 5)
     pattern = ParallelRepeatingPattern(rows=7, columns=6, flap=0, xi_deg=60)
     sheet = design_parallel_repeating(f, g, pattern).mechanism
-    skin = Skin.under(sheet, slice(0, sheet.grid.columns), 0.15)
+    named = {"half of the target": 0.5, "target": 1.0, "beyond it": 1.25}
+    draw_column(path, sheet, {name: k * sheet.target_drive for name, k in named.items()}, 0.15)
+
+
+def draw_skin_below(path: Path) -> None:
+    """Column 1 of the vault of the guide's page with a second skin straight below it."""
+    page = path_of_guide("second-skin.md").read_text(encoding="utf-8")
+    tables = tomllib.loads(page.split("```toml\n")[3].split("```")[0])
+    shell = make_shell(check_design(tables, Path("vault.toml")), skip=MEASURES)
+    sheet = shell.design.mechanism
+    named = {"open": 0.0, "target": sheet.target_drive, "near the pack": 0.97 * sheet.end_drive}
+    draw_column(path, sheet, named, 0.15)
+
+
+def draw_column(path: Path, sheet: Mechanism, named: Mapping[str, float], gap: float) -> None:
+    """Column 1 of a sheet, its second skin and walls, at drives that have names (radians)."""
+    assert isinstance(sheet, Skinned)
+    skin = sheet.second_skin(slice(0, sheet.grid.columns), gap)
     below, *walls = skin.carried(skin.walls())
     figure, frames = new_figure(11, 3.4, 3)
-    named = {"half of the target": 0.5, "target": 1.0, "beyond it": 1.25}
-    for axes, (name, share) in zip(frames, named.items(), strict=True):
-        drive = share * sheet.target_drive
+    column = sheet.positions(np.array([*named.values()]))[:, :, 0]
+    widest = 0.53 * float(np.linalg.norm(column[:, -1] - column[:, 0], axis=-1).max())
+    for axes, (name, drive) in zip(frames, named.items(), strict=True):
         middle = sheet.positions(drive)[:, 0].mean(axis=0)
         along = sheet.positions(drive)[-1, 0] - sheet.positions(drive)[0, 0]
         along = along / np.linalg.norm(along)
@@ -376,6 +394,7 @@ def draw_skin(path: Path) -> None:
         for each, colour, width in kinds:
             line = each.positions(drive)[:, 0] - middle
             axes.plot(line @ along, line[:, 2], color=colour, linewidth=width)
+        axes.set_xlim(-widest, widest)
         to_scale(axes, f"{name}, {np.rad2deg(drive):.0f} degrees")
     save(figure, path)
 
@@ -471,6 +490,7 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,
     "second-skin.png": draw_skin,
+    "second-skin-vault.png": draw_skin_below,
     "end-walls.png": draw_end_wall,
     "t-hedral.png": draw_strips,
     "t-hedral-order.png": draw_order,

@@ -1,4 +1,4 @@
-"""Random shells with a second skin, for the tests."""
+"""Random shells of both families with a second skin, for the tests."""
 
 from __future__ import annotations
 
@@ -24,8 +24,35 @@ OF_ITS_OWN = 60
 """From this number on second skins follow a curve of their own."""
 
 
+LEVEL = 80
+"""From this number on shells are T-hedral."""
+
+
+def t_hedral_tables(number: int, attempt: int) -> Tables:
+    """A T-hedral shell, with or without flaps."""
+    draw = np.random.default_rng([number, attempt, 12])
+    curve, line = CURVES[number % len(CURVES)], str(draw.choice(["0", *LINES]))
+    reach, length = (round(float(draw.uniform(*each)), 3) for each in ((0.6, 1), (2, 4)))
+    return {
+        "shell": {"family": "t-hedral", "unit": "m"},
+        "target": {
+            "f": {"formula": curve, "range": [-reach, 0.9 * reach]},
+            "g": {"formula": line, "range": [0, length]},
+        },
+        "pattern": {
+            "rows": int(2 * draw.integers(1, 5) + 1),
+            "columns": int(draw.integers(4, 8)),
+            "flap": float(draw.choice([0, 0.1])),
+            "depth": round(float(draw.uniform(0.05, 0.2)), 3),
+        },
+        "deployment": {"from": "pack", "flap_attachment": "clipped"},
+    }
+
+
 def random_tables(number: int, attempt: int) -> Tables:
-    """A parallel repeating shell, with or without boards and flaps."""
+    """A parallel repeating shell, with or without boards and flaps; or a T-hedral one."""
+    if number >= LEVEL:
+        return t_hedral_tables(number, attempt)
     draw = np.random.default_rng([number, attempt, 11])
 
     def some(low: float, high: float) -> float:
@@ -76,7 +103,7 @@ def skinned(number: int) -> tuple[Tables, Shell | DesignError]:
             continue
         gap = round(float(draw.uniform(0.02, 0.3)), 3) if draw.integers(2) else "auto"
         design["stiffeners"] = {"kind": "skin", "gap": gap, "walls": int(draw.integers(1, 4))}
-        if number >= OF_ITS_OWN:
+        if OF_ITS_OWN <= number < LEVEL:
             f, part = design["target"]["f"], round(float(draw.uniform(0.6, 1)), 3)
             inner = f"{round(float(draw.uniform(0.9, 1.4)), 3)}*({f['formula']}) - 0.2"
             design["target"]["inner"] = {**f, "formula": inner}

@@ -110,7 +110,7 @@ BOXES = {
 
 
 SKIN = {
-    "": "needs a sheet whose columns are staircases",
+    "": "needs a sheet whose columns are images of one another",
     "gap = 0": "greater than 0",
     "gap = -1": "at least 0",
     'gap = "wide"': "expected a number",

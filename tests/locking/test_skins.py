@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,14 +11,18 @@ import pytest
 
 from design_tables import made, mended
 from orishell.conventions.errors import DesignError, InputError
+from orishell.design_file import check_design
 from orishell.io.joint_tables import hung_table
-from orishell.shell.make import Shell
+from orishell.motion.quads import signed_areas
+from orishell.shell.export import write_shell
+from orishell.shell.make import Shell, make_shell
+from orishell.shell.steps import MEASURES
 from overlaps import NOTHING
 from samples import THOROUGH
 from skinned import random_tables, skinned
 from stiffened import bodies, common, shell_of
 
-QUICK, ALL = (0, 1, 2, 5, 8, 60, 62), 80
+QUICK, ALL = (0, 1, 2, 5, 8, 60, 62, 80, 81, 83), 110
 
 
 def test_random_shells_have_a_second_skin_or_a_reason() -> None:
@@ -125,3 +131,114 @@ def test_what_has_no_room_is_refused_with_what_has() -> None:
         shell_with(walls=[77])
     with pytest.raises(InputError, match="no row is named"):
         shell_with(walls=[])
+
+
+def vault(**more: Any) -> dict[str, Any]:
+    """A T-hedral vault with a second skin straight below it."""
+    return {
+        "shell": {"family": "t-hedral", "unit": "m"},
+        "target": {
+            "f": {"formula": "-0.5*x**2", "range": [-1.5, 1.5]},
+            "g": {"formula": "0", "range": [0, 2]},
+        },
+        "pattern": {"rows": 7, "columns": 5, "flap": 0, "depth": 0.15},
+        "stiffeners": {"kind": "skin", "gap": 0.1},
+        "motion": {"frames": 6},
+        "deployment": {"from": "pack"},
+        **more,
+    }
+
+
+def test_a_skin_straight_below_is_there_from_one_end_to_the_other() -> None:
+    shell = shell_of(vault())
+    skin = shell.report.lock.skin
+    assert skin is not None
+    assert skin.gap == pytest.approx(0.1, rel=1e-9)
+    assert (skin.joined_from, skin.opening, skin.closing) == (0.0, None, None)
+    assert skin.walls == tuple(range(8))
+    assert skin.cells == 7
+    (row,) = (row for row in shell.report.verdict if row.subject == "skin")
+    assert row.sign == "holds"
+    assert "cells of" in row.finding
+    assert ": nothing touches from 0 to " in row.finding
+
+
+def test_it_is_cut_in_strips_and_its_walls_are_long_rectangles() -> None:
+    """As large as they are in the shell; walls as high as both skins are apart straight down."""
+    document = shell_of(vault()).document.as_cut()
+    skin, *walls = document.attached
+    for part in document.parts:
+        flat, folded = part.require_flat()[part.mesh.faces], part.shell.positions[part.mesh.faces]
+        for one, other in ((0, 1), (1, 2), (0, 2), (1, 3)):
+            np.testing.assert_allclose(
+                np.linalg.norm(flat[:, one] - flat[:, other], axis=-1),
+                np.linalg.norm(folded[:, one] - folded[:, other], axis=-1),
+                rtol=0,
+                atol=1e-12,
+            )
+        assert (signed_areas(flat) > 0).all()
+    assert skin.kind == "skin"
+    assert len(skin.mesh.faces) == 8 * 4
+    assert skin.mesh.crease.sum() == 7 * 4
+    heights = [np.ptp(wall.require_flat()[:, 1]) for wall in walls]
+    np.testing.assert_allclose(heights, heights[0], rtol=0, atol=1e-12)
+
+
+def test_walls_hang_where_their_lines_are_drawn() -> None:
+    """Of strips as they are cut: as far along both sides of a panel as in the shell."""
+    document = shell_of(vault()).document.as_cut()
+    skin, *walls = document.attached
+    places = {wall.names[0].partition(",")[0]: wall for wall in walls}
+    hung = [(document, line) for line in (wall.hung for wall in walls) if line is not None]
+    assert skin.bears is not None
+    for part, lines in (*hung, (skin, skin.bears)):
+        for name, panel, ends in zip(lines.names, lines.panels, lines.ends, strict=True):
+            corners, own = part.mesh.faces[panel], places[name]
+            flat, folded = part.require_flat()[corners], part.shell.positions[corners]
+            column = int(part.panel_name(int(panel)).rpartition(",")[2])
+            row = 0 if part is document else 1
+            wall = own.shell.positions.reshape(2, -1, 3)[row, column : column + 2]
+            for end, (upper, lower), vertex in zip(ends, ((0, 1), (3, 2)), wall, strict=True):
+                for corner in (upper, lower):
+                    drawn = np.linalg.norm(end - flat[corner])
+                    built = np.linalg.norm(vertex - folded[corner])
+                    assert drawn == pytest.approx(built, abs=1e-12)
+
+
+def test_files_have_it_in_every_state(tmp_path: Path) -> None:
+    """Behind frames of the sheet, FOLD has one with all that hangs on it for each of its states."""
+    shell = make_shell(check_design(vault(), Path("vault.toml")), skip=MEASURES)
+    write_shell(shell, tmp_path, formats=["fold", "dxf", "glb", "booklet"])
+    fold = json.loads((tmp_path / "shell.fold").read_text("utf-8"))
+    states, parts = shell.document.states, shell.document.parts
+    frames = [fold, *fold["file_frames"]]
+    assert len(frames) == 2 * len(states)
+    hung = frames[len(states) :]
+    for number, frame in enumerate(hung):
+        points = np.concatenate([part.states[number].positions for part in parts])
+        known = {*map(tuple, (points + shell.document.origin).tolist())}
+        assert known.issuperset(map(tuple, frame["vertices_coords"]))
+    # A panel with a wall across is two, joined; the wall is the third panel at that line.
+    walls = [part for part in parts if part.kind == "wall"]
+    lines = 2 * sum(len(part.mesh.faces) for part in walls)
+    faces = hung[0]["faces_vertices"]
+    assert len(faces) == sum(len(part.mesh.faces) for part in parts) + lines
+    joined = zip(hung[0]["edges_vertices"], hung[0]["edges_assignment"], strict=True)
+    at = [{*edge} for edge, letter in joined if letter == "J"]
+    assert len(at) == lines
+    assert all(sum(edge <= {*face} for face in faces) == 3 for edge in at)
+
+
+def test_what_it_cannot_do_is_refused_with_what_works() -> None:
+    inner = {"formula": "-0.4*x**2 - 0.3", "range": [-1.2, 1.2]}
+    for message, tables in (
+        ("no curve of its own", {"target": {**vault()["target"], "inner": inner}}),
+        ("face each other", {"stiffeners": {"kind": "skin", "gap": 2.0}}),
+    ):
+        asked = vault(**tables)
+        if "target" in tables:
+            del asked["stiffeners"]["gap"]
+        with pytest.raises(DesignError, match=message) as caught:
+            made(asked)
+        (remedy,) = caught.value.remedies
+        assert shell_of(mended(asked, remedy)).design.carried

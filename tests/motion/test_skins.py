@@ -1,4 +1,4 @@
-"""Second skins under random parallel repeating sheets: rigid, one motion, as far off as asked.
+"""Second skins under random sheets of both families: rigid, one motion, as far off as asked.
 
 That the second skin and walls keep the contract of folding sheets is asked in ``test_contract.py``.
 """
@@ -10,23 +10,32 @@ import pytest
 
 from mechanisms import parallel, skin_of
 from orishell.families.parallel_repeating import ParallelRepeating
-from orishell.motion import diagonal
+from orishell.motion import diagonal, measure_fold_angles
 from orishell.motion.complex import Complex
 from orishell.motion.layout import points_of
-from orishell.motion.skins import INNER, OUTER, Skin
+from orishell.motion.level_skins import LevelSkin, UprightStrip
+from orishell.motion.second_skin import INNER, OUTER, SecondSkin
+from orishell.motion.skins import Skin
 from rigid_rank import freedoms_of_complex, strained
 from samples import THOROUGH
 from skinned import random_sheet
+from t_hedra import random_sheet as random_t_hedron
 
 QUICK, ALL = 16, 150
+LEVEL = 1000
+"""From this number on sheets are T-hedra, and skins straight below them."""
+NUMBERS = (*range(ALL if THOROUGH else QUICK), *range(LEVEL, LEVEL + (ALL if THOROUGH else QUICK)))
+FEW = NUMBERS if THOROUGH else (*range(8), *range(LEVEL, LEVEL + 8))
 
 
-def random_skin(number: int) -> tuple[Skin, Complex]:
+def random_skin(number: int) -> tuple[SecondSkin, Complex]:
     """A skin under a random sheet without flaps, with some of its walls.
 
-    Every second one is a staircase of its own.
+    Every second one below a lattice is a staircase of its own.
     """
     draw = np.random.default_rng([number, 3])
+    if number >= LEVEL:
+        return level_skin(number, draw)
     sheet = random_sheet(number).without_flaps()
     every = slice(0, sheet.grid.columns)
     if number % 2:
@@ -40,6 +49,17 @@ def random_skin(number: int) -> tuple[Skin, Complex]:
     while not (walls := skin.walls()):
         gap *= 0.5
         skin = Skin.under(sheet, every, gap)
+    chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
+    return skin, Complex(sheet, skin.carried(chosen))
+
+
+def level_skin(number: int, draw: np.random.Generator) -> tuple[LevelSkin, Complex]:
+    """A skin straight below a T-hedron, the nearer the less the sheet rises from its ends."""
+    sheet = random_t_hedron(number, rows=5, columns=7)
+    every = slice(0, sheet.grid.columns)
+    gap = float(draw.uniform(0.02, 0.4))
+    while not (walls := (skin := sheet.second_skin(every, gap)).walls()):
+        gap *= 0.5
     chosen = [wall for wall in walls if draw.integers(2)] or [walls[0]]
     return skin, Complex(sheet, skin.carried(chosen))
 
@@ -62,14 +82,14 @@ def staircase_of_its_own(
                 return skin
 
 
-@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+@pytest.mark.parametrize("number", NUMBERS)
 def test_panels_stay_what_they_are(number: int) -> None:
     """All distances in every panel with all that hangs on it, and its plane, in 40 states."""
     _, whole = random_skin(number)
     assert max(strained(whole)) < 1e-14
 
 
-@pytest.mark.parametrize("number", range(ALL if THOROUGH else 8))
+@pytest.mark.parametrize("number", FEW)
 def test_it_adds_no_motion_and_takes_none(number: int) -> None:
     """Whichever walls it has, one alone among them."""
     skin, whole = random_skin(number)
@@ -80,7 +100,7 @@ def test_it_adds_no_motion_and_takes_none(number: int) -> None:
     assert freedoms_of_complex(one, drive) == alone
 
 
-@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+@pytest.mark.parametrize("number", NUMBERS)
 def test_lines_lie_on_the_panels_that_they_hang_on(number: int) -> None:
     """In the plane of these, and within them, in states of their own coordinates alone."""
     _, whole = random_skin(number)
@@ -102,7 +122,7 @@ def test_lines_lie_on_the_panels_that_they_hang_on(number: int) -> None:
                 assert inside.min() > -1e-12 * size**2
 
 
-@pytest.mark.parametrize("number", range(ALL if THOROUGH else QUICK))
+@pytest.mark.parametrize("number", NUMBERS)
 def test_it_is_as_far_from_the_sheet_as_asked(number: int) -> None:
     """By points all over panels of both skins, of columns that are side by side."""
     skin, whole = random_skin(number)
@@ -123,7 +143,7 @@ def test_it_is_as_far_from_the_sheet_as_asked(number: int) -> None:
     assert most >= gap
 
 
-@pytest.mark.parametrize("number", range(ALL if THOROUGH else 8))
+@pytest.mark.parametrize("number", FEW)
 def test_vectors_accelerate_no_more_than_edges_in_between(number: int) -> None:
     """Of any two vertices, by differences; the claim of the proof's bounds."""
     _, whole = random_skin(number)
@@ -169,3 +189,39 @@ def test_columns_are_one_staircase(number: int) -> None:
     _, down = sheet.edge_accelerations(np.array([0.4, 1.0]), np.array([0.5, 1.3]))
     share = down / lattice.lengths
     np.testing.assert_allclose(share, share[:, :1].repeat(share.shape[1], 1), rtol=1e-12)
+
+
+@pytest.mark.parametrize("number", range(LEVEL, LEVEL + 8))
+def test_upright_strips_turn_as_measured(number: int) -> None:
+    """About their upright lines, and against the panels that they hang on."""
+    _, whole = random_skin(number)
+    drives = np.linspace(0.1, 0.9, 5) * whole.end_drive
+    for part, strip in enumerate(whole.strips[1:], 2):
+        assert isinstance(strip, UprightStrip)
+        found = measure_fold_angles(strip.positions(drives)).column
+        np.testing.assert_allclose(strip.fold_angles(drives).column, found, rtol=0, atol=1e-12)
+        for drive in drives.tolist():
+            points, faces = points_of(whole, drive), whole.layout.faces
+            for hanging in strip.hung:
+                own, on = (
+                    points[faces[whole.panels(each, row, strip.columns)]]
+                    for each, row in ((part, 0), (hanging.part, hanging.panels))
+                )
+                normals = [np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 1]) for p in (own, on)]
+                one, other = (n / np.linalg.norm(n, axis=1)[:, None] for n in normals)
+                cosine = np.abs((one * other).sum(axis=1))
+                folds = strip.hung_folds(hanging, drive)
+                np.testing.assert_allclose(np.abs(np.cos(folds)), cosine, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("number", range(LEVEL, LEVEL + 16))
+def test_it_stands_as_high_as_the_ends_of_a_sheet_that_rises(number: int) -> None:
+    """Of a T-hedron, at its target; else it ends where the sheet does."""
+    skin, whole = random_skin(number)
+    assert isinstance(skin, LevelSkin)
+    heights = whole.positions(whole.target_drive)[:, 0, 2]
+    below = whole.strips[0].positions(whole.target_drive)[:, 0, 2]
+    for own, other in ((heights, below), (heights[::-1], below[::-1])):
+        crown = int(np.argmax(own))
+        rises = crown > 0 and own[: crown + 1].min() > own[0] - skin.shift
+        assert other[0] == pytest.approx(own[0] - (0 if rises else skin.shift), abs=1e-12)

@@ -7,7 +7,7 @@ else is put in or hung on. Drawings, bill, files and proof take all of them alik
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Self, overload
 
 import numpy as np
@@ -110,6 +110,8 @@ class Part:
     borne_shares: Array | None = field(default=None, repr=False)
     # where it is a plate that stiffens the shell; None if it stiffens nothing
     plate: Plate | None = field(default=None, repr=False)
+    # it as it is cut, where it is no one flat sheet: strips that are joined; else None
+    cut: Part | None = field(default=None, repr=False)
 
     @property
     def sheet(self) -> Self:
@@ -122,8 +124,11 @@ class Part:
         return (self,)
 
     def as_cut(self) -> Self:
-        """The part as it is cut: itself."""
-        return self
+        """The part as it is cut: itself, or its strips in its place."""
+        if self.cut is None:
+            return self
+        names = ("mesh", "assignment", "flat", "fold_angles_deg", "states")
+        return replace(self, cut=None, **{name: getattr(self.cut, name) for name in names})
 
     @property
     def hinges(self) -> HingeLines:
@@ -154,7 +159,8 @@ class Part:
         """A state by its number, 0 the first, or by its name, as ``which`` says.
 
         Where no state has a name, "flat" is the first and "target" the last; where there is none
-        at all, both are the flat sheet. What is "open" in one state is flat in none.
+        at all, both are the flat sheet. What is "open" in one state is flat in none, but its strips
+        lie flat as they are cut.
 
         Raises
         ------
@@ -165,7 +171,8 @@ class Part:
         begin = {} if OPEN in self.named else {FLAT: 0}
         named = begin | {SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
         number = named.get(which, count) if isinstance(which, str) else which
-        if number == 0 and not count:
+        lies = which == FLAT and FLAT not in named and self.flat is not None
+        if lies or (number == 0 and not count):
             return self._flat_state()
         if not 0 <= number < count:
             names = " or ".join(f'"{name}"' for name in named)
@@ -237,8 +244,14 @@ class Part:
         Raises
         ------
         InputError
-            If only folded states are known.
+            If there is none: it is made of strips, or only folded states are known.
         """
+        if self.cut is not None:
+            raise InputError(
+                "the shell is no one flat sheet: it is made of strips that are joined",
+                expected="a sheet that is flat before it is folded",
+                remedy="write its states (fold, obj, glb) or its strips (dxf, svg, pdf)",
+            )
         if self.flat is None:
             raise InputError(
                 "there is no flat sheet to draw",

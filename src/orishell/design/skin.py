@@ -9,17 +9,16 @@ import numpy as np
 from orishell.design.carried import CarriedPart
 from orishell.design.hung import HungLines
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.carried import Carried
 from orishell.motion.grid import Panel
-from orishell.motion.layout import points_of
-from orishell.motion.skins import OUTER, Skin, Wall
-from orishell.numerics.arrays import Array
+from orishell.motion.second_skin import OUTER, SecondSkin, Wall
 
 TOP, BOTTOM = 1, -1
 """Faces that walls hang on: of the second skin, and of the sheet."""
 
 
-def skin_parts(skin: Skin, walls: Sequence[Wall]) -> tuple[CarriedPart, ...]:
+def skin_parts(skin: SecondSkin, walls: Sequence[Wall]) -> tuple[CarriedPart, ...]:
     """The second skin, then its walls."""
     below, *between = skin.carried(walls)
     columns = range(skin.columns.start, skin.columns.stop)
@@ -60,21 +59,15 @@ def _lines(on: Mechanism, strips: Carried, wall: Wall, part: int) -> HungLines:
     """Where a wall hangs on the sheet, or on the second skin, from the upper edge of panels."""
     (hanging,) = (each for each in strips.hung if each.part == part)
     columns = strips.columns if part == OUTER else slice(0, strips.grid.columns)
-    own = points_of(strips, 0.0)[:, :2].reshape(*_shape(strips), 2)[hanging.line]
-    edge = points_of(on, 0.0)[: on.grid.vertex_count, :2].reshape(*_shape(on), 2)
     across = np.arange(columns.start, columns.stop - 1)
-    return HungLines.between(
-        (f"wall {wall.row}",) * len(across),
-        hanging.panels * (on.grid.columns - 1) + across,
-        BOTTOM if part == OUTER else TOP,
-        own[None],
-        _apart(own, edge[hanging.panels, columns])[None],
+    # Corners of panels as they are cut: upper left, lower left, lower right, upper right.
+    corners = panels_laid_flat(on)[hanging.panels, across]
+    begin, end = corners[:, [0, 3]], corners[:, [1, 2]]
+    at = np.stack([hanging.at[:-1], hanging.at[1:]], axis=-1)
+    return HungLines(
+        names=(f"wall {wall.row}",) * len(across),
+        panels=hanging.panels * (on.grid.columns - 1) + across,
+        sides=np.full(len(across), BOTTOM if part == OUTER else TOP),
+        ends=begin + at[..., None] * (end - begin),
+        away=at * np.linalg.norm(end - begin, axis=-1),
     )
-
-
-def _shape(mechanism: Mechanism) -> tuple[int, int]:
-    return mechanism.grid.rows, mechanism.grid.columns
-
-
-def _apart(points: Array, others: Array) -> Array:
-    return np.asarray(np.linalg.norm(points - others, axis=-1))

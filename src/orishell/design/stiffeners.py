@@ -71,10 +71,10 @@ class Stiffeners(Table):
     ``share`` "auto" is as much as leaves the motion free. In ``columns``, which may be "none",
     plates are clipped across the boxes once the shell stands.
 
-    A skin is a second sheet below that of a parallel repeating shell, nowhere nearer to it than a
-    ``gap`` (length) at the target, and joined to it by ``walls``: between all rows of panels that
-    have room for one, every so many of these with the last, or those of a list. It moves with the
-    shell. ``gap`` "auto" moves it by half the shortest edge of its columns.
+    A skin is a second sheet below that of a parallel repeating or T-hedral shell, nowhere nearer to
+    it than a ``gap`` (length) at the target, and joined to it by ``walls``: between all rows of
+    panels that have room for one, every so many of these with the last, or those of a list. It
+    moves with the shell. ``gap`` "auto" moves it by half the shortest edge of its columns.
     """
 
     SAMPLE: ClassVar = {"kind": "gussets"}

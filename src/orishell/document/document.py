@@ -18,7 +18,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.design.part import DocumentState, Part
+from orishell.design.part import FLAT, OPEN, DocumentState, Part
 from orishell.document.ground import GroundPlan
 from orishell.document.joined import joined, joined_states
 from orishell.document.loaded import LoadedShell
@@ -55,9 +55,7 @@ class Document(Part):
     world coordinates of them, when they are written.
     """
 
-    # the sheet as it is cut, where it is no one flat sheet: strips that are joined; else None
-    cut: Part | None = field(default=None, repr=False)
-    # numbers (V,) that vertices of these strips have in the sheet; empty without strips
+    # numbers (V,) that vertices of its strips have in the sheet; empty without strips
     cut_from: Integers = field(default_factory=lambda: np.zeros(0, np.int64), repr=False)
     # polylines (k, 3) beside the last state: the curves that the shell follows, by name
     curves: Mapping[str, Array] = field(default_factory=dict)
@@ -100,30 +98,15 @@ class Document(Part):
         """The sheet that folds, without the parts that go with it."""
         return replace(self, attached=()) if self.attached else self
 
-    def require_flat(self) -> Array:
-        """The flat sheet (V, 2).
-
-        Raises
-        ------
-        InputError
-            If there is none: it is made of strips, or only folded states are known.
-        """
-        if self.cut is not None:
-            raise InputError(
-                "the shell is no one flat sheet: it is made of strips that are joined",
-                expected="a sheet that is flat before it is folded",
-                remedy="write its states (fold, obj, glb) or its strips (dxf, svg, pdf)",
-            )
-        return Part.require_flat(self)
-
     def as_cut(self) -> Self:
-        """The document whose sheet is what is cut: itself, or its strips in place of its sheet."""
-        if self.cut is None:
+        """The document whose parts are what is cut: itself, or strips in place of whole sheets."""
+        off = self.distances
+        if self.cut is not None and off is not None:
+            off = off[self.cut_from]
+        attached = tuple(part.as_cut() for part in self.attached)
+        if self.cut is None and attached == self.attached:
             return self
-        names = ("mesh", "assignment", "flat", "fold_angles_deg", "states")
-        known = {name: getattr(self.cut, name) for name in names}
-        off = None if self.distances is None else self.distances[self.cut_from]
-        return replace(self, cut=None, distances=off, **known)
+        return replace(Part.as_cut(self), attached=attached, distances=off)
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -144,6 +127,8 @@ class Document(Part):
             If there is no such state.
         """
         state = self.state(which)
+        if which == FLAT and OPEN in self.named:
+            return ((self.sheet, state),)  # strips lie somewhere else than in the shell
         number = self.named.get(which) if isinstance(which, str) else which
         names = {which, *(name for name, at in self.named.items() if at == number)}
         found: list[tuple[Part, DocumentState]] = [(self.sheet, state)]

@@ -15,7 +15,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design.carried import CarriedPart
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
-from orishell.motion.as_made import AsMade, in_strips
+from orishell.motion.as_made import AsMade, in_strips, laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
 from orishell.motion.layout import (
@@ -27,7 +27,6 @@ from orishell.motion.layout import (
     points_of,
 )
 from orishell.motion.mesh import QuadMesh, build_mesh
-from orishell.motion.quads import is_level
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -54,7 +53,7 @@ def document_of_motion(
     """
     mechanism = motion.mechanism
     grid, states, flat = mechanism.grid, states_of(motion), _flat(mechanism)
-    strips = in_strips(mechanism) if flat is None else None
+    strips = None if flat is not None else in_strips(mechanism)
     beside = isinstance(mechanism, SlitFlaps)
     return Document(
         title=title,
@@ -64,7 +63,7 @@ def document_of_motion(
         flat=flat,
         fold_angles_deg=states.degrees(mechanism.target_drive),
         states=states,
-        cut=None if strips is None else _cut(motion, strips, unit),
+        cut=_cut(motion, strips, unit),
         cut_from=np.zeros(0, np.int64) if strips is None else strips.vertices,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
@@ -139,15 +138,17 @@ def _in_state(part: AnyPart, state: DocumentState) -> AnyPart:
 def _carried(part: CarriedPart, motion: FoldingMotion, unit: str, panel: PanelSpec | None) -> Part:
     """Strips that the sheet carries, in all states of it."""
     strips = part.strips
-    grid, states = strips.grid, states_of(replace(motion, mechanism=strips))
+    own, flat = replace(motion, mechanism=strips), _flat(strips)
+    grid, states = strips.grid, states_of(own)
     return Part(
         title=part.title,
         unit=unit,
         mesh=states.mesh,
         assignment=states.letters(),
-        flat=_flat(strips),
+        flat=flat,
         fold_angles_deg=states.degrees(strips.target_drive),
         states=states,
+        cut=_cut(own, None if flat is not None else in_strips(strips), unit),
         grid_shape=(grid.rows, grid.columns),
         named=motion.named,
         names=part.names,
@@ -260,8 +261,10 @@ def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str
     return States(motion, mesh_of(motion.mechanism), edge_signs(motion.mechanism), progress, what)
 
 
-def _cut(motion: FoldingMotion, made: AsMade, unit: str) -> Part:
-    """The strips that a sheet is made of, in all states of it."""
+def _cut(motion: FoldingMotion, made: AsMade | None, unit: str) -> Part | None:
+    """The strips that a sheet is made of, in all states of it; None if it is of none."""
+    if made is None:
+        return None
     own = motion, made.mesh, edge_signs(motion.mechanism)[made.edges]
     states = States(*own, vertices=made.vertices, edges=made.edges)
     return Part(
@@ -277,9 +280,9 @@ def _cut(motion: FoldingMotion, made: AsMade, unit: str) -> Part:
 
 
 def _flat(mechanism: Mechanism) -> Array | None:
-    """Vertices (V, 2) of the flat sheet; None where it has no flat state."""
-    points = points_of(mechanism, 0.0)
-    return _clean(points[:, :2]) if is_level(points) else None
+    """Vertices (V, 2) of the flat sheet; None where it is made in strips."""
+    flat = laid_flat(mechanism)
+    return None if flat is None else _clean(flat)
 
 
 @record

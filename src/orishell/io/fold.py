@@ -14,7 +14,7 @@ from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_content import FoldFrame
 from orishell.io.fold_frames import NON_MANIFOLD
-from orishell.io.fold_girders import HungSheet, hung_sheet
+from orishell.io.fold_girders import HungSheet, hangs, hung_sheet
 from orishell.io.fold_reader import FoldFile
 from orishell.io.format import DEFAULT_SETTINGS, Settings
 from orishell.io.output import OutputDirectory
@@ -115,7 +115,8 @@ def dump_fold(path: Path, document: Document, _: Settings) -> None:
 
     # Frames have the panels of the first, what is not there in all of them left out; more follow.
     hung = hung_sheet(document)
-    parts = [part for part in document.moving[1:] if not part.joined_from_deg]
+    moving = document.moving[1:]
+    parts = [part for part in moving if not (part.joined_from_deg or hangs(part))]
     document = document.with_moving(parts)
     names = {number: name for name, number in document.named.items()}
     titles = names if "pack" in document.named else {}

@@ -73,15 +73,17 @@ class HungSheet:
 
 def hung_sheet(document: Document) -> HungSheet | None:
     """The sheet of a document with what hangs on it as it moves; None if nothing does."""
-    moving = document.moving[1:]
-    parts = tuple(part for part in moving if part.hung is not None or part.bears is not None)
+    parts = tuple(part for part in document.moving[1:] if hangs(part))
     if not parts:
         return None
     every: tuple[Part, ...] = (document.sheet, *parts)
     firsts = np.cumsum([0, *(each.mesh.vertex_count for each in every)]).tolist()
-    flat = np.concatenate([each.require_flat() for each in every])
+    flats = [each.flat for each in every if each.flat is not None]
+    if len(flats) < len(every):  # panels are as large in any state
+        flats = [each.shell.positions for each in every]
+    flat = np.concatenate(flats)
     panels = np.concatenate([f + each.mesh.faces for f, each in zip(firsts, every, strict=False)])
-    lines = [*_lines(every, firsts)]
+    lines = [*_lines(every, firsts, flat)]
     number, points = _ends_on_edges(panels, lines, flat)
     crossings = Crossings.of(lines, flat)
     cuts: dict[int, list[list[int]]] = defaultdict(list)
@@ -122,36 +124,50 @@ def hung_sheet(document: Document) -> HungSheet | None:
     )
 
 
-def _lines(parts: Sequence[Part], firsts: Sequence[int]) -> Iterator[tuple[int, Side]]:
+def hangs(part: Part) -> bool:
+    """Whether a part hangs on others as the sheet moves, or bears some that do."""
+    return part.hung is not None or part.bears is not None
+
+
+def _lines(
+    parts: Sequence[Part], firsts: Sequence[int], places: Array
+) -> Iterator[tuple[int, Side]]:
     """Every panel that a panel of a part hangs on, and the vertices of that line.
 
     Panels and vertices are numbered through all parts, the sheet first.
     firsts: The number of the first vertex of each part.
+    places: All vertices, flat (N, 2) or in a state (N, 3).
     """
     panels = np.cumsum([0, *(len(each.mesh.faces) for each in parts)]).tolist()
     for part, first in zip(parts, firsts, strict=False):
         if part.hung is None:
             continue
-        yield from _lines_on(0, part.hung, part, first)
-        for k, on in enumerate(parts):
-            if on.bears is not None:
-                mine = on.bears.of(part.hung.names[0])
-                yield from _lines_on(panels[k], mine, part, first)
+        hung = [(0, part.hung)]
+        hung += [
+            (k, on.bears.of(part.hung.names[0]))
+            for k, on in enumerate(parts)
+            if on.bears is not None
+        ]
+        for k, lines in hung:
+            spots = _spots(parts[k], lines, places[firsts[k] :])
+            for panel, ends, corners in zip(lines.panels, spots, part.mesh.faces, strict=True):
+                away = np.linalg.norm(places[first + corners][:, None] - ends, axis=-1)
+                one, other = corners[away.argmin(axis=0)].tolist()
+                yield panels[k] + int(panel), (first + one, first + other)
 
 
-def _lines_on(before: int, lines: HungLines, part: Part, first: int) -> Iterator[tuple[int, Side]]:
-    """The panels of lines on which all panels of a part hang, and the vertices of these.
+def _spots(part: Part, lines: HungLines, places: Array) -> Array:
+    """Ends (L, 2, d) of lines on panels of a part, by places (N, d) of its vertices.
 
-    before: The number of the first panel.
-    first: The number of the part's first vertex.
+    They lie on edges of columns, at the same share of these as on the panels that are cut.
     """
-    flat = part.require_flat()
-    for panel, ends, corners in zip(
-        lines.panels.tolist(), lines.ends, part.mesh.faces, strict=True
-    ):
-        away = np.linalg.norm(flat[corners][:, None] - ends, axis=-1)
-        one, other = corners[away.argmin(axis=0)].tolist()
-        yield before + panel, (first + one, first + other)
+    cut = part.as_cut()
+    lying = cut.require_flat()[cut.mesh.faces[lines.panels]]
+    upper, lower = lying[:, [0, 3]], lying[:, [1, 2]]
+    share = np.linalg.norm(lines.ends - upper, axis=-1) / np.linalg.norm(lower - upper, axis=-1)
+    corners = places[part.mesh.faces[lines.panels]]
+    upper, lower = corners[:, [0, 3]], corners[:, [1, 2]]
+    return np.asarray(upper + share[..., None] * (lower - upper))
 
 
 def _ends_on_edges(
@@ -161,7 +177,7 @@ def _ends_on_edges(
 
     On an edge they are in their order, from the vertex of the lower number on.
     panels: Corners (F, 4) of all panels.
-    flat: All vertices (N, 2).
+    flat: All vertices, flat (N, 2) or in a state (N, 3).
     """
     found: dict[Side, dict[int, float]] = defaultdict(dict)
     for panel, ends in lines:

@@ -1,7 +1,9 @@
-"""A second skin under a sheet on a lattice: its walls, and how far the shell moves with it.
+"""A second skin under a sheet: its walls, and how far the shell moves with it.
 
-Limit: only shells of the parallel repeating family have a second skin, below their sheet. It is
-there from half of the target's drive on, where it is joined to the sheet.
+Limit: only shells of the parallel repeating and the T-hedral family have a second skin, below their
+sheet. That of the first is there from half of the target's drive on, where it is joined to the
+sheet. That of the second is the sheet's image, straight below it: it follows no curve of its own,
+and its panels have no thickness.
 """
 
 from __future__ import annotations
@@ -24,7 +26,8 @@ from orishell.locking.result import CarriedMotion, Lock, SkinMotion
 from orishell.motion.complex import Complex
 from orishell.motion.lattice import OnLattice
 from orishell.motion.layout import points_of
-from orishell.motion.skins import INNER, OUTER, Skin, Wall
+from orishell.motion.second_skin import INNER, OUTER, SecondSkin, Skinned, Wall
+from orishell.motion.skins import Skin
 from orishell.numerics.bisection import largest_below
 
 SMALLEST, FINE = 1e-3, 0.01
@@ -32,11 +35,11 @@ SMALLEST, FINE = 1e-3, 0.01
 OTHERS = 0.75, 0.5, 0.25
 """Gaps that are offered where panels meet, by what is asked for."""
 MOVED = Remedy({"target.inner": None})
-"""A second skin whose staircase is that of the sheet, moved."""
+"""A second skin that is the sheet, moved."""
 
 
 class SkinPlace(Carrier):
-    """A sheet on a lattice with a second skin under it."""
+    """A sheet with a second skin under it."""
 
     what = "walls of a second skin"
     strips = "a second skin and its walls"
@@ -45,21 +48,25 @@ class SkinPlace(Carrier):
     def __init__(
         self, design: Design, lock: Lock, asked: Stiffeners, tolerance: float, **how: Any
     ) -> None:
-        if not isinstance(design.mechanism, OnLattice):
+        if not isinstance(design.mechanism, Skinned):
             raise InputError(
-                "a second skin needs a sheet whose columns are staircases of two directions",
+                "a second skin needs a sheet whose columns are images of one another",
                 keys=("stiffeners.kind", "shell.family"),
-                expected='family = "parallel-repeating"',
-                remedy='that family, or kind = "boxes" without gap and walls',
+                expected='family = "parallel-repeating" or "t-hedral"',
+                remedy='such a family, or kind = "boxes" without gap and walls',
             )
         super().__init__(design, lock, asked, tolerance, **how)
         if self.inner is None:
             gap = None if asked.gap == "auto" else asked.gap
-            self.skin = Skin.under(design.mechanism, self.columns, gap)
+            self.skin: SecondSkin = design.mechanism.second_skin(self.columns, gap)
         else:
-            self.skin = Skin.along(design.mechanism, self.columns, self.inner.places)
-            _require_below(self.skin)
+            skin = Skin.along(design.mechanism, self.columns, self.inner.places)
+            _require_below(skin)
+            self.skin = skin
+        if not isinstance(design.mechanism, OnLattice):
+            _require_no_boards(design)
         self.walls = chosen_walls(self.skin, asked)
+        self.path.start = self.skin.joined_at * design.mechanism.target_drive
 
     def carried(self, progress: Progress = no_progress) -> tuple[Design, Lock]:
         """The design with its second skin, and how its motion ends then.
@@ -118,7 +125,18 @@ def _require_below(skin: Skin) -> None:
     )
 
 
-def chosen_walls(skin: Skin, asked: Stiffeners) -> tuple[Wall, ...]:
+def _require_no_boards(design: Design) -> None:
+    """Refuse panels with a thickness where walls are upright."""
+    if design.panel is not None:
+        raise DesignError(
+            "panels of a second skin straight below its sheet have no thickness",
+            place="of all panels",
+            keys=("panel", "stiffeners.kind"),
+            candidates=[Remedy({"panel": None}), Remedy({"stiffeners": None})],
+        )
+
+
+def chosen_walls(skin: SecondSkin, asked: Stiffeners) -> tuple[Wall, ...]:
     """The walls that are asked for.
 
     Raises InputError if one of a list has no room, and DesignError if none has.
@@ -144,11 +162,11 @@ def chosen_walls(skin: Skin, asked: Stiffeners) -> tuple[Wall, ...]:
     return tuple(there[row] for row in sorted(set(asked.walls)))
 
 
-def _no_room(skin: Skin) -> DesignError:
+def _no_room(skin: SecondSkin) -> DesignError:
     """Why no wall has room, and the largest gap at which one has."""
     sheet, columns = skin.sheet, skin.columns
     gap, _ = skin.distances()
-    if not skin.moved:
+    if not skin.moved or not isinstance(sheet, Skinned):
         return DesignError(
             "no panel of a second skin faces one of the sheet over a fifth of its edge",
             place="between all rows of panels",
@@ -157,20 +175,20 @@ def _no_room(skin: Skin) -> DesignError:
         )
 
     def works(gap: float) -> bool:
-        return bool(Skin.under(sheet, columns, gap).walls())
+        return bool(sheet.second_skin(columns, gap).walls())
 
     most = largest_below(works, gap, smallest=SMALLEST, relative=FINE)
     return DesignError(
         "a second skin would be so far from the sheet that no two of their panels face each other",
         place="between all rows of panels",
         keys=("stiffeners.gap", "pattern.rows"),
-        size=f"it is {skin.shift:.4g} along edges of {skin.lattice.lengths.max():.4g} at the most",
+        size=skin.too_far,
         candidates=[] if most is None else [Remedy({"stiffeners.gap": rounded_down(most)})],
         excess=None if most is None else gap / most - 1,
     )
 
 
-def _apart(design: Design, skin: Skin) -> float:
+def _apart(design: Design, skin: SecondSkin) -> float:
     """The smallest distance of panels of both skins at the target, of flaps as well."""
     whole = design.moving
     assert isinstance(whole, Complex)

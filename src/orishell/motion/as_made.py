@@ -1,9 +1,9 @@
 """How a sheet is made: as one flat sheet, or as flat strips that are joined on site.
 
-A mechanism that is flat at drive 0 is cut from one sheet. Any other is made of its columns of
-panels: a strip of quadrilaterals, each beside the next, can always be laid flat. Strips are joined
-along hinges, where each has vertices of its own: first those of the grid, by their numbers,
-then the right sides of all strips that have another beside them.
+A mechanism that is flat at drive 0 is cut from one sheet, and so is one row of panels: a strip of
+quadrilaterals, each beside the next, can always be laid flat. Any other is made of its columns of
+panels. Strips are joined along hinges, where each has vertices of its own: first those of the grid,
+by their numbers, then the right sides of all strips that have another beside them.
 """
 
 from __future__ import annotations
@@ -35,11 +35,23 @@ class AsMade:
 
 def as_cut(mechanism: Mechanism) -> AsMade:
     """The sheet of a mechanism, or its strips where it is none."""
-    points, mesh = points_of(mechanism, 0.0), mesh_of(mechanism)
+    flat, mesh = laid_flat(mechanism), mesh_of(mechanism)
+    if flat is None:
+        return in_strips(mechanism)
+    return AsMade(mesh, flat, np.arange(len(flat)), np.arange(len(mesh.edges)), is_one_sheet=True)
+
+
+def laid_flat(mechanism: Mechanism) -> Array | None:
+    """Vertices (V, 2) of a mechanism that is cut from one sheet; None if it is made in strips."""
+    points = points_of(mechanism, 0.0)
     if is_level(points):
-        vertices, edges = np.arange(len(points)), np.arange(len(mesh.edges))
-        return AsMade(mesh, points[:, :2], vertices, edges, is_one_sheet=True)
-    return in_strips(mechanism)
+        return points[:, :2]
+    if mechanism.grid.rows > 2:
+        return None
+    # As a column it goes down with its first row at the left.
+    column = mechanism.positions(0.0).swapaxes(0, 1)
+    sides = np.concatenate(_laid_side_by_side(column), axis=1).swapaxes(0, 1)
+    return -sides[..., ::-1].reshape(-1, 2)
 
 
 def in_strips(mechanism: Mechanism) -> AsMade:
@@ -75,10 +87,10 @@ def sheet_sides(mechanism: Mechanism) -> tuple[float, float, int]:
 
 def panels_laid_flat(mechanism: Mechanism) -> Array:
     """Corners (rows-1, columns-1, 4, 2) of the panels of a mechanism's grid as they are cut."""
-    positions = mechanism.positions(0.0)
-    if is_level(positions):
-        return grid_corners(positions)[..., :2]
-    left, right = _laid_side_by_side(positions)
+    grid, flat = mechanism.grid, laid_flat(mechanism)
+    if flat is not None:
+        return grid_corners(flat[: grid.vertex_count].reshape(grid.rows, grid.columns, 2))
+    left, right = _laid_side_by_side(mechanism.positions(0.0))
     return np.stack([left[:-1], left[1:], right[1:], right[:-1]], axis=2)
 
 

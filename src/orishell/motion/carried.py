@@ -3,7 +3,9 @@
 A line of vertices goes from a row of the sheet's, at vertex p_ij of row i in column j, along shares
 of edges e_kj = p_k+1,j - p_kj down the columns:
 
-    x_j = p_ij + sum_t s_tj e_kt,j.
+    x_j = p_ij + sum_t s_tj e_kt,j,
+
+or lies straight above or below that by a height that stays.
 
 Where every next line of a strip is farther by a positive share of the edges of one row k of panels,
 and its creases are positive multiples of those of that row, its panels are as rigid as the sheet's
@@ -33,6 +35,7 @@ class Lines:
     rows: Integers  # rows (K,) of vertices of the sheet that they go from
     edges: Integers  # rows (T, K) of panels of the sheet along whose edges they go on
     shares: Array  # of these edges (T, K, n)
+    up: Array | None = None  # by how much (K,) they lie above that; None: in it (length)
 
     def carried(self, points: Array) -> Array:
         """Positions (..., K, n, 3) of their vertices on vertices (..., rows, columns, 3)."""
@@ -40,6 +43,8 @@ class Lines:
         found = over[..., self.rows, :, :]
         for edges, shares in zip(self.edges, self.shares[..., None], strict=True):
             found = found + shares * (over[..., edges + 1, :, :] - over[..., edges, :, :])
+        if self.up is not None:
+            found[..., 2] += self.up[:, None]
         return np.asarray(found)
 
     def volumes(self, points: Array) -> Array:
@@ -60,11 +65,13 @@ class Lines:
     @classmethod
     def joined(cls, several: list[Lines]) -> Lines:
         """All of several over the same columns, one after the other."""
+        ups = [np.zeros(len(each.rows)) if each.up is None else each.up for each in several]
         return cls(
             several[0].columns,
             np.concatenate([each.rows for each in several]),
             np.concatenate([each.edges for each in several], axis=1),
             np.concatenate([each.shares for each in several], axis=1),
+            None if all(each.up is None for each in several) else np.concatenate(ups),
         )
 
 

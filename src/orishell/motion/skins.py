@@ -20,31 +20,11 @@ from orishell.conventions.record import record
 from orishell.motion.carried import Carried, Hanging, Lines
 from orishell.motion.lattice import FALLING, RISING, Lattice, OnLattice
 from orishell.motion.mechanism import Mechanism
+from orishell.motion.second_skin import HALF, INNER, OUTER, ROOM, SLIVER, Wall
 from orishell.numerics.arrays import Array, Integers
 
-ROOM = 0.2
-"""A wall stands where panels of both skins face each other over this share of one's edge."""
-HALF = 0.5
-"""Where nobody says how far, a skin is moved by this share of the shortest edge."""
-SLIVER = 1e-6
-"""What is left of an edge is nothing if it is this share of it."""
-OUTER, INNER = 0, 1
-"""Parts of a sheet with a second skin: its own panels, and those of the second."""
-
-
-@record
-class Wall:
-    """Where a wall may stand: between a row of panels and the strip of the other skin below it."""
-
-    row: int  # of panels of the sheet
-    strip: int  # of the second skin
-    outer: Array  # its place (2,) on the sheet
-    inner: Array  # and on the other skin
-
-    @property
-    def length(self) -> float:
-        """How long it is along the lattice (length)."""
-        return float(np.abs(self.outer - self.inner).max())
+JOINED_AT = 0.5
+"""It is joined to the sheet at this share of the target's drive: flat, one lies on the other."""
 
 
 @record
@@ -115,6 +95,16 @@ class Skin:
         """Numbers that its strips (K-1,) are called by: of the sheet's rows, if it is moved."""
         return self.parallel if self.moved else np.arange(len(self.parallel))
 
+    @property
+    def joined_at(self) -> float:
+        """The share of the target's drive from which on there is room for it."""
+        return JOINED_AT
+
+    @property
+    def too_far(self) -> str:
+        """How far it is from the sheet against how far it may be, in words."""
+        return f"it is {self.shift:.4g} along edges of {self.lattice.lengths.max():.4g} at the most"
+
     def walls(self) -> tuple[Wall, ...]:
         """Where walls may stand, in the order of rows of panels; none crosses another one."""
         found: list[Wall] = []
@@ -150,7 +140,7 @@ class Skin:
         """How far panels of both are apart at the target at least, and those at walls at most."""
         points = self.sheet.positions(self.sheet.target_drive)[:, self.columns]
         found = self.lattice.distances(points)
-        most = [wall.length * found[:, 1 - self.lattice.kinds[wall.row]] for wall in self.walls()]
+        most = [_length(wall) * found[:, 1 - self.lattice.kinds[wall.row]] for wall in self.walls()]
         least = self.shift * float(found.min())
         return least, float(np.max(most, initial=least))
 
@@ -172,7 +162,7 @@ class Skin:
             self._hanging(wall, 0 if rising else 1, OUTER),
             self._hanging(wall, 1 if rising else 0, INNER),
         )
-        down = np.array([wall.length / self.lattice.lengths[parallel]])
+        down = np.array([_length(wall) / self.lattice.lengths[parallel]])
         cells = () if before is None else (self._cell(before, wall),)
         return self._strips(places, np.array([parallel]), down, hung, cells)
 
@@ -219,6 +209,11 @@ class Skin:
             hung=hung,
             cells=cells,
         )
+
+
+def _length(wall: Wall) -> float:
+    """How long a wall is along the lattice (length)."""
+    return float(np.abs(wall.outer - wall.inner).max())
 
 
 def _turned(places: Array, of: Array) -> Array:

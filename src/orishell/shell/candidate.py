@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
 from orishell.deployment import Site, find_site
 from orishell.deployment.feet import Feet, find_feet, stand
@@ -20,6 +21,7 @@ from orishell.locking.gussets import with_gussets
 from orishell.motion import FoldingMotion
 from orishell.motion.freedom import FreedomOfSheet, find_freedom_of_sheet
 from orishell.motion.lattice import InnerStaircase
+from orishell.motion.second_skin import Skinned
 from orishell.shell.answers import Answers
 from orishell.shell.board_limits import require_stock_for_panels
 from orishell.shell.designed import designed
@@ -65,7 +67,7 @@ def prove(file: DesignFile, work: Work) -> Candidate:
         file.stiffeners,
         file.contact_tolerance,
         examined=work.clash != "unexamined",
-        inner=_inner(file),
+        inner=_inner(file, design),
         progress=work.progress,
     )
     if file.deployment.start == "pack":
@@ -104,11 +106,23 @@ def prove(file: DesignFile, work: Work) -> Candidate:
     )
 
 
-def _inner(file: DesignFile) -> InnerStaircase | None:
-    """The staircase that its second skin follows; None if it is the sheet's own."""
-    if file.inner is None or not isinstance(file.pattern, TwoStaircases):
+def _inner(file: DesignFile, design: Design) -> InnerStaircase | None:
+    """The staircase that its second skin follows; None if it is the sheet's own.
+
+    Raises DesignError if second skins of the family follow no curve.
+    """
+    if file.inner is None:
         return None
-    return file.pattern.inner_staircase(file.f, file.inner)
+    if isinstance(file.pattern, TwoStaircases):
+        return file.pattern.inner_staircase(file.f, file.inner)
+    if isinstance(design.mechanism, Skinned):
+        raise DesignError(
+            "a second skin of this family is the sheet, moved: it follows no curve of its own",
+            place="at its target",
+            keys=("target.inner", "shell.family"),
+            candidates=[Remedy({"target.inner": None})],
+        )
+    return None
 
 
 def ended(file: DesignFile, design: Design, work: Work) -> tuple[Design, Lock]:

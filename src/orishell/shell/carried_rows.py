@@ -25,13 +25,16 @@ def carried_rows(report: Report) -> Iterator[Row]:
 
 
 def _row(report: Report, found: CarriedMotion, subject: str, said: str) -> Row:
-    joined = f"{said}, joined at {degrees_below(found.joined_from)}"
+    late = found.joined_from > 0
+    joined = said + (f", joined at {degrees_below(found.joined_from)}" if late else "")
     if not found.proofs:
         return Row("warns", subject, f"{joined}: nobody looked whether panels meet on the way")
     end = degrees_below(report.deployment.end_drive)
     states = sum(each.states for each in found.proofs)
-    proved = f"nothing touches from there to {end} (proved between {states} states)"
-    return Row("holds", subject, f"{joined}, as there is no room when it is flat: {proved}")
+    begin = "there" if late else "0"
+    proved = f"nothing touches from {begin} to {end} (proved between {states} states)"
+    why = ", as there is no room when it is flat" if late else ""
+    return Row("holds", subject, f"{joined}{why}: {proved}")
 
 
 def _girders(found: BoxMotion) -> str:

@@ -16,10 +16,11 @@ from orishell.deployment import Site
 from orishell.design import Design, PanelSpec
 from orishell.design.boxes import Box
 from orishell.design.carried import CarriedPart
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.carried import Carried
 from orishell.motion.grid import Grid, Vertex
-from orishell.motion.skins import OUTER
+from orishell.motion.second_skin import OUTER
 from orishell.motion.sleeves import Sleeve
 from orishell.numerics.arrays import Array
 from orishell.structure.mesh.girders import mesh_across, mesh_strips, stops_of_sleeves
@@ -123,8 +124,8 @@ class Strips:
     @property
     def flat(self) -> Array:
         """Corners (F, 4, 2) of its panels in the flat sheet, counter-clockwise."""
-        faces = self.part.strips.grid.faces_vertices()[self.first : self.first + self.count]
-        return self.part.strips.positions(0.0).reshape(-1, 3)[faces, :2]
+        every = panels_laid_flat(self.part.strips).reshape(-1, 4, 2)
+        return every[self.first : self.first + self.count]
 
 
 def strips_of(design: Design) -> tuple[Strips, ...]:

@@ -49,12 +49,13 @@ def parts_lying(document: Part) -> Iterator[Array]:
 
     Parts beside an edge of the sheet go outwards, those over it into rows below all others.
     """
-    from shapely import Polygon, intersection
+    from shapely import MultiPolygon, Polygon, intersection
     from shapely.affinity import translate
 
-    def rim(piece: Part) -> Polygon:
+    def rim(piece: Part) -> Polygon | MultiPolygon:
         flat = piece.require_flat()
-        return Polygon(flat[find_outlines(piece.mesh.loops, flat)[0]])
+        found = [Polygon(flat[each]) for each in find_outlines(piece.mesh.loops, flat)]
+        return found[0] if len(found) == 1 else MultiPolygon(found)
 
     document = document.as_cut()
     yield document.require_flat()

@@ -101,13 +101,16 @@ def test_a_vault_folds_flat_and_has_files_of_its_strips(tmp_path: Path) -> None:
     assert "from open to 180 degrees (proved" in rows["folds"].finding
     assert rows["sheet"].finding.startswith("8 strips, up to ")
     assert shell.report.degrees_of_freedom == 1
-    write_shell(shell, tmp_path, formats=["fold", "dxf", "svg", "glb", "obj", "pdf", "csv"])
+    formats = ["fold", "dxf", "svg", "glb", "obj", "pdf", "csv", "booklet"]
+    write_shell(shell, tmp_path, formats=formats)
     fold = json.loads((tmp_path / "shell.fold").read_text("utf-8"))
     assert len(fold["vertices_coords"]) == 9 * 9  # joined, as they fold
     assert "creasePattern" not in fold.get("frame_classes", [])
     assert shell.document.state("open").drive_deg == 0
     with pytest.raises(InputError, match="no such state"):
         shell.document.state("flat")  # and not the pack, which is the first
+    lying = shell.document.as_cut()
+    np.testing.assert_array_equal(lying.state("flat").positions[:, :2], lying.require_flat())
     with pytest.raises(InputError, match="made of strips"):
         write_shell(shell, tmp_path, formats=["origami-simulator"])
 

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from families.t_hedral.test_mechanism import distances, random_sheet
+from families.t_hedral.test_mechanism import distances
 from orishell.families.t_hedral import recognise_t_hedron
 from orishell.numerics.arrays import Array
 from patterns import egg_box
+from t_hedra import random_sheet
 
 TOLERANCE = 1e-6
 """Of vertices, as a share of the size."""

@@ -17,6 +17,7 @@ from orishell.families.shared.sheets import running_sums
 from orishell.families.shared.t_hedron import THedron
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.lattice import Lattice
+from orishell.motion.skins import Skin
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -55,6 +56,13 @@ class ParallelRepeating(THedron):
     def lattice(self) -> Lattice:
         """Coordinates of its rows along the two directions of every column."""
         return Lattice.of_staircase(self.lengths, self._rising() > 0)
+
+    def second_skin(self, columns: slice, gap: float | None) -> Skin:
+        """Its staircase, moved down along both directions, over columns of vertices.
+
+        At the target it is nowhere nearer than a gap (length).
+        """
+        return Skin.under(self, columns, gap)
 
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).

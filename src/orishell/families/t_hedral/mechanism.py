@@ -20,6 +20,7 @@ from orishell.families.shared.columns import Columns
 from orishell.families.shared.sheets import other_side, running_sums
 from orishell.families.shared.t_hedron import THedron
 from orishell.motion import mechanism_in_one_line
+from orishell.motion.level_skins import LevelSkin
 from orishell.numerics.arrays import Array, Complex
 
 
@@ -48,6 +49,13 @@ class THedral(THedron):
     def __post_init__(self) -> None:
         self._freeze("lengths", "slopes", "points", "axes")
         object.__setattr__(self, "_columns", self._solved(1 / self._flattest()))
+
+    def second_skin(self, columns: slice, gap: float | None) -> LevelSkin:
+        """Its image straight below it, over columns of vertices.
+
+        At the target it is nowhere nearer than a gap (length).
+        """
+        return LevelSkin.under(self, columns, gap)
 
     def _flattest(self) -> float:
         return float(np.abs(self.slopes).min())

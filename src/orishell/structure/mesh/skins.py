@@ -14,7 +14,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.motion.carried import Carried
 from orishell.motion.grid import Grid
-from orishell.motion.skins import INNER, OUTER
+from orishell.motion.second_skin import INNER, OUTER
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.girders import line_at, shares_along
 from orishell.structure.mesh.lines import centres_of, lines_down

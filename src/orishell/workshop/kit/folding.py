@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.conventions.quantities import box
 from orishell.conventions.record import record
-from orishell.document import FLAT, SHELL, Document
+from orishell.document import FLAT, OPEN, SHELL, Document
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 BEGUN, ALMOST = 0.25, 0.6
@@ -66,8 +66,12 @@ def hand_folding(document: Document) -> HandFolding:
 
 
 def state_between(document: Document, start: str, share: float) -> int:
-    """The number of the state that is nearest to a share of the way to the target."""
-    first, last = document.named.get(start, 0), document.named.get(SHELL, len(document.states) - 1)
+    """The number of the state that is nearest to a share of the way to the target.
+
+    From the open state where none is flat.
+    """
+    first = document.named.get(start, document.named.get(OPEN, 0))
+    last = document.named.get(SHELL, len(document.states) - 1)
     return first + round(share * (last - first))
 
 
