@@ -348,12 +348,13 @@ def test_a_design_is_not_lost_with_its_process(client: httpx.Client) -> None:
     assert found["mesh"]
 
 
+@pytest.mark.slow
 def test_a_heavy_design_holds_up_no_drive_of_another_document(client: httpx.Client) -> None:
     """Two documents at once: one designs a fitted shell while the other is driven."""
     first, second = Document(client), Document(client, "Millimeters")
     text = designed(first, keys="xi_deg = 50")
     first.solve("state", design=text, drive=0.1)
-    heavy = {"surface": roof(1000), "family": "auto", "rows": 9, "columns": 11}
+    heavy = {"surface": roof(1000), "family": "flat-foldable", "rows": 5, "columns": 6}
     ended: list[float] = []
 
     def design() -> None:
@@ -370,6 +371,7 @@ def test_a_heavy_design_holds_up_no_drive_of_another_document(client: httpx.Clie
     assert driven < ended[0]
 
 
+@pytest.mark.slow
 def test_a_thousand_drives_of_two_designs(client: httpx.Client) -> None:
     """In a row, by two documents in turns; none gets the other's."""
     documents = [Document(client), Document(client, "Millimeters")]

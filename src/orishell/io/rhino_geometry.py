@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 from orishell.numerics.arrays import Array, Integers
+
+UNIT_SYSTEMS: Final = {
+    "mm": "Millimeters",
+    "cm": "Centimeters",
+    "m": "Meters",
+    "in": "Inches",
+    "ft": "Feet",
+}
+"""What Rhino calls units of length."""
 
 
 def rhino3dm() -> Any:

@@ -14,7 +14,7 @@ import numpy as np
 from orishell.conventions.colours import rgb
 from orishell.document import Document, Part
 from orishell.io.format import Format, Settings, numbered_ids
-from orishell.io.rhino_geometry import mesh_of_faces, polyline_curve, rhino3dm
+from orishell.io.rhino_geometry import UNIT_SYSTEMS, mesh_of_faces, polyline_curve, rhino3dm
 from orishell.io.solids import mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array
@@ -26,13 +26,6 @@ from orishell.workshop.cut_parts import find_outlines
 VERSION: Final = 6
 """The oldest Rhino that reads the file."""
 
-_UNIT_SYSTEMS = {
-    "mm": "Millimeters",
-    "cm": "Centimeters",
-    "m": "Meters",
-    "in": "Inches",
-    "ft": "Feet",
-}
 _MEANINGS = {
     "CUT": "border-crease",
     "MOUNTAIN": "mountain",
@@ -97,7 +90,7 @@ class _Model:
     def __init__(self, document: Document) -> None:
         rhino = rhino3dm()
         self.file = rhino.File3dm()
-        system = getattr(rhino.UnitSystem, _UNIT_SYSTEMS.get(document.unit, "None"))
+        system = getattr(rhino.UnitSystem, UNIT_SYSTEMS.get(document.unit, "None"))
         self.file.Settings.ModelUnitSystem = system
         self.file.ApplicationName = "orishell"
         self.file.StartSectionComments = (

@@ -68,9 +68,6 @@ def keep(text: str, shell: Shell, *, proved: bool = False) -> None:
     key = digest_of(text), proved
     KEPT.pop(key, None)
     KEPT[key] = shell
-    while len(KEPT) > 1 and (len(KEPT) > MOST or _vertices() > MOST_VERTICES):
-        del KEPT[next(iter(KEPT))]
-
-
-def _vertices() -> int:
-    return sum(each.document.mesh.vertex_count for each in KEPT.values())
+    vertices = sum(each.document.mesh.vertex_count for each in KEPT.values())
+    while len(KEPT) > 1 and (len(KEPT) > MOST or vertices > MOST_VERTICES):
+        vertices -= KEPT.pop(next(iter(KEPT))).document.mesh.vertex_count

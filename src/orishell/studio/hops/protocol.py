@@ -16,7 +16,7 @@ from typing import Any, Final
 import orjson
 
 from orishell.conventions.errors import InputError
-from orishell.io.rhino_geometry import rhino3dm
+from orishell.io.rhino_geometry import UNIT_SYSTEMS, rhino3dm
 
 GIVEN: Final[dict[str, dict[str, Any]]] = tomllib.loads(
     Path(__file__).with_name("components.toml").read_text(encoding="utf-8")
@@ -32,8 +32,7 @@ SENT: Final = {
     "Point": "Rhino.Geometry.Point3d",
 }
 """The types of what components give, by the kinds of their ports."""
-UNITS: Final = {"Millimeters": "mm", "Centimeters": "cm", "Meters": "m", "Inches": "in"}
-UNITS["Feet"] = "ft"
+UNITS: Final = {name: unit for unit, name in UNIT_SYSTEMS.items()}
 TAKEN: Final = {"Text": (str,), "Boolean": (bool,), "Integer": (int,), "Number": (float, int)}
 ICON: Final = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" fill="none" stroke="#1d3d5c" '
@@ -53,23 +52,21 @@ def described(path: str) -> dict[str, object]:
     def ports(given: Mapping[str, Sequence[Any]]) -> list[dict[str, object]]:
         return [
             {
-                **dict.fromkeys(("Name", "Nickname"), name),
-                **{"ParamType": kind, "Description": what, "AtLeast": 1, "AtMost": 1},
-                "Default": default[0] if default else None,
+                **{"Name": name, "ParamType": kind, "Description": what},
+                **{"AtLeast": 1, "AtMost": 1, "Default": default[0] if default else None},
             }
             for name, (kind, what, *default) in given.items()
         ]
 
     given = GIVEN[path]
     return {
-        **{"Uri": f"/{path}", "Name": given["name"], "Nickname": given["name"]},
-        **{"Category": "orishell", "Subcategory": "orishell"},
+        **{"Uri": f"/{path}", "Name": given["name"], "Category": "orishell"},
         **{"Description": given["what"], "Icon": ICON.format(given["icon"])},
         **{"Inputs": ports(given["inputs"]), "Outputs": ports(given["outputs"])},
     }
 
 
-def values_of(path: str, sent: object) -> dict[str, Any]:
+def values_of(path: str, sent: Any) -> dict[str, Any]:
     """The values of a component's inputs by their names; geometry as rhino3dm has it.
 
     Parameters
@@ -86,7 +83,6 @@ def values_of(path: str, sent: object) -> dict[str, Any]:
     """
     items: dict[str, list[Any]] = {}
     try:
-        assert isinstance(sent, list)
         for tree in sent:
             items[tree["ParamName"]] = [
                 item for each in tree["InnerTree"].values() for item in each
@@ -95,7 +91,7 @@ def values_of(path: str, sent: object) -> dict[str, Any]:
             name: _value(name, items.get(name, []), *port)
             for name, port in GIVEN[path]["inputs"].items()
         }
-    except (AssertionError, AttributeError, KeyError, TypeError):
+    except (AttributeError, KeyError, TypeError):
         expected = "items with type and data, in InnerTree of each ParamName"
         what = "these are no values as Hops sends them"
         raise InputError(what, expected=expected, remedy="update Hops") from None

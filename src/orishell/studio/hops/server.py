@@ -7,14 +7,13 @@ up a drive of another design. One that was lost is made again.
 from __future__ import annotations
 
 import asyncio
+from collections import Counter
 from collections.abc import AsyncIterator, Collection
 from contextlib import asynccontextmanager
-from itertools import count
 from typing import Any, Final
 
 import orjson
 from starlette.applications import Starlette
-from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
@@ -37,7 +36,7 @@ MOST_HOMES: Final = 1000
 """Designs of which it is known which process keeps them."""
 NOT_KEPT: Final = 422
 """Status of refusals: Hops would keep those of status 200, after what was wrong is mended too."""
-FOR_PROOF: Final = {"curves", "surface", "file", "verdict"}
+LENGTHY: Final = {"curves", "surface", "file", "verdict"}
 """Components that are stopped where nobody waits for them any more."""
 
 
@@ -45,23 +44,23 @@ class Homes:
     """Processes, and which of them keeps which design."""
 
     def __init__(self) -> None:
+        # the one that was asked longest ago is the first
         self.pools = [Pool(answer, 1, SECONDS) for _ in range(PROCESSES)]
-        self._homes: dict[bytes, Pool] = {}
-        self._asked: dict[int, tuple[int, int]] = {}  # whether it is at work, when it was asked
-        self._ticks = count()
+        self._homes: dict[bytes | None, Pool] = {}
+        self._asked: Counter[int] = Counter()  # requests under way
 
     @asynccontextmanager
     async def pool_for(self, design: bytes | None) -> AsyncIterator[Pool]:
         """The process that keeps a design; else an idle one, asked longest ago."""
-        pool = None if design is None else self._homes.get(design)
-        pool = pool or min(self.pools, key=lambda each: self._asked.get(id(each), (0, -1)))
-        at_work, _ = self._asked.get(id(pool), (0, -1))
-        self._asked[id(pool)] = at_work + 1, next(self._ticks)
+        idlest = min(self.pools, key=lambda each: self._asked[id(each)])
+        pool = self._homes.get(design, idlest)
+        self.pools.remove(pool)
+        self.pools.append(pool)
+        self._asked[id(pool)] += 1
         try:
             yield pool
         finally:
-            at_work, when = self._asked[id(pool)]
-            self._asked[id(pool)] = at_work - 1, when
+            self._asked[id(pool)] -= 1
 
     def keep(self, design: bytes, pool: Pool) -> None:
         """Note which process keeps a design."""
@@ -94,10 +93,10 @@ def make_hops(key: PathKey, hosts: Collection[str] | None = None) -> Guard:
         try:
             return _json(await _solved(request, homes))
         except (*FAILURES, InputError) as error:
-            said = str(error)
-            if not isinstance(error, InputError):
-                said = describe_failure(error)[1]["error"]["message"]
-            return _json(refused(said), NOT_KEPT)
+            failure = describe_failure(error)[1]["error"]["message"]
+            return _json(
+                refused(str(error) if isinstance(error, InputError) else failure), NOT_KEPT
+            )
 
     routes = [
         Route("/{key}", _listed),
@@ -105,8 +104,7 @@ def make_hops(key: PathKey, hosts: Collection[str] | None = None) -> Guard:
         Route("/{key}/solve", solve, methods=["POST"]),
         Route("/{key}/{name}", _described),
     ]
-    handlers: Any = {HTTPException: _not_there}
-    app = Starlette(routes=routes, lifespan=life, exception_handlers=handlers)
+    app = Starlette(routes=routes, lifespan=life)
     return Guard(app, key, hosts, LIMITS.bytes, LIMITS.receiving)
 
 
@@ -119,24 +117,19 @@ def _listed(_: Request) -> Response:
 
 
 def _described(request: Request) -> Response:
+    """A component; else what Hops takes for one without ports, whose description says more."""
     name = request.path_params["name"]
-    if name not in GIVEN:
-        raise HTTPException(404)
-    return _json(orjson.dumps(described(name)))
-
-
-async def _not_there(_: Request, error: HTTPException) -> Response:
-    """What Hops takes for a component without ports; its description says what there is."""
+    if name in GIVEN:
+        return _json(orjson.dumps(described(name)))
     said = f"there is no such component; there are {', '.join(GIVEN)}"
-    content = {"Description": said, "Inputs": [], "Outputs": [], "values": [], "errors": [said]}
-    return _json(orjson.dumps(content), error.status_code)
+    return _json(orjson.dumps({"Description": said, "Inputs": [], "Outputs": []}), 404)
 
 
 async def _solved(request: Request, homes: Homes) -> bytes:
     """The answer of the component that a request points to."""
     name, payload, design = await asyncio.to_thread(_asked, await request.body())
     async with homes.pool_for(design) as pool:
-        if name in FOR_PROOF:
+        if name in LENGTHY:
             content = await result_while_awaited(pool, name, payload, request)
         else:
             content = await pool.run(name, payload)
