@@ -98,7 +98,7 @@ def test_of_a_surface_all_are_tried_after_one_was_stopped(page: Page) -> None:
     settle(page)
     assert state(page, "freshness.value") == "current"
     assert state(page, "report.value.family") == state(page, "trials.value.family")
-    assert len(state(page, "trials.value.tried")) == 4
+    assert len(state(page, "trials.value.tried")) == 5
 
 
 @thorough  # what is told of each family: test_families
