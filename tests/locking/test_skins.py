@@ -214,6 +214,7 @@ def test_files_have_it_in_every_state(tmp_path: Path) -> None:
     frames = [fold, *fold["file_frames"]]
     assert len(frames) == 2 * len(states)
     hung = frames[len(states) :]
+    assert {frame["frame_parent"] for frame in hung[1:]} == {len(states)}
     for number, frame in enumerate(hung):
         points = np.concatenate([part.states[number].positions for part in parts])
         known = {*map(tuple, (points + shell.document.origin).tolist())}

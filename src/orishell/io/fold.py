@@ -171,10 +171,11 @@ def _state(document: Document, state: DocumentState) -> dict[str, Any]:
 def _frames_of(hung: HungSheet) -> Iterator[dict[str, Any]]:
     """Frames of the sheet with what hangs on it, for every state in which that is there."""
     states = hung.document.states
+    before = len(states) + (hung.document.flat is not None)
     there = [number for number in range(len(states)) if hung.is_there(number)]
     names = {number: name for name, number in hung.document.named.items()}
     for number in there:
-        same = {"frame_parent": len(states) + 1, "frame_inherit": True}
+        same = {"frame_parent": before, "frame_inherit": True}
         drive = states[number].drive_deg
         yield {
             "frame_classes": ["foldedForm"],
