@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from orishell.motion import Mechanism
+from orishell.motion.as_made import as_cut
 from orishell.motion.boards import Boards
-from orishell.motion.layout import Layout, points_of
+from orishell.motion.layout import points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 NOTHING = 1e-12
@@ -46,8 +47,9 @@ def beyond_a_face(corners: Array, pairs: Integers) -> Booleans:
 
 def overlap(mechanism: Mechanism, boards: Boards, drive: float) -> float:
     """The largest common volume of two boards of different panels, relative to that of all."""
-    faces, flat = Layout.of(mechanism).faces, points_of(mechanism, 0.0)
-    corners = boards.carried(faces, flat[:, :2], points_of(mechanism, drive))
+    made = as_cut(mechanism)
+    points = points_of(mechanism, drive)[made.vertices]
+    corners = boards.carried(made.mesh.faces, made.flat, points)
     made = solids(corners, boards)
     low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
     near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)

@@ -18,6 +18,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards
 from orishell.motion import diagonal, panel_normals
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array
 from orishell.solids import build_panels
@@ -63,8 +64,8 @@ def test_normals_accelerate_no_more_than_their_bounds(request: Request, part: in
 
 def state_of(design: Design, drive: float) -> tuple[Bodies, BodyState]:
     built = build_panels(design, design.mechanism.target_drive)
-    flat = design.mechanism.positions(0.0).reshape(-1, 3)
-    bodies = Bodies(built.boards, design.mechanism.grid.faces_vertices(), flat)
+    faces, lying = design.mechanism.grid.faces_vertices(), panels_laid_flat(design.mechanism)
+    bodies = Bodies(built.boards, faces, lying)
     return bodies, bodies.carried(design.mechanism.positions(drive).reshape(-1, 3))
 
 
@@ -108,8 +109,8 @@ def test_corners_are_cut_off_no_further_than_is_needed() -> None:
     def least(share: float) -> Array:
         """The least gap of boards about each vertex that is cut, at the target."""
         boards = build_panels(design, end, share * built.reliefs).boards
-        flat = mechanism.positions(0.0).reshape(-1, 3)
-        bodies = Bodies(boards, mechanism.grid.faces_vertices(), flat)
+        lying = panels_laid_flat(mechanism)
+        bodies = Bodies(boards, mechanism.grid.faces_vertices(), lying)
         state = bodies.carried(mechanism.positions(end).reshape(-1, 3))
         pairs, which = bodies.pairs_of(panels)
         gaps = Apartness.of((state, state), pairs).gaps[0]

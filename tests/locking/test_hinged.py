@@ -17,6 +17,7 @@ from orishell.clash.hinged_path import find_first_hinged_contact
 from orishell.design import Design, HingeSpec, PanelSpec
 from orishell.locking import find_lock
 from orishell.motion import Mechanism, diagonal, find_assignment
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import ARM, KNUCKLE, Boards
 from orishell.motion.hinges import Hinges
 from orishell.solids import build_panels
@@ -104,7 +105,7 @@ def test_a_knuckle_is_settled_with_what_turns_about_it_alone() -> None:
     """Its other board and the arm there, not other arms of that board."""
     sheet = flat_foldable(miura_net(3, 3))
     built = build_panels(design_of(sheet, 0.01, 0.001, 0.004), sheet.end_drive)
-    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
+    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), panels_laid_flat(sheet))
     assert isinstance(bodies.hinges, Hinges)
     sides, edges, panels = built.boards.sides, built.boards.edges, built.boards.panels
     assert edges is not None
@@ -141,7 +142,7 @@ def test_a_board_and_its_neighbours_are_settled_but_for_arms_that_reach_beyond()
     """Of a pair beside a hinge only those are searched that reach beyond it."""
     sheet = flat_foldable(miura_net(3, 3))
     built = build_panels(design_of(sheet, 0.01, 0.001), sheet.end_drive)
-    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
+    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), panels_laid_flat(sheet))
     assert isinstance(bodies.hinges, Hinges)
     near = near_bodies(bodies, bodies.hinges)
     first, second = (bodies.panels[each] for each in near.bodies)
@@ -164,7 +165,7 @@ def test_the_proof_takes_few_more_looks_than_that_of_panels(size: int) -> None:
     sheet = flat_foldable(miura_net(size, size))
     tolerance, end = TOLERANCE * diagonal(sheet.positions(0.0)), sheet.end_drive * (1 - 1e-6)
     built = build_panels(design_of(sheet, 0.004, 4e-4), end)
-    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), sheet.positions(0.0).reshape(-1, 3))
+    bodies = Bodies(built.boards, sheet.grid.faces_vertices(), panels_laid_flat(sheet))
     found = find_first_hinged_contact(sheet.least_turning, end, tolerance, bodies)
     panels = find_first_contact(sheet.least_turning, end, tolerance)
     assert found.contact is None

@@ -28,6 +28,7 @@ from orishell.io.formats.stl import write_stl
 from orishell.io.formats.tables import write_tables
 from orishell.io.solids import find_surface
 from orishell.locking.boards import prove_boards
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.layout import Layout, points_of
 from orishell.structure.masses import point_masses
@@ -196,17 +197,17 @@ def test_the_proof_sees_what_moves_along() -> None:
     design = replace(file.pattern.design(file.f, file.g).with_clipped_flaps(), clipped=None)
     design = replace(design, panel=PanelSpec(thickness=0.01, membrane=0.001))
     mechanism = design.mechanism.least_turning
-    end, flat = mechanism.target_drive, points_of(mechanism, 0.0)
+    end, lying = mechanism.target_drive, panels_laid_flat(mechanism)
     tolerance, faces = 1e-6, Layout.of(mechanism).faces
     built, path = prove_boards(design, end, tolerance)
     assert path.contact is None
 
     panel = 34  # under one leg of the arch
-    quad = flat[faces[panel], :2]
+    quad = lying[panel]
     foot = quad.mean(axis=0) + 0.05 * (quad - quad.mean(axis=0))
     levels = np.stack([np.column_stack([foot, np.full(4, z)]) for z in (-1.0, -0.006)])
     mast = Boards(np.array([panel]), np.array([-1]), levels[None])
-    tall = Bodies(join_boards([built.boards, mast]).in_order(), faces, flat)
+    tall = Bodies(join_boards([built.boards, mast]).in_order(), faces, lying)
 
     contact = find_first_body_contact(
         mechanism, end, tolerance, tall, settled=built.settled()

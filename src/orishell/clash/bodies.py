@@ -43,11 +43,11 @@ class BodyState:
 
 
 class Bodies:
-    """Boards as bodies on panels (F, 4) of the flat sheet (V, 3)."""
+    """Boards as bodies on panels (F, 4), whose corners (F, 4, 2) are known as they lie flat."""
 
-    def __init__(self, boards: Boards, faces: Integers, flat: Array) -> None:
+    def __init__(self, boards: Boards, faces: Integers, lying: Array) -> None:
         self.faces, self.panels = faces, boards.panels
-        self.lying: Array = (flat * [1.0, 1.0, 0.0])[faces]
+        self.lying: Array = np.pad(lying, ((0, 0), (0, 0), (0, 1)))
         self.start, self.axes = panel_axes(self.lying, self.lying)
         self.height = float(np.abs(boards.outlines[..., 2]).max(initial=0.0))
         self.hinges, outlines = boards.hinges, boards.outlines

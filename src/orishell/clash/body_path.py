@@ -26,7 +26,6 @@ from orishell.clash.broad_phase import Pairs, body_gaps, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, kept_near, near_slabs
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
-    BASE,
     TICKS,
     Found,
     Outcome,
@@ -182,7 +181,9 @@ class NearBodies:
         self.largest = [each.max(axis=1, initial=0.0) for each in self.parts]
         self.between, self.steps = near.between, np.stack([near.steps, 0.0 * near.steps])
         self.kept_by = np.zeros(len(near.vertices), np.int64)
+        # Pairs that lack a proof are left alone up to a tick, until steps are as short as that.
         self.sleep = np.full(len(near.vertices), np.inf)
+        self.until = np.zeros(len(near.vertices), np.int64)
         self.tests = self.ranges = 0
 
     def examine(self, start: int, stop: int, pending: Integers) -> Outcome[Integers]:
@@ -206,9 +207,7 @@ class NearBodies:
                 found.append(step**2 / 8 * total)
             return found
 
-        if stop - start == TICKS // BASE:
-            self.sleep[pending] = np.inf
-        asleep = (self.sleep[pending] < step) & (stop - start > 1)
+        asleep = (self.sleep[pending] < step) & (start < self.until[pending]) & (stop - start > 1)
         woken = pending[~asleep]
         if self.bodies.hinges.beside:
             woken = woken[self._may_be_near((start, stop), woken, (step, bounds.steps, swing))]
@@ -222,6 +221,7 @@ class NearBodies:
         plain = apart.gaps.min(axis=0)
         share = np.maximum(plain, 0.0) / np.maximum(plain - gap, 1e-300)
         self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
+        self.until[left] = stop
         pairs = selected(self.pairs, left)
         touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]
         pending = np.concatenate([pending[asleep], left])

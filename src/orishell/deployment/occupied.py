@@ -16,6 +16,7 @@ import numpy as np
 from orishell.clash.acceleration_bounds import ROUNDED_UP, NormalBounds
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, points_of
@@ -84,11 +85,10 @@ class Occupied:
 
 
 def _beyond(mechanism: Mechanism, boards: Boards) -> float:
-    """How far outlines of boards reach over the sides of their panels in the flat sheet."""
+    """How far outlines of boards reach over the sides of their panels as they lie flat."""
     import shapely
 
-    flat = points_of(mechanism, 0.0)[:, :2]
-    panels = np.asarray(shapely.polygons(flat[Layout.of(mechanism).faces]))
+    panels = np.asarray(shapely.polygons(panels_laid_flat(mechanism)))
     shapely.prepare(panels)
     corners = boards.outlines[..., :2].reshape(len(boards), -1, 2)
     apart = shapely.distance(panels[boards.panels][:, None], shapely.points(corners))

@@ -112,7 +112,7 @@ def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
     boards = build.density * float(built.boards.chosen(~built.boards.arms).volumes().sum())
     mass = metres * (boards + build.membrane_density * build.membrane * area)
     if isinstance(design.hinges, Hinges):
-        panels = panels_laid_flat(design.mechanism).reshape(-1, 4, 2)
+        panels = panels_laid_flat(design.mechanism)
         fittings = fit_hinges(panels, design.hinges, build)
         mass += metres * fittings.arm_mass(build) + fittings.hinge_mass(build) / metres
     return mass / area

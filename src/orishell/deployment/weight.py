@@ -29,11 +29,12 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import Angle, record
 from orishell.deployment.standing import Standing
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout, points_of
 from orishell.motion.mechanism import panel_normals
-from orishell.motion.quads import dots, lengths
+from orishell.motion.quads import dots, lengths, signed_areas
 from orishell.numerics.arrays import Array, Integers
 
 NODES = 11
@@ -168,12 +169,12 @@ class Body:
         hinges: HingeLines = IN_CREASES,
     ) -> Body:
         """Of panels of a weight per area, on feet as :meth:`Standing.of` has them."""
-        flat, faces = points_of(mechanism, 0.0), Layout.of(mechanism).faces
-        corners, shares = flat[faces], np.zeros(len(flat))
+        corners, faces = panels_laid_flat(mechanism), Layout.of(mechanism).faces
+        shares = np.zeros(int(faces.max()) + 1)
         areas = np.zeros(len(faces))
         for triangle in ([0, 1, 2], [0, 2, 3]):
             p, q, r = (corners[:, k] for k in triangle)
-            area = 0.5 * np.cross(q - p, r - p)[:, 2]
+            area = signed_areas(np.stack([p, q, r], axis=1))
             areas += area
             np.add.at(shares, faces[:, triangle], area[:, None] / 3)
         standing = Standing.of(mechanism, feet_rows, columns, hinges)

@@ -61,12 +61,13 @@ def _lines(on: Mechanism, strips: Carried, wall: Wall, part: int) -> HungLines:
     columns = strips.columns if part == OUTER else slice(0, strips.grid.columns)
     across = np.arange(columns.start, columns.stop - 1)
     # Corners of panels as they are cut: upper left, lower left, lower right, upper right.
-    corners = panels_laid_flat(on)[hanging.panels, across]
+    panels = hanging.panels * (on.grid.columns - 1) + across
+    corners = panels_laid_flat(on)[panels]
     begin, end = corners[:, [0, 3]], corners[:, [1, 2]]
     at = np.stack([hanging.at[:-1], hanging.at[1:]], axis=-1)
     return HungLines(
         names=(f"wall {wall.row}",) * len(across),
-        panels=hanging.panels * (on.grid.columns - 1) + across,
+        panels=panels,
         sides=np.full(len(across), BOTTOM if part == OUTER else TOP),
         ends=begin + at[..., None] * (end - begin),
         away=at * np.linalg.norm(end - begin, axis=-1),

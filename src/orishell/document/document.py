@@ -98,6 +98,19 @@ class Document(Part):
         """The sheet that folds, without the parts that go with it."""
         return replace(self, attached=()) if self.attached else self
 
+    def boards_in(self, state: DocumentState) -> Array:
+        """Corners (B, H, K, 3) of the outlines of all boards in a state, in the document's frame.
+
+        Raises
+        ------
+        InputError
+            If panels have no thickness.
+        """
+        if self.cut is None:
+            return Part.boards_in(self, state)
+        cut = replace(self.cut, panel=self.panel, boards=self.boards)
+        return cut.boards_in(replace(state, positions=state.positions[self.cut_from]))
+
     def as_cut(self) -> Self:
         """The document whose parts are what is cut: itself, or strips in place of whole sheets."""
         off = self.distances

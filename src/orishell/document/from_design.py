@@ -15,7 +15,7 @@ from orishell.design import Design, PanelSpec
 from orishell.design.carried import CarriedPart
 from orishell.document import SHELL, Document, DocumentState, Part
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
-from orishell.motion.as_made import AsMade, in_strips, laid_flat
+from orishell.motion.as_made import AsMade, in_strips, laid_flat, sides_of_strips
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid, edges_assignment
 from orishell.motion.layout import (
@@ -213,7 +213,7 @@ def _clipped_strips(
     """
     grid, strip = mechanism.grid, Grid(mechanism.grid.rows, 2)
     mesh = build_mesh(strip.faces_vertices(), strip.vertex_count, strip.edges_vertices())
-    flat, target = (FoldedState.of(mechanism, d) for d in (0.0, mechanism.target_drive))
+    sides, target = sides_of_strips(mechanism), FoldedState.of(mechanism, mechanism.target_drive)
     signs = find_assignment(mechanism)
     strips = []
     for flap in mechanism.flap_columns:
@@ -230,7 +230,7 @@ def _clipped_strips(
                 unit=unit,
                 mesh=mesh,
                 assignment=tuple(edges_assignment(mine)),
-                flat=_clean(flat.positions[:, ends, :2].reshape(-1, 2)),
+                flat=_clean(np.stack([side[:, flap] for side in sides], axis=1).reshape(-1, 2)),
                 fold_angles_deg=angles,
                 states=(DocumentState(positions, angles, tidy_degrees(target.drive)),),
                 grid_shape=(strip.rows, strip.columns),

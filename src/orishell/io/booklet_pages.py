@@ -22,7 +22,7 @@ from orishell.io.booklet_drawing import (
 )
 from orishell.workshop import Workshop
 from orishell.workshop.kit.facts import KitFacts, corner_panels, find_facts
-from orishell.workshop.kit.line_drawing import draw_lines
+from orishell.workshop.kit.line_drawing import draw_lines, drawn_state
 from orishell.workshop.kit.parts import KitPart, kit_parts, kit_tools
 from orishell.workshop.kit.step import Step
 from orishell.workshop.kit.steps import carried, kit_steps, pack_boxes
@@ -203,7 +203,7 @@ class _Book:
             return [*picture(drawing, corner, room)], []
         corner, room = (corner[0] + NAMES, corner[1] + 12), (room[0] - 2 * NAMES, room[1] - 24)
         seen = [*picture(drawing, corner, room)]
-        flat = self.document.state(step.state).positions[:, :2]
+        flat = drawn_state(self.document, step.state).positions[:, :2]
         move, scale = fitted(drawing.box, corner, room)
         faces = self.document.mesh.faces
         corners = (

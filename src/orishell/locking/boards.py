@@ -21,6 +21,7 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.locking.in_pieces import first_hinged_contact
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.layout import Layout, points_of
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -74,7 +75,7 @@ class Corners:
     columns: The columns of its vertices at which corners may be cut off: those of the sheet.
     opposite, vertices: Panels (P,) opposite each other, and the vertex (P,) that they share.
     drives: States in which their boards are compared (radians).
-    flat: Vertices (V, 3) of the flat sheet in which boards are described.
+    lying: Corners (F, 4, 2) of panels as they lie flat, in which boards are described.
     boards: All boards on it.
     """
 
@@ -83,13 +84,13 @@ class Corners:
     opposite: Pairs
     vertices: Integers
     drives: Sequence[float]
-    flat: Array
+    lying: Array
     boards: Callable[[BuiltPanels], Boards]
 
     def bodies(self, built: BuiltPanels) -> Bodies:
         """Its boards as bodies."""
         faces = Layout.of(self.mechanism).faces
-        return Bodies(self.boards(built), faces, self.flat)
+        return Bodies(self.boards(built), faces, self.lying)
 
 
 def prove_boards(
@@ -110,7 +111,7 @@ def prove_boards(
 
     Raises DesignError if nothing is left of a panel.
     """
-    mechanism, flat = design.mechanism.least_turning, points_of(design.mechanism, 0.0)
+    mechanism, lying = design.mechanism.least_turning, panels_laid_flat(design.mechanism)
     built = build_panels(design, end)
     settled, hinges = built.settled(), built.boards.hinges
     # Boards of two pieces are looked at where they are joined.
@@ -123,7 +124,7 @@ def prove_boards(
         others = [0.0] if hinges.beside else np.linspace(0.0, built.limit, STATES)
         drives = np.unique([*others, drive]).tolist()
         return Corners(
-            mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.bodies
+            mechanism, slice(None), opposite, vertices, drives, lying, lambda each: each.bodies
         )
 
     def first_contact(built: BuiltPanels) -> PathResult:

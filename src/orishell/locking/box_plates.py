@@ -20,6 +20,7 @@ from orishell.locking.fold_rows import fold_columns
 from orishell.locking.plates import require_folds, with_plates
 from orishell.locking.result import Lock
 from orishell.motion import diagonal
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import join_boards
 from orishell.motion.complex import Complex
 from orishell.motion.layout import Layout, points_of
@@ -76,22 +77,20 @@ def _met(
     count = len(names)
     names += [each for plates in every for each in plates.names]
     corners = np.concatenate([plates.corners for plates in every])
-    lying = np.concatenate([plates.lying() for plates in every])
     points = points_of(whole, target)
     own: Integers = len(points) + np.arange(4 * len(corners)).reshape(-1, 4)
     faces = np.concatenate([layout.faces, own])
     places = np.concatenate([points, corners.reshape(-1, 3)])
     if lock.built is None:
         return _panels_met(whole, faces, places, names, tolerance)
-    flat = points_of(whole, 0.0)
-    flat = np.concatenate([flat, np.pad(lying, ((0, 0), (0, 0), (0, 1))).reshape(-1, 3)])
+    lying = np.concatenate([panels_laid_flat(whole), *(plates.lying() for plates in every)])
     boards = [moving_boards(lock.built.boards, whole, design.carried)]
     behind = count
     for plates in every:
         made = plates.boards(np.zeros((len(plates), 2)), levels)
         boards.append(replace(made, panels=made.panels + behind))
         behind += len(plates)
-    bodies = Bodies(join_boards(boards), faces, flat)
+    bodies = Bodies(join_boards(boards), faces, lying)
     groups = np.maximum(bodies.panels - count + 1, 0)
     met = deepest_between(bodies, places, tolerance, groups)
     if met is None or met[1] <= tolerance:

@@ -22,8 +22,8 @@ from orishell.locking.carried_flaps import Called, called, flap_contact
 from orishell.locking.result import CarriedMotion, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END
 from orishell.motion import corrugation_depth, diagonal
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.complex import Complex
-from orishell.motion.layout import points_of
 from orishell.solids import build_panels
 from orishell.solids.carried import carried_design, closes_to, moving_boards
 
@@ -135,7 +135,7 @@ class CarriedPath:
         if built is None:
             return None
         every = moving_boards(built.boards, whole, carried)
-        return Bodies(every, whole.layout.faces, points_of(whole, 0.0))
+        return Bodies(every, whole.layout.faces, panels_laid_flat(whole))
 
     def _at_flaps(self, carried: Sequence[CarriedPart]) -> Contact | None:
         """What flaps that are clipped on meet at the target; None if nothing."""

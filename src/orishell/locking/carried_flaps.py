@@ -12,6 +12,7 @@ from orishell.clash.separation import corners_of, overlaps
 from orishell.clash.state import deepest_between, near_panels
 from orishell.design import Design
 from orishell.design.carried import CarriedPart
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards, join_boards
 from orishell.motion.grid import Panel
 from orishell.motion.layout import Layout, points_of
@@ -43,18 +44,19 @@ def flap_contact(
     places = [(row, column - left) for row, column in layout.names[layout.flaps].tolist()]
     every = [(f"flap {[*each]}", each) for each in places]
     every += [each for part in carried for each in called(part)]
-    faces, vertices, flat = [flaps], [points], [points_of(flapped, 0.0)]
+    faces, vertices = [flaps], [points]
+    lying = [panels_laid_flat(flapped)[layout.flaps]]
     boards = [] if built is None else [_of_flaps(built, layout)]
     for part in carried:
         begin, behind = sum(map(len, vertices)), sum(map(len, faces))
         faces.append(part.strips.grid.faces_vertices() + begin)
         vertices.append(points_of(part.strips, target))
-        flat.append(points_of(part.strips, 0.0))
+        lying.append(panels_laid_flat(part.strips))
         if part.boards is not None:
             boards.append(replace(part.boards, panels=part.boards.panels + behind))
     whole, there = np.concatenate(faces), np.concatenate(vertices)
     if boards:
-        bodies = Bodies(join_boards(boards), whole, np.concatenate(flat))
+        bodies = Bodies(join_boards(boards), whole, np.concatenate(lying))
         groups = (bodies.panels >= len(flaps)).astype(np.int64)
         met = deepest_between(bodies, there, tolerance, groups)
         pair = None if met is None else bodies.carriers(met[0])

@@ -25,8 +25,8 @@ from orishell.design import Design
 from orishell.locking.boards import Corners, Met, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.convex import require_convex
-from orishell.motion.layout import points_of
 from orishell.numerics.equals import first_largest
 from orishell.solids import BuiltPanels, settled_vertices
 
@@ -107,7 +107,7 @@ def clip_boards(
         selected(opposite, flapped),
         vertices[flapped],
         [sheet.target],
-        points_of(mechanism, 0.0),
+        panels_laid_flat(mechanism),
         lambda each: each.with_flaps(mechanism),
     )
     apart = layout.grid.vertices()[1:-1, 1:-1][settled]

@@ -24,6 +24,7 @@ from orishell.locking.plates import require_creases, require_folds, with_plates
 from orishell.locking.result import Lock
 from orishell.locking.sheet import Sheet
 from orishell.motion import diagonal
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import join_boards
 from orishell.motion.convex import require_convex
 from orishell.motion.layout import Layout, points_of
@@ -132,7 +133,7 @@ class Place:
         whole = design.flapped
         self.faces = Layout.of(whole).faces
         self.points = points_of(whole, whole.target_drive)
-        self.flat = points_of(whole, 0.0)
+        self.lying = panels_laid_flat(whole)
         built = lock.built
         if built is None and design.panel is not None:
             built = build_panels(design, design.mechanism.target_drive)
@@ -178,25 +179,23 @@ class Place:
         row, column = self.sheet.panel(panel)
         return f"panel {row},{column}"
 
-    def _with(self, found: Gussets) -> tuple[Integers, Array, Array]:
-        """Faces, vertices at the target and in the flat sheet, those of gussets behind others."""
+    def _with(self, found: Gussets) -> tuple[Integers, Array]:
+        """Faces, and vertices at the target, those of gussets behind others."""
         count = len(self.points)
         more = count + np.arange(4 * len(found)).reshape(-1, 4)
-        lying = np.pad(found.lying(), ((0, 0), (0, 0), (0, 1))).reshape(-1, 3)
         return (
             np.concatenate([self.faces, more]),
             np.concatenate([self.points, found.corners.reshape(-1, 3)]),
-            np.concatenate([self.flat, lying]),
         )
 
     def _met_by_boards(self, found: Gussets) -> tuple[int, int, float] | None:
         """The two panels whose boards reach farthest into each other, one a gusset's."""
         assert self.boards is not None
-        faces, points, flat = self._with(found)
+        faces, points = self._with(found)
         own = found.boards(np.zeros((len(found), 2)), self.levels)
         own = replace(own, panels=own.panels + len(self.faces))
         boards = join_boards([self.boards, own])
-        bodies = Bodies(boards, faces, flat)
+        bodies = Bodies(boards, faces, np.concatenate([self.lying, found.lying()]))
         groups = np.maximum(boards.panels - len(self.faces) + 1, 0)
         deepest = deepest_between(bodies, points, self.tolerance, groups)
         if deepest is None or deepest[1] <= self.tolerance:
@@ -210,7 +209,7 @@ class Place:
         They may touch: a gusset has edges in common with the panels about its vertex, between which
         it lies, and with a gusset of the next row, which is on the other side of the sheet.
         """
-        faces, points, _ = self._with(found)
+        faces, points = self._with(found)
         own, grid = len(self.faces), self.design.flapped.grid
         first, second = near_panels(points, faces, self.tolerance)
         with_gusset = second >= own

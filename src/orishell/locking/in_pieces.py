@@ -11,9 +11,10 @@ from orishell.clash.bodies import Bodies
 from orishell.clash.hinged_path import find_first_hinged_contact
 from orishell.conventions.progress import Progress, stretch
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
 from orishell.motion.hinge_lines import HingeLines
-from orishell.motion.layout import Layout, points_of
+from orishell.motion.layout import Layout
 from orishell.motion.piece import SheetPiece
 from orishell.solids.hinged.pieces import BuiltPiece, pieces_of
 
@@ -42,7 +43,8 @@ def first_hinged_contact(
     """The first contact of whole boards and arms, of each piece by itself."""
 
     def search(piece: BuiltPiece, end: float, progress: Progress) -> PathResult:
-        bodies = Bodies(piece.boards, Layout.of(piece.sheet).faces, points_of(piece.sheet, 0.0))
+        faces = Layout.of(piece.sheet).faces
+        bodies = Bodies(piece.boards, faces, panels_laid_flat(piece.sheet))
         result = find_first_hinged_contact(piece.sheet, end, tolerance, bodies, progress)
         met = result.contact
         if met is None or met.bodies is None:

@@ -22,9 +22,9 @@ from orishell.locking.in_pieces import first_contact_of_pieces
 from orishell.locking.result import Cause, Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.grid import Panel
 from orishell.motion.hinges import piece_numbers
-from orishell.motion.layout import points_of
 from orishell.motion.sizes import CONTACT_TOLERANCE
 from orishell.numerics.arrays import Booleans
 from orishell.solids import BuiltPanels, build_panels
@@ -46,14 +46,13 @@ def join_pieces(design: Design, built: BuiltPanels, tolerance: float) -> BuiltPa
     elsewhere = np.ones((mechanism.grid.rows - 2, mechanism.grid.columns - 2), np.bool_)
     elsewhere[rows] = False
     opposite, vertices = opposite_panels(sheet.layout, elsewhere)
-    flat = points_of(mechanism, 0.0)
     corners = Corners(
         mechanism,
         slice(None),
         opposite,
         vertices,
         [sheet.target],
-        flat,
+        panels_laid_flat(mechanism),
         lambda each: each.boards,
     )
 

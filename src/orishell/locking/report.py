@@ -10,9 +10,10 @@ from orishell.design import Construction, Design, Sides
 from orishell.design.fittings import SHORT
 from orishell.locking.result import Lock
 from orishell.motion import Mechanism, area_of
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import ARM, Boards
 from orishell.motion.hinges import Hinges
-from orishell.motion.layout import Layout, points_of
+from orishell.motion.layout import Layout
 from orishell.motion.quads import signed_areas
 from orishell.solids import BuiltPanels, FlapFolds, SideFolds, find_meetings, set_backs_of
 from orishell.solids.hinged import board_offsets
@@ -150,8 +151,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
 def least_share(mechanism: Mechanism, boards: Boards) -> float:
     """The least share of a panel that a board covers, at the height at which that is least."""
     boards = boards.chosen(~boards.arms)
-    flat = points_of(mechanism, 0.0)[:, :2]
-    panels = signed_areas(flat[Layout.of(mechanism).faces])[boards.panels]
+    panels = signed_areas(panels_laid_flat(mechanism))[boards.panels]
     return float((signed_areas(boards.outlines[..., :2]).min(axis=1) / panels).min())
 
 

@@ -12,10 +12,10 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
-from orishell.motion.layout import mesh_of, points_of
+from orishell.motion.layout import Layout, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.mesh import QuadMesh, build_mesh
-from orishell.motion.quads import grid_corners, is_level, lengths
+from orishell.motion.quads import is_level, lengths
 from orishell.numerics.arrays import Array, Integers
 
 APART = 0.25
@@ -50,14 +50,14 @@ def laid_flat(mechanism: Mechanism) -> Array | None:
         return None
     # As a column it goes down with its first row at the left.
     column = mechanism.positions(0.0).swapaxes(0, 1)
-    sides = np.concatenate(_laid_side_by_side(column), axis=1).swapaxes(0, 1)
+    sides = np.concatenate(_laid_side_by_side(column, slice(0, 1)), axis=1).swapaxes(0, 1)
     return -sides[..., ::-1].reshape(-1, 2)
 
 
 def in_strips(mechanism: Mechanism) -> AsMade:
     """The columns of panels of a mechanism, each a strip by itself, side by side."""
     grid = mechanism.grid
-    left, right = _laid_side_by_side(mechanism.positions(0.0))
+    left, right = sides_of_strips(mechanism)
     vertices = grid.vertices()
     # The left sides of strips are the grid's columns but the last, whose right side that is.
     of_right = grid.vertex_count + np.arange(grid.rows * (grid.columns - 2)).reshape(grid.rows, -1)
@@ -80,18 +80,31 @@ def sheet_sides(mechanism: Mechanism) -> tuple[float, float, int]:
     if is_level(points):
         width, height = np.ptp(points[:, :2], axis=0).tolist()
         return width, height, 0
-    sides = np.stack(_laid_side_by_side(mechanism.positions(0.0)), axis=1)
+    sides = np.stack(sides_of_strips(mechanism), axis=1)
     width, height = np.ptp(sides, axis=(0, 1)).max(axis=0).tolist()
     return width, height, mechanism.grid.columns - 1
 
 
 def panels_laid_flat(mechanism: Mechanism) -> Array:
-    """Corners (rows-1, columns-1, 4, 2) of the panels of a mechanism's grid as they are cut."""
-    grid, flat = mechanism.grid, laid_flat(mechanism)
+    """Corners (F, 4, 2) of all panels of a mechanism as they are cut, counter-clockwise.
+
+    Where flaps are left out the others lie where they lay.
+    """
+    flat = laid_flat(mechanism)
     if flat is not None:
-        return grid_corners(flat[: grid.vertex_count].reshape(grid.rows, grid.columns, 2))
-    left, right = _laid_side_by_side(mechanism.positions(0.0))
-    return np.stack([left[:-1], left[1:], right[1:], right[:-1]], axis=2)
+        return flat[Layout.of(mechanism).faces]
+    left, right = sides_of_strips(mechanism)
+    corners = [left[:-1], left[1:], right[1:], right[:-1]]
+    return np.stack(corners, axis=2).reshape(-1, 4, 2)
+
+
+def sides_of_strips(mechanism: Mechanism) -> tuple[Array, Array]:
+    """Left and right vertices (rows, columns-1, 2) of all columns of panels as they are cut."""
+    positions = mechanism.positions(0.0)
+    if is_level(positions):
+        return positions[:, :-1, :2], positions[:, 1:, :2]
+    inner = mechanism.inner_columns
+    return _laid_side_by_side(positions, slice(inner.start, inner.stop - 1))
 
 
 def _edges_of(grid: Grid, ends: Integers) -> Integers:
@@ -102,8 +115,10 @@ def _edges_of(grid: Grid, ends: Integers) -> Integers:
     return np.asarray(order[np.searchsorted(known, asked, sorter=order)])
 
 
-def _laid_side_by_side(positions: Array) -> tuple[Array, Array]:
+def _laid_side_by_side(positions: Array, inner: slice) -> tuple[Array, Array]:
     """Left and right vertices (rows, columns-1, 2) of all strips, laid flat beside one another.
+
+    Places are told from the ``inner`` strips, those that are no flaps.
 
     In the panel at (i, j), with x along its upper side, the next upper side begins at d and lies
     along r; so from strip to strip all is a running product of turns, and a running sum.
@@ -130,7 +145,8 @@ def _laid_side_by_side(positions: Array) -> tuple[Array, Array]:
     left, right = left * upright, right * upright
     both = np.stack([left, right])
     low, high = both.real.min(axis=(0, 1)), both.real.max(axis=(0, 1))
-    room = APART * float(np.mean(high - low))
-    place = np.cumsum(high - low + room) - high - both.imag.max(axis=(0, 1)) * 1j
+    room = APART * float(np.mean((high - low)[inner]))
+    stops = np.cumsum(high - low + room)
+    place = stops - stops[: inner.start][-1:].sum() - high - both.imag.max(axis=(0, 1)) * 1j
     left, right = left + place, right + place
     return np.stack([left.real, left.imag], axis=-1), np.stack([right.real, right.imag], axis=-1)

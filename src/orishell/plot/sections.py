@@ -12,7 +12,9 @@ from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.design.piece import Piece
 from orishell.motion import FoldingMotion
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import Boards
+from orishell.motion.mechanism import is_flat_at_first
 from orishell.numerics.arrays import Array
 from orishell.numerics.equals import first_largest
 from orishell.plot.scene import BORDER, LEGEND, TITLE, WIDTH, add_part, set_title
@@ -75,7 +77,7 @@ def find_hinge_section(
     mechanism = motion.mechanism
     grid = mechanism.grid
     boards = boards.chosen(boards.panels < grid.panel_count)  # creases of the sheet only
-    corners = mechanism.positions(0.0).reshape(-1, 3)[grid.faces_vertices(), :2]
+    corners = panels_laid_flat(mechanism)[: grid.panel_count]
     edges = grid.faces_edges()
     along = np.roll(corners, -1, axis=1) - corners
     inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
@@ -106,6 +108,7 @@ def find_hinge_section(
             points = _cut(boards.outlines[board], start, inward[panel, place])
             if points is not None:
                 profiles.append(Profile(bool(right), int(boards.sides[board]), points))
+    first = "flat" if is_flat_at_first(mechanism) else "open"
     drives = [0.0, mechanism.target_drive] + ([] if motion.pack is None else [motion.pack])
     folds = mechanism.fold_angles(np.array(drives)).on_edges()[:, edge].tolist()
     shown = [k for k, fold in enumerate(folds) if all(abs(fold - x) > SAME for x in folds[:k])]
@@ -115,7 +118,7 @@ def find_hinge_section(
         ends=(ends[0], ends[1]),
         setback=float(max(farthest[edge], 0.0)),
         build=build,
-        states=tuple(("flat", "target", "pack")[k] for k in shown),
+        states=tuple((first, "target", "pack")[k] for k in shown),
         folds=tuple(folds[k] for k in shown),
     )
 

@@ -113,7 +113,6 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
 def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> Design:
     """The design with panels of a thickness: its flaps stop where their boards meet."""
     require_convex(design.mechanism)
-    _require_one_sheet(design.mechanism)
     if panel.construction == "hinged":
         return _with_whole_boards(design, panel, closing)
     stop = panel.stop if has_flaps(design.mechanism) else 0.0
@@ -122,13 +121,14 @@ def _with_panels(design: Design, panel: PanelSpec, closing: Remedy | None) -> De
     return replace(design.with_stop(stop), panel=panel)
 
 
-def _require_one_sheet(mechanism: Mechanism) -> None:
-    """Refuse boards on panels that are made in strips."""
+def _require_one_sheet(mechanism: Mechanism, panel: PanelSpec) -> None:
+    """Refuse whole boards on panels that are made in strips: their vertices are no linkages."""
     if not is_flat_at_first(mechanism):
         raise DesignError(
-            "boards are made for panels that lie in one flat sheet, and these are made in strips",
-            keys=("panel.thickness",),
-            candidates=[Remedy({"panel": None})],
+            "whole boards on hinges move only where the sheet folds flat both ways, and this one, "
+            "made in strips, is flat in no state",
+            keys=("panel.construction", "shell.family"),
+            candidates=[on_membrane(panel)],
         )
 
 
@@ -140,6 +140,7 @@ def _with_whole_boards(design: Design, panel: PanelSpec, closing: Remedy | None)
     closing: What makes a sheet of its family fold flat.
     """
     mechanism = design.mechanism
+    _require_one_sheet(mechanism, panel)
     if has_flaps(mechanism):
         raise DesignError(
             "whole boards on hinges cannot have flaps: a flap folds flat before the sheet does",

@@ -13,6 +13,7 @@ from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.hinges import Hinges
 from orishell.motion.layout import Layout
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.hinged.arms import build_whole_boards
 from orishell.solids.setbacks import set_backs_of
@@ -102,13 +103,12 @@ def build_boards(
     DesignError
         If nothing is left of a panel.
     """
-    return boards_on(
-        flat.reshape(-1, 3), Layout.of_grid(grid), build, folds, reliefs=reliefs, hinges=hinges
-    )
+    panels = grid_corners(flat)[..., :2].reshape(-1, 4, 2)
+    return boards_on(panels, Layout.of_grid(grid), build, folds, reliefs=reliefs, hinges=hinges)
 
 
 def boards_on(
-    flat: Array,
+    panels: Array,
     layout: Layout,
     build: PanelSpec,
     folds: CreaseValues,
@@ -129,8 +129,8 @@ def boards_on(
 
     Parameters
     ----------
-    flat
-        Vertices (V, 3) of the flat sheet.
+    panels
+        Their corners (F, 4, 2) as they lie flat, counter-clockwise.
     reliefs
         How far corners are cut off at every vertex (rows, columns) (length); None if none is.
     beside
@@ -146,7 +146,6 @@ def boards_on(
         If nothing is left of a panel.
     """
     faces, grid, at_sides = layout.faces, layout.grid, SideFolds.of(layout, folds, beside)
-    panels = flat[faces, :2]
     back = set_backs_of(at_sides, build.heights, build.gap)
     cut = None if reliefs is None else _at_corners(reliefs, faces)
     there: list[Booleans] = [

@@ -18,9 +18,10 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.boards import BARE, SIDES, Boards, join_boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
-from orishell.motion.layout import Layout, SlitFlaps, points_of
+from orishell.motion.layout import Layout, SlitFlaps
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.boards import boards_on
 from orishell.solids.hinged import find_hinges
@@ -108,9 +109,9 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
         hinges = design.hinges
         if build.construction == "hinged" and not hinges.beside:
             hinges = find_hinges(mechanism, build)
-        beside, flat = largest_flap_folds(mechanism, limit), points_of(mechanism, 0.0)
+        beside = largest_flap_folds(mechanism, limit)
         boards = boards_on(
-            flat,
+            panels_laid_flat(mechanism),
             Layout.of(mechanism),
             build,
             folds,
@@ -148,9 +149,9 @@ def _with_flaps(
     column[:, inner.start : inner.stop - 2] = folds.column
     if reliefs is not None:
         reliefs = np.pad(reliefs, ((0, 0), (inner.start, clipped.grid.columns - inner.stop)))
-    flat, beside = points_of(clipped, 0.0), FlapFolds.at(clipped, target)
+    panels, beside = panels_laid_flat(clipped), FlapFolds.at(clipped, target)
     all_folds = CreaseValues(row, column)
-    return boards_on(flat, Layout.of(clipped), build, all_folds, reliefs=reliefs, beside=beside)
+    return boards_on(panels, Layout.of(clipped), build, all_folds, reliefs=reliefs, beside=beside)
 
 
 @record
@@ -181,7 +182,6 @@ class _RowCreases:
     panels: Integers  # (M, 2), the one above each and the one below
     sides: Integers  # (M, 2) of these panels at the crease
     names: Integers  # (M, 2), row and column of the panel above
-    ends: Integers  # vertices (M, 2), the left one in the flat sheet first
     folds: Array  # fold angles (M,) at the target (radians)
 
     @classmethod
@@ -190,12 +190,8 @@ class _RowCreases:
         layout, target = Layout.of(mechanism), mechanism.target_drive
         if isinstance(mechanism, SlitFlaps):
             pairs, (_, sides) = layout.pairs, layout.folding_sides
-            # Seen from the upper flap, the crease ends where its side does.
-            upper = layout.faces[pairs[:, 0]]
-            along: Integers = (sides[:, :1] + np.arange(2)) % 4
-            ends = np.take_along_axis(upper, along, axis=1)
             names = layout.names[pairs[:, 0]]
-            return cls(pairs, sides, names, ends, mechanism.flap_folds(target))
+            return cls(pairs, sides, names, mechanism.flap_folds(target))
         rows, columns = (
             each.ravel()
             for each in np.meshgrid(
@@ -205,12 +201,11 @@ class _RowCreases:
             )
         )
         across = mechanism.grid.columns - 1
-        panel, left = rows * across + columns, (rows + 1) * (across + 1) + columns
+        panel = rows * across + columns
         return cls(
             np.stack([panel, panel + across], axis=-1),
             np.broadcast_to([1, 3], (len(rows), 2)),
             np.stack([rows, columns], axis=-1),
-            np.stack([left, left + 1], axis=-1),
             mechanism.fold_angles(target).row[rows, columns],
         )
 
@@ -220,7 +215,6 @@ class _RowCreases:
             self.panels[which],
             self.sides[which],
             self.names[which],
-            self.ends[which],
             self.folds[which],
         )
 
@@ -241,7 +235,7 @@ def find_meetings(
     beside
         Those of flaps that are no columns of the grid, if there are such flaps.
     """
-    layout, flat = Layout.of(mechanism), points_of(mechanism, 0.0)
+    layout, lying = Layout.of(mechanism), panels_laid_flat(mechanism)
     creases = _RowCreases.of(mechanism)
 
     # Boards by panel and side.
@@ -253,7 +247,9 @@ def find_meetings(
     there: Booleans = np.asarray((pair >= 0).all(axis=1))
     creases, closing, pair = creases.chosen(there), closing[there], pair[there]
 
-    left, right = (flat[creases.ends[:, k], :2] for k in (0, 1))
+    # Seen from the upper panel, the crease goes from left to right along its side.
+    upper, first = creases.panels[:, 0], creases.sides[:, 0]
+    left, right = (lying[upper, (first + k) % 4] for k in (0, 1))
     level = np.where(closing > 0, -1, 0)
     ends = [
         _along(_side(boards.outlines[pair[:, k], level, :, :2], creases.sides[:, k]), left, right)
@@ -262,8 +258,7 @@ def find_meetings(
     start, stop = np.maximum(*ends)[:, 0], np.minimum(*ends)[:, 1]
 
     found = set_backs_of(SideFolds.of(layout, folds, beside), build.heights, build.gap)
-    above = creases.panels[:, 0], creases.sides[:, 0]
-    back = np.where(closing > 0, found.top[above], found.bottom[above])
+    back = np.where(closing > 0, found.top[upper, first], found.bottom[upper, first])
     fold = np.abs(creases.folds)
     half = 0.5 * (np.pi - fold)
     return Meetings(

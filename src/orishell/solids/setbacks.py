@@ -26,8 +26,10 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.layout import Layout, SlitFlaps, points_of
+from orishell.motion.layout import Layout, SlitFlaps
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.bisection import bisect
 from orishell.solids.sides import SHUT, FlapFolds, SideFolds
@@ -49,7 +51,7 @@ class SetBacks:
 
 
 def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
-    """The largest fold angles of all creases on the way from the flat sheet, with their signs.
+    """The largest fold angles of all creases on the way from drive 0, with their signs.
 
     Most grow all the way. For the others it is the largest of a parabola through the three states
     about it, or of these states if that is larger.
@@ -187,12 +189,15 @@ def thickness_between(
     """
     layout = Layout.of_grid(grid)
     sides = SideFolds.of(layout, folds)
-    heights = allowed_heights(flat.reshape(-1, 3), layout, sides, build)
+    panels = grid_corners(flat)[..., :2].reshape(-1, 4, 2)
+    heights = allowed_heights(panels, layout, sides, build)
     return float(build.thickness_for(heights).min())
 
 
 def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None = None) -> float:
     """The drive up to which boards leave enough of every panel (radians).
+
+    They stand back for the largest fold angles on the way there.
 
     Parameters
     ----------
@@ -200,30 +205,34 @@ def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None =
         The drive up to which the motion is known to be free; None for its end (radians).
     """
     layout = Layout.of(mechanism)
-    across = _ways_across(points_of(mechanism, 0.0), layout)
+    across = _ways_across(panels_laid_flat(mechanism), layout)
     end = mechanism.end_drive if end is None else end
     bare = bare_faces(SideFolds.at(mechanism, mechanism.target_drive), layout.flaps)
     asked = np.reshape(build.heights, (2, 1, 1))
 
-    def works(drive: float) -> bool:
-        heights = _heights(across, SideFolds.at(mechanism, drive), build)
-        return bool((heights >= asked)[~bare].all())
+    def leaves_room(folds: SideFolds) -> bool:
+        return bool((_heights(across, folds, build) >= asked)[~bare].all())
 
-    good = 0.0
+    good, before = 0.0, SideFolds.at(mechanism, 0.0)
+
+    def reached(drive: float) -> SideFolds:
+        return before.or_larger(SideFolds.at(mechanism, drive))
+
     for drive in np.linspace(0.0, end, SOUGHT_AMONG)[1:].tolist():
-        if not works(drive):
-            return bisect(works, good, drive, relative=FINE)
-        good = drive
+        folds = reached(drive)
+        if not leaves_room(folds):
+            return bisect(lambda at: leaves_room(reached(at)), good, drive, relative=FINE)
+        good, before = drive, folds
     return end
 
 
-def allowed_heights(flat: Array, layout: Layout, sides: SideFolds, build: PanelSpec) -> Array:
+def allowed_heights(panels: Array, layout: Layout, sides: SideFolds, build: PanelSpec) -> Array:
     """How high boards may stand (2, F, 2): faces, upper one first; panels; ways across.
 
-    The flat sheet has the vertices (V, 3). The first way is from left to right, the second from
-    bottom to top. 0 where even the gap takes too much.
+    The ``panels`` have these corners (F, 4, 2) as they lie flat. The first way is from left to
+    right, the second from bottom to top. 0 where even the gap takes too much.
     """
-    return _heights(_ways_across(flat, layout), sides, build)
+    return _heights(_ways_across(panels, layout), sides, build)
 
 
 def bare_faces(sides: SideFolds, flaps: Booleans) -> Booleans:
@@ -262,13 +271,12 @@ def _over(length: Array | float, share: Array) -> Array:
         return np.asarray(np.divide(taken, share, out=bound, where=some))
 
 
-def _ways_across(flat: Array, layout: Layout) -> Array:
+def _ways_across(corners: Array, layout: Layout) -> Array:
     """Shortest width (F, 2) of panels from left to right and from top to bottom.
 
     Of flaps beside the grid, whose other two sides are free, it is measured to the middle of the
     opposite side: they may end in a point.
     """
-    corners = flat[layout.faces, :2]
     along = np.roll(corners, -1, axis=1) - corners
     inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
     inward /= np.hypot(inward[..., 0], inward[..., 1])[..., None]

@@ -75,6 +75,11 @@ class SideFolds:
         layout, folds = Layout.of(mechanism), mechanism.fold_angles(drive)
         return cls.of(layout, folds, FlapFolds.at(mechanism, drive))
 
+    def or_larger(self, other: SideFolds) -> SideFolds:
+        """The larger ones of these and those of the same sheet in an ``other`` state."""
+        valley = np.maximum(self.valley, other.valley)
+        return SideFolds(valley, np.maximum(self.mountain, other.mountain), self.crease)
+
     @property
     def largest(self) -> Array:
         """The larger of both (F, 4)."""

@@ -12,8 +12,9 @@ from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import rounded, rounded_down
 from orishell.design import PanelSpec
 from orishell.motion import Mechanism
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.grid import CreaseValues, Grid
-from orishell.motion.layout import Layout, SlitFlaps, has_flaps, points_of
+from orishell.motion.layout import Layout, SlitFlaps, has_flaps
 from orishell.numerics.bisection import bisect_integers, largest_below
 from orishell.numerics.equals import first_largest, first_smallest
 from orishell.solids.setbacks import (
@@ -21,7 +22,6 @@ from orishell.solids.setbacks import (
     bare_faces,
     largest_flap_folds,
     largest_folds,
-    thickness_between,
 )
 from orishell.solids.sides import FlapFolds, SideFolds
 
@@ -51,7 +51,7 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     layout, target = Layout.of(mechanism), mechanism.target_drive
     folds, beside = largest_folds(mechanism, target), largest_flap_folds(mechanism, target)
     sides = SideFolds.of(layout, folds, beside)
-    heights = allowed_heights(points_of(mechanism, 0.0), layout, sides, build)
+    heights = allowed_heights(panels_laid_flat(mechanism), layout, sides, build)
     heights[bare_faces(sides, layout.flaps)] = np.inf
     thick = build.thickness_for(heights)
     _, panel, way = (int(k) for k in np.unravel_index(first_smallest(thick), thick.shape))
@@ -225,17 +225,17 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
     stopped = mechanism.with_stop(_angle(steps))
     if isinstance(stopped, SlitFlaps):
         return _most_beside(stopped, stopped.layout, build)
-    flat, folds = stopped.positions(0.0), stopped.fold_angles(stopped.target_drive).row
-    strip, no_columns = Grid(stopped.grid.rows, 2), np.zeros((stopped.grid.rows - 1, 0))
-    return min(
-        thickness_between(
-            flat[:, flap : flap + 2],
-            strip,
-            CreaseValues(folds[:, flap : flap + 1], no_columns),
-            build,
-        )
-        for flap in stopped.flap_columns
-    )
+    rows, columns = stopped.grid.rows, stopped.grid.columns
+    panels = panels_laid_flat(stopped).reshape(rows - 1, columns - 1, 4, 2)
+    folds = largest_folds(stopped, stopped.target_drive).row
+    strip = Layout.of_grid(Grid(rows, 2))
+
+    def most(flap: int) -> float:
+        alone = CreaseValues(folds[:, flap : flap + 1], np.zeros((rows - 1, 0)))
+        heights = allowed_heights(panels[:, flap], strip, SideFolds.of(strip, alone), build)
+        return float(build.thickness_for(heights).min())
+
+    return min(most(flap) for flap in stopped.flap_columns)
 
 
 def _most_beside(stopped: Mechanism, layout: Layout, build: PanelSpec) -> float:
@@ -247,5 +247,5 @@ def _most_beside(stopped: Mechanism, layout: Layout, build: PanelSpec) -> float:
         np.zeros((grid.rows - 2, grid.columns - 1)), np.zeros((grid.rows - 1, grid.columns - 2))
     )
     sides = SideFolds.of(layout, still, FlapFolds(0 * beside.hinges, beside.pairs))
-    heights = allowed_heights(points_of(stopped, 0.0), layout, sides, build)
+    heights = allowed_heights(panels_laid_flat(stopped), layout, sides, build)
     return float(build.thickness_for(heights[:, layout.flaps]).min())

@@ -124,7 +124,7 @@ class Strips:
     @property
     def flat(self) -> Array:
         """Corners (F, 4, 2) of its panels in the flat sheet, counter-clockwise."""
-        every = panels_laid_flat(self.part.strips).reshape(-1, 4, 2)
+        every = panels_laid_flat(self.part.strips)
         return every[self.first : self.first + self.count]
 
 

@@ -156,7 +156,7 @@ class MeshedShell:
     @cached_property
     def flat(self) -> Array:
         """Corners (F, 4, 2) of panels as they are cut, counter-clockwise."""
-        return panels_laid_flat(self.sheet).reshape(-1, 4, 2)
+        return panels_laid_flat(self.sheet)
 
     @property
     def boards(self) -> Boards | None:

@@ -36,6 +36,7 @@ from orishell.workshop.layout import KEPT, Known
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.palettes import Circle, Drawing, Line, Text
 from orishell.workshop.placing import Content, Placement, draw_stock_sheets, gathered, shifted
+from orishell.workshop.seams import seam_names, strip_numbers
 from orishell.workshop.settings import Workshop
 from orishell.workshop.title_block import quoted_size
 
@@ -299,7 +300,9 @@ def draw_plan(document: Document, workshop: Workshop) -> Drawing:
     seen = seen_from_outside(document, 0)
     panels = (Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines)
     creases = short_creases(document, np.flatnonzero(document.mesh.crease))
-    content = (*panels, *creases), (), (*board_labels(document, 0), *plan_names(document))
+    seams = seam_names(document, strip_numbers(document))
+    names = (*board_labels(document, 0), *plan_names(document), *seams)
+    content = (*panels, *creases), (), names
     facts = (
         f"{len(seen.numbers)} panels, {quoted_size(drawn_box(content)[1], document.unit)}",
         "Plan of assembly, seen from above; nothing is cut",

@@ -8,6 +8,7 @@ them, glued to the backs of both panels.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.palettes import Line, Text
+from orishell.workshop.seams import letters, seam_names, strip_numbers
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.tabs import find_owners, tab_shapes
 
@@ -51,6 +53,12 @@ def whole_sheet(document: Document) -> CutPart:
         creases=np.flatnonzero(mesh.crease),
         outlines=tuple(flat[loop] for loop in find_outlines(mesh.loops, flat)),
     )
+
+
+def named_sheet(document: Document) -> CutPart:
+    """The whole sheet, with names along the seams of strips if it is made of any."""
+    names = seam_names(document, strip_numbers(document))
+    return replace(whole_sheet(document), marks=names)
 
 
 def find_outlines(loops: Integers, flat: Array) -> tuple[Integers, ...]:
@@ -157,6 +165,7 @@ def make_parts(
         marks = tuple(mark for joint in mine for mark in joint.marks())
         if kind == "strips":
             marks = tuple(joint.marks()[0 if joint.parts[1] == k else 1] for joint in mine)
+        marks += seam_names(document, number, panels)
         parts.append(
             CutPart(
                 number=k,
@@ -188,17 +197,8 @@ def _name_joints(
         far, near = sides.index(other[edge]), sides.index(owner[edge])
         tabs = (shapes[edge, far],) + ((shapes[edge, near],) if kind == "strips" else ())
         parts = (int(number[owner[edge]]), int(number[other[edge]]))
-        joints.append(Joint(f"{pair[0]}-{pair[1]}{_letters(counts[pair])}", edge, parts, tabs))
+        joints.append(Joint(f"{pair[0]}-{pair[1]}{letters(counts[pair])}", edge, parts, tabs))
     return tuple(joints)
-
-
-def _letters(count: int) -> str:
-    """Letters for a number, as in spreadsheets: 1 is a, 26 is z, 27 is aa."""
-    letters = ""
-    while count:
-        count, last = divmod(count - 1, 26)
-        letters = chr(ord("a") + last) + letters
-    return letters
 
 
 def _strip(joint: Joint) -> CutPart:

@@ -23,7 +23,7 @@ from orishell.workshop.boards import (
     has_sheet,
     seen_from_outside,
 )
-from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
+from orishell.workshop.cut_parts import CutPart, Joint, make_parts, named_sheet, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_too_large, find_turns
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
@@ -173,7 +173,7 @@ def _lay_on_stock(
     """The layout with joints of a kind and a width; kept, because splitting takes long."""
     (width, height), (kind, joint_width) = stock, joint
     document = laid_flat(sheet.content)
-    whole = whole_sheet(document)
+    whole = named_sheet(document)
     points = np.concatenate(whole.outlines)
     turns = find_turns(points, width, height)
     if len(turns) and len(sheet.content.parts) == 1:

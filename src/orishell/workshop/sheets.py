@@ -22,7 +22,7 @@ from orishell.workshop.boards import (
     sheet_title,
 )
 from orishell.workshop.creases import made_lengths
-from orishell.workshop.cut_parts import CutPart, whole_sheet
+from orishell.workshop.cut_parts import CutPart, named_sheet, whole_sheet
 from orishell.workshop.draw import (
     cuts_within,
     draw_page,
@@ -70,7 +70,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     everything = replace(laid_flat(document), title=sheet_title(document))
     workshop = on_its_roll(document, workshop)
     if workshop.stock is None:
-        part = with_places(everything, whole_sheet(everything))
+        part = with_places(everything, named_sheet(everything))
         return (draw_part(everything, part, workshop),)
     require_drawable(everything)
     layout = lay_out(document, workshop)

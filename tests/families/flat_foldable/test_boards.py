@@ -10,6 +10,7 @@ import pytest
 from fitted_shells import fitted
 from orishell.design import Design, PanelSpec
 from orishell.locking import find_lock
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.layout import Layout
 from orishell.solids import largest_folds
 from orishell.solids.setbacks import allowed_heights
@@ -38,8 +39,8 @@ def thickest(design: Design, end: float) -> float:
     assert design.panel is not None
     layout = Layout.of(design.mechanism)
     sides = SideFolds.of(layout, largest_folds(design.mechanism, end))
-    flat = design.mechanism.positions(0.0).reshape(-1, 3)
-    return 2 * float(allowed_heights(flat, layout, sides, design.panel).min())
+    panels = panels_laid_flat(design.mechanism)
+    return 2 * float(allowed_heights(panels, layout, sides, design.panel).min())
 
 
 @pytest.mark.parametrize("count", led_by([5, 8, 16]))

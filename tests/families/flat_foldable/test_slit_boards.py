@@ -24,6 +24,7 @@ from orishell.io.formats.threemf import write_3mf
 from orishell.locking import find_lock
 from orishell.locking.report import describe_panels
 from orishell.locking.sheet import Sheet
+from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.quads import unit_normals
 from orishell.numerics.arrays import Array
 from orishell.shell.candidate import ended
@@ -93,7 +94,7 @@ def test_corners_are_cut_where_boards_meet_at_border_vertices() -> None:
     assert max(overlap(design.mechanism, whole, drive) for drive in drives) > NOTHING
     # Without cuts the proof names a flap and a panel, or two flaps, before the lock.
     sheet = Sheet.of(design)
-    bodies = Bodies(whole, sheet.layout.faces, design.mechanism.points(0.0))
+    bodies = Bodies(whole, sheet.layout.faces, panels_laid_flat(design.mechanism))
     settled = lock.built.settled()
     met = find_first_body_contact(sheet.mechanism, sheet.end, 1e-9, bodies, settled=settled).contact
     assert met is not None

@@ -20,6 +20,7 @@ from orishell.io import read_fold
 from orishell.io.fold import document_of_fold
 from orishell.motion.as_made import in_strips, panels_laid_flat
 from orishell.motion.quads import grid_corners
+from orishell.shell.designed import designed
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.pictures import lay_surface
@@ -67,8 +68,8 @@ def test_vertices_of_columns_lie_on_f() -> None:
 def test_strips_are_the_panels_laid_flat() -> None:
     pattern = THedralPattern(rows=7, columns=5, flap=0.2, depth=0.2)
     mechanism = design_t_hedral(ARCH, graph("0", 0, 4), pattern).mechanism
-    flat = panels_laid_flat(mechanism)
     corners = grid_corners(mechanism.positions(0.3 * mechanism.end_drive))
+    flat = panels_laid_flat(mechanism).reshape(*corners.shape[:-1], 2)
     for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)):
         one, other = (
             np.linalg.norm(each[..., a, :] - each[..., b, :], axis=-1) for each in (flat, corners)
@@ -81,6 +82,9 @@ def test_strips_are_the_panels_laid_flat() -> None:
     # They are apart: each has a range of x of its own.
     low, high = flat[..., 0].min(axis=(0, 2)), flat[..., 0].max(axis=(0, 2))
     assert (low[1:] > high[:-1]).all()
+    # And lie where they lay, if flaps are left out.
+    alone = panels_laid_flat(mechanism.without_flaps()).reshape(len(flat), -1, 4, 2)
+    np.testing.assert_allclose(alone, flat[:, 1:-1], atol=1e-12)
 
 
 def vault(**pattern: Any) -> dict[str, Any]:
@@ -124,9 +128,12 @@ def test_flaps_lock_it() -> None:
 
 def test_what_it_cannot_be_is_refused() -> None:
     design = vault()
-    design["panel"] = {"thickness": 0.01, "construction": "bevel", "gap": 0.002}
-    with pytest.raises(DesignError, match="made in strips"):
-        made(design)
+    design["panel"] = {"thickness": 0.01, "construction": "hinged"}
+    with pytest.raises(DesignError, match="flat in no state") as found:
+        designed(check_design(design, Path("vault.toml")))
+    (offered,) = found.value.candidates
+    changed = check_design(design, Path("vault.toml")).changed(offered.changes)
+    assert designed(changed).panel is not None
     level = THedralPattern(rows=3, columns=5, flap=0, spacing="equal")
     with pytest.raises(DesignError, match="level at the target"):
         design_t_hedral(graph("0", 0, 4), WAVE, level)

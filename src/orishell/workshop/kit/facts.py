@@ -15,6 +15,7 @@ from orishell.motion.freedom import FreedomOfSheet
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.equals import first_smallest
 from orishell.workshop.boards import has_sheet
+from orishell.workshop.seams import strip_numbers
 
 
 @record
@@ -27,6 +28,7 @@ class KitFacts:
     # sides of the boxes around the flat sheet and around the shell at its target, as its report has
     # them: what folds, with its boards, and that with all other parts
     sheet: tuple[float, float]
+    strips: int  # how many strips it is made of, the largest that large; 1 for one sheet
     opened: tuple[float, float, float]
     whole: tuple[float, float, float]
     # sides of the packs of all pieces; none where they were not measured
@@ -70,7 +72,12 @@ def find_facts(document: Document) -> KitFacts:
     packs = () if known is None or model else known.packs
     packed = known is not None and known.starts_packed and "pack" in document.named
     apart, feet = _feet(document, known, points)
-    width, height = np.ptp(flat, axis=0).tolist()
+    strip = strip_numbers(document)
+    width, height = np.max(
+        [np.ptp(flat[document.mesh.faces[strip == k]], axis=(0, 1)) for k in np.unique(strip)],
+        axis=0,
+    ).tolist()
+    in_strips = len(document.cut_from) > 0
     built = document.panel is not None and document.boards is not None
     boxes = [_sides(document.sheet), _sides(document)]
     if known is not None and not model:
@@ -81,6 +88,7 @@ def find_facts(document: Document) -> KitFacts:
         construction=document.panel.construction if document.panel and built else "",
         one_side="" if document.panel is None else document.panel.one_side,
         sheet=(width, height),
+        strips=int(strip.max()),
         opened=opened,
         whole=whole,
         packs=tuple(_scaled(each, factor) for each in packs),
@@ -95,7 +103,7 @@ def find_facts(document: Document) -> KitFacts:
         footing=_footing(document),
         apart=apart,
         pieces=pieces,
-        diagonals=tuple(_diagonals(document, pieces)),
+        diagonals=() if in_strips else tuple(_diagonals(document, pieces)),
         shuts=known is not None and known.shuts,
         attached=len(document.attached),
         flap_panels=sum(len(each.mesh.faces) for each in document.attached),

@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.document import Document
+from orishell.document import FLAT, OPEN, Document, DocumentState
 from orishell.motion.quads import area_vectors, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.kit.folding import CreaseLines
@@ -72,7 +72,7 @@ def draw_lines(
     axes = view_axes(0.0, ABOVE) if plan else view_axes(TURN_DEG, RISE_DEG)
     seen = corners @ axes.T
     order = _farthest_first(seen)
-    positions = document.state(which).positions
+    positions = drawn_state(document, which).positions
     ends, spots = (np.zeros(0, np.int64) if each is None else each for each in (joined, marked))
     lines = (positions[ends.reshape(-1, 2)] @ axes.T)[..., :2]
     points = (positions[spots] @ axes.T)[..., :2]
@@ -84,6 +84,14 @@ def draw_lines(
     besides = order >= len(seen) - beside
     outlines = seen[order, :, :2]
     return LineDrawing(outlines, fronts, besides, lines, points, mountains, valleys, every)
+
+
+def drawn_state(document: Document, which: int | str) -> DocumentState:
+    """A state; where strips are flat in none, and are asked for so, as they lie to be cut."""
+    if which != FLAT or OPEN not in document.named:
+        return document.state(which)
+    flat = document.require_flat()
+    return DocumentState(np.column_stack([flat, np.zeros(len(flat))]))
 
 
 def view_axes(turn_deg: float, rise_deg: float) -> Array:
@@ -102,9 +110,11 @@ def _drawn_corners(
 
     And of how many rows and columns one is drawn.
     """
-    state = document.state(which)
+    state = drawn_state(document, which)
     chosen = np.ones(len(document.mesh.faces), np.bool_) if panels is None else panels
     shape = document.grid_shape
+    if which == FLAT and OPEN in document.named:
+        return state.positions[document.mesh.faces[chosen]], 0, 1
     if shape is not None and chosen.sum() > MOST_PANELS:
         every = int(np.ceil(np.sqrt(chosen.sum() / MOST_PANELS)))
         grid = state.positions[: shape[0] * shape[1]].reshape(*shape, 3)

@@ -51,18 +51,21 @@ def kit_parts(document: Document, workshop: Workshop, facts: KitFacts) -> tuple[
     parts: list[KitPart] = []
     cut = CutCounts.of(document, workshop)
     if facts.construction in ("", "sandwich"):
-        name = ("membrane" if facts.construction else "sheet") + (
-            "" if cut.sheet == 1 else "_parts"
-        )
+        name, count = "membrane" if facts.construction else "sheet", cut.sheet
+        note = "membrane_plain_note" if name == "membrane" and not facts.attached else ""
+        if cut.sheet > facts.strips:
+            name, note = f"{name}_parts", "strip_parts_note" if facts.strips > 1 else ""
+        elif facts.strips > 1:
+            name, count, note = f"{name}_strips", facts.strips, "strips_note"
         values = {
             "last": str(cut.sheet),
             "size": box(facts.sheet, unit),
+            "strips": str(facts.strips),
             "area": area(float(document.areas().sum()), unit),
             "panels": str(len(document.mesh.faces)),
         }
         rims = tuple(map(_closed, whole_sheet(document).outlines))
-        note = "membrane_plain_note" if name == "membrane" and not facts.attached else ""
-        parts.append(KitPart(name, cut.sheet, values, rims, note))
+        parts.append(KitPart(name, count, values, rims, note))
     if cut.strips:
         parts.append(KitPart("strip", cut.strips, {}, (_rectangle(-1.0, -0.2, 1.0, 0.2),)))
     if facts.construction:

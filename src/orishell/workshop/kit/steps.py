@@ -7,7 +7,7 @@ from math import ceil
 from typing import Final
 
 from orishell.conventions.quantities import PERSON_KG, box, plain, size
-from orishell.document import FLAT, SHELL, Document
+from orishell.document import FLAT, OPEN, SHELL, Document
 from orishell.document.ground import GroundPlan
 from orishell.numerics.arrays import Booleans
 from orishell.workshop.kit.card_steps import card_steps
@@ -25,6 +25,7 @@ from orishell.workshop.kit.step import (
     tie_step,
 )
 from orishell.workshop.kit.words import Words
+from orishell.workshop.seams import Seams
 from orishell.workshop.settings import Workshop
 
 SLIM = 0.03
@@ -43,7 +44,7 @@ def kit_steps(
     if facts.model:
         return (*card_steps(document, workshop, facts, {part.name for part in parts}),)
     making = _making(document, workshop, facts, {part.name for part in parts})
-    return (*making, *_putting_up(document, facts))
+    return (*making, *_strips_joined(document, facts), *_putting_up(document, facts))
 
 
 def _making(
@@ -72,6 +73,15 @@ def _making(
     joins = "hinge" if facts.construction == "bevel" else "screw"
     piece = facts.pieces[0] if len(facts.pieces) > 1 else None
     yield Step(joins, said, FLAT, piece, plan=True, check=check, more=_also(parts, FIXED))
+
+
+def _strips_joined(document: Document, facts: KitFacts) -> Iterator[Step]:
+    """Where the shell is no one flat sheet: its strips become one."""
+    if facts.strips == 1:
+        return
+    seams = document.mesh.edges[Seams.of(document).edges[:, 0]]
+    said, boards = {"strips": plain(facts.strips)}, ("strips_boards",) * bool(facts.construction)
+    yield Step("join_strips", said, OPEN, joined=seams, more=boards)
 
 
 def _also(parts: set[str], words: Mapping[str, str]) -> tuple[str, ...]:
@@ -165,7 +175,8 @@ def carried(facts: KitFacts, unit: str, words: Words) -> Iterator[str]:
     if facts.packs and facts.starts_packed:
         key = "cover.packed" if facts.construction else "cover.packed_bare"
         yield words.say(key, size=pack_words(facts, unit), layers=facts.layers)
-    yield words.say("cover.sheet", size=box(facts.sheet, unit))
+    key = "cover.sheet" if facts.strips == 1 else "cover.strips"
+    yield words.say(key, size=box(facts.sheet, unit), strips=facts.strips)
     if facts.mass is not None:
         yield words.say("cover.mass", mass=f"{plain(facts.mass, 3)} kg")
 
