@@ -14,7 +14,7 @@ from orishell.numerics.arrays import Array
 from orishell.workshop.assembly import laid_flat
 from orishell.workshop.board_sheets import board_layers
 from orishell.workshop.boards import cut_of_sheet, sheet_title
-from orishell.workshop.cut_parts import whole_sheet
+from orishell.workshop.cut_parts import named_sheet, whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.on_sheet import back_of, with_places
 from orishell.workshop.palettes import Circle, Layer, Line, Text, load_palette
@@ -61,7 +61,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
         workshop = workshop.replace_unchecked(creases="score", corner_gap="auto", relief_hole=0.0)
     document = laid_flat(cut_of_sheet(document))
     require_drawable(document)
-    part = with_places(document, whole_sheet(document))
+    part = with_places(document, named_sheet(document))
     content = part_lines(document, part, workshop)
     title = sheet_title(document)
     model = _to_scale(content, title, document.unit, part.outlines, workshop)

@@ -4,8 +4,8 @@ A T-hedron whose motion is derived in :mod:`orishell.families.shared.t_hedron`. 
 drive 0, where its flattest edges are level and the others are not: its sheet is made of strips,
 the panels between two columns, each of which can be laid flat.
 
-Limit: T-hedral shells are made in strips that are joined along their long sides. Their panels have
-no thickness yet: a table ``[panel]`` is refused.
+Limit: T-hedral shells are made in strips that are joined along their long sides. Their boards stand
+back from creases: whole boards on hinges are refused, as no state is flat.
 """
 
 from __future__ import annotations
