@@ -47,9 +47,9 @@ def beyond_a_face(corners: Array, pairs: Integers) -> Booleans:
 
 def overlap(mechanism: Mechanism, boards: Boards, drive: float) -> float:
     """The largest common volume of two boards of different panels, relative to that of all."""
-    made = as_cut(mechanism)
-    points = points_of(mechanism, drive)[made.vertices]
-    corners = boards.carried(made.mesh.faces, made.flat, points)
+    cut = as_cut(mechanism)
+    points = points_of(mechanism, drive)[cut.vertices]
+    corners = boards.carried(cut.mesh.faces, cut.flat, points)
     made = solids(corners, boards)
     low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
     near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)

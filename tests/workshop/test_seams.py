@@ -19,6 +19,7 @@ from orishell.workshop.kit.facts import find_facts
 from orishell.workshop.kit.parts import kit_parts
 from orishell.workshop.kit.steps import kit_steps
 from orishell.workshop.layout import lay_out
+from orishell.workshop.palettes import Text
 from orishell.workshop.sheets import draw_sheets
 from strategies import graph
 
@@ -47,6 +48,7 @@ def test_both_sides_of_a_seam_bear_one_name(stock: tuple[float, float] | None) -
     found: dict[str, list[tuple[int, int]]] = defaultdict(list)
     for part in parts:
         for mark in part.marks:
+            assert isinstance(mark, Text)
             (panel,) = np.flatnonzero(shapely.contains_xy(panels, mark.x, mark.y)).tolist()
             if panel in part.panels:
                 found[mark.words].append(divmod(panel, STRIPS))
@@ -83,7 +85,7 @@ def test_boards_of_strips_lie_on_their_panels() -> None:
     document = vault(PanelSpec(thickness=0.01, membrane=0.001))
     cut = document.as_cut()
     assert document.boards is not None
-    panels = shapely.polygons(cut.require_flat()[cut.mesh.faces])[document.boards.panels]
+    panels = shapely.polygons(cut.require_flat()[cut.mesh.faces[document.boards.panels]])
     outlines = shapely.polygons(document.boards.outlines[:, 0, :, :2])
     assert shapely.covers(shapely.buffer(panels, 1e-9), outlines).all()
     state = document.state("open")
