@@ -15,7 +15,7 @@ from orishell.motion.grid import Grid
 from orishell.motion.layout import Layout, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.mesh import QuadMesh, build_mesh
-from orishell.motion.quads import is_level, lengths
+from orishell.motion.quads import is_level, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
 
 APART = 0.25
@@ -88,14 +88,14 @@ def sheet_sides(mechanism: Mechanism) -> tuple[float, float, int]:
 def panels_laid_flat(mechanism: Mechanism) -> Array:
     """Corners (F, 4, 2) of all panels of a mechanism as they are cut, counter-clockwise.
 
-    Where flaps are left out the others lie where they lay.
+    Where flaps are left out the others lie where they lay. What strips carry lies panel by panel.
     """
-    flat = laid_flat(mechanism)
+    flat, faces = laid_flat(mechanism), Layout.of(mechanism).faces
     if flat is not None:
-        return flat[Layout.of(mechanism).faces]
+        return flat[faces]
     left, right = sides_of_strips(mechanism)
-    corners = [left[:-1], left[1:], right[1:], right[:-1]]
-    return np.stack(corners, axis=2).reshape(-1, 4, 2)
+    corners = np.stack([left[:-1], left[1:], right[1:], right[:-1]], axis=2).reshape(-1, 4, 2)
+    return np.concatenate([corners, _each_alone(points_of(mechanism, 0.0)[faces[len(corners) :]])])
 
 
 def sides_of_strips(mechanism: Mechanism) -> tuple[Array, Array]:
@@ -105,6 +105,14 @@ def sides_of_strips(mechanism: Mechanism) -> tuple[Array, Array]:
         return positions[:, :-1, :2], positions[:, 1:, :2]
     inner = mechanism.inner_columns
     return _laid_side_by_side(positions, slice(inner.start, inner.stop - 1))
+
+
+def _each_alone(corners: Array) -> Array:
+    """Corners (F, 4, 2) of panels (F, 4, 3) in their planes, each from its first corner on."""
+    local = corners - corners[:, :1]
+    x = local[:, 1] / lengths(local[:, 1])[:, None]
+    axes = np.stack([x, np.cross(unit_normals(corners), x)], axis=-1)
+    return np.asarray(local @ axes)
 
 
 def _edges_of(grid: Grid, ends: Integers) -> Integers:
