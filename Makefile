@@ -12,6 +12,8 @@
 # make docs    the documentation, with the viewer in it (builds the pages first), into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
 # make cad     build123d for STEP and the tests that ask it, 0.7 GB
+# make blender  the add-on for Blender, into build/orishell-blender.zip
+# make bpy      Blender as a module, and orishell beside it, into build/bpy for the add-on's tests, 0.9 GB (Python 3.11)
 # make everything  what all of these need, at once
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
 
@@ -31,7 +33,7 @@ INSTALL := { $(PIP) uv && $(UV) --editable "$$it"; } || $(PIP) --editable "$$it"
 # What is imported is compiled then, once; most of what is installed never is.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test thorough least portable docs paper screenshots pages test-pages studio cad node everything quick bench lint types contracts check format clean
+.PHONY: demo test thorough least portable docs paper screenshots pages test-pages studio cad node blender bpy everything quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -76,6 +78,15 @@ paper: $(VENV)/.run
 cad: $(VENV)/.cad
 
 node: $(NODE)/.installed
+
+blender: $(VENV)/.run
+	$(BIN)/python blender/pack.py build/orishell-blender.zip
+	@echo "build/orishell-blender.zip"
+
+# An environment of its own: bpy asks for an older NumPy than the one that is listed.
+bpy: pyproject.toml
+	@$(PYTHON) -m venv build/bpy
+	build/bpy/bin/python -m pip --disable-pip-version-check --quiet install --no-compile --editable ".[blender]"
 
 quick: $(VENV)/.test
 	tests=$$($(BIN)/python tests/worked_in.py $(ROOM)) && \

@@ -42,8 +42,8 @@ def test_every_package_has_a_layer_and_every_arrow_leads_down() -> None:
 
 def test_what_the_page_names_exists() -> None:
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    for name in re.findall(r"`(?!tests|frontend|docs)(\w+/[\w/]*)`", text):
+    for name in re.findall(r"`(?!tests|frontend|docs|blender)(\w+/[\w/]*)`", text):
         place = PACKAGE / name
         assert place.exists() or place.with_suffix(".py").exists(), name
-    for name in re.findall(r"`((?:tests|frontend|docs)/[\w/.-]+)`", text):
+    for name in re.findall(r"`((?:tests|frontend|docs|blender)/[\w/.-]+)`", text):
         assert (ROOT / name).exists(), name

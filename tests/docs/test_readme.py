@@ -25,7 +25,7 @@ from orishell.shell.steps import STEPS
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 SENTENCES = " ".join(TEXT.split())
-TASKS_OF_MAKE = ("demo", "test", "studio", "docs", "paper")
+TASKS_OF_MAKE = ("demo", "test", "studio", "docs", "paper", "blender")
 
 
 def fenced(language: str) -> list[str]:
