@@ -176,7 +176,7 @@ def slips(place: str, broken: dict[str, str]) -> dict[str, str]:
         path.write_bytes(text.encode("latin-1"))
         call = bpy.ops.orishell.fold if name.endswith(".fold") else bpy.ops.orishell.open
         said[name] = refused(call, filepath=str(path))
-        if not said[name] and call is bpy.ops.orishell.open:
+        if not said[name] and name.endswith(".toml"):
             said[name] = refused(bpy.ops.orishell.run)
     said["missing"] = refused(bpy.ops.orishell.open, filepath=f"{place}/nowhere.toml")
     bpy.ops.orishell.new(task="card")
