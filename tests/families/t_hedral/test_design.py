@@ -172,3 +172,12 @@ def test_a_depth_that_is_too_large_is_refused_with_one_that_works() -> None:
     [remedy] = refused.value.remedies
     along_a_wave["pattern"]["depth"] = remedy.changes["pattern.depth"]
     made(along_a_wave)
+
+
+def test_errors_of_cutting_are_said_to_be_unmeasured() -> None:
+    """Their measure takes vertices of one flat sheet."""
+    cut = vault()
+    cut["workshop"] = {"cutting_error": 0.001}
+    report = made(cut).report
+    assert report.cutting is None
+    assert any("cutting" in each for each in report.not_checked)

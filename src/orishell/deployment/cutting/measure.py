@@ -18,7 +18,7 @@ from orishell.deployment.cutting.shape import Shape
 from orishell.deployment.cutting.sheet import CutSheet
 from orishell.motion.grid import Vertex
 from orishell.motion.layout import mesh_of, points_of
-from orishell.motion.mechanism import Mechanism
+from orishell.motion.mechanism import Mechanism, is_flat_at_first
 from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.settings import Cutting
@@ -182,9 +182,13 @@ def _twisting(drawn: _Drawn) -> Scatter:
 
 
 def can_measure(mechanism: Mechanism) -> bool:
-    """Whether there is the memory for it: it grows as the panels times those across the sheet."""
+    """Whether it is a flat sheet, and there is the memory.
+
+    That grows as the panels times those across the sheet.
+    """
     grid = mechanism.grid
-    return grid.panel_count * min(grid.rows, grid.columns) <= LARGEST_WORK
+    work = grid.panel_count * min(grid.rows, grid.columns)
+    return work <= LARGEST_WORK and is_flat_at_first(mechanism)
 
 
 def _exact(fit: Fit, drawn: _Drawn) -> float:

@@ -5,7 +5,8 @@ drive 0, where its flattest edges are level and the others are not: its sheet is
 the panels between two columns, each of which can be laid flat.
 
 Limit: T-hedral shells are made in strips that are joined along their long sides. Their boards stand
-back from creases: whole boards on hinges are refused, as no state is flat.
+back from creases: whole boards on hinges are refused, as no state is flat. What errors of cutting
+do to them is not measured.
 """
 
 from __future__ import annotations
