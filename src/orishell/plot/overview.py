@@ -53,6 +53,8 @@ STATE_SHARES = (0.25, 0.5, 0.75)
 """States shown between flat and target, as shares of the drive at the target."""
 OPENING = (1.0, 0.8, 0.4)
 """States shown of a shell that is opened from its pack, as shares of the way from the target."""
+LONG = 70
+"""Letters of a title over half the picture, from which on it has two lines."""
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
 
@@ -153,7 +155,8 @@ def plot_overview(
     shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
     _draw_shell(shell, shown_panels, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
-    set_title(shell, f"{last}{', with f and g' if targets else ''}, {folded}")
+    shown = f"{last}{', with f and g' if targets else ''},"
+    set_title(shell, f"{shown}{' ' if len(shown + folded) < LONG else chr(10)}{folded}")
     each = WIDTH / count
     frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
     for axes, drive, corners in zip(frames, drives, states, strict=True):

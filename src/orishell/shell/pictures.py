@@ -16,6 +16,7 @@ from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, drawn_shell, measure_points, measure_signed
 from orishell.document import Document
 from orishell.document.sizes import sheet_in_words, sides_in_words
+from orishell.families.registry import FAMILIES
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
 from orishell.motion.quads import grid_corners
@@ -226,5 +227,4 @@ def _last_state(design: Design, lock: Lock) -> str:
 
 def _title(file: DesignFile) -> str:
     pattern = file.pattern
-    family = file.family.replace("-", " ").capitalize()
-    return f"{family}, {pattern.rows} × {pattern.columns} inner vertices"
+    return f"{FAMILIES[file.family].label}, {pattern.rows} × {pattern.columns} inner vertices"
