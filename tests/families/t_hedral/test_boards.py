@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from design_tables import formula, tables
 from orishell.conventions.errors import DesignError
 from orishell.design import Design, PanelSpec
+from orishell.design_file import check_design
 from orishell.families.t_hedral import THedralPattern, design_t_hedral
 from orishell.locking import find_lock
 from orishell.motion.as_made import panels_laid_flat
 from orishell.motion.quads import signed_areas
+from orishell.shell.make import make_shell
 from orishell.solids import find_stop, find_thickness_limit
 from overlaps import NOTHING, overlap
 from samples import THOROUGH
@@ -83,3 +87,19 @@ def test_boards_are_apart_to_where_they_stop(seed: int) -> None:
         assert max(overlap(mechanism, bodies, drive) for drive in beyond) > NOTHING
     elif lock.cause == "boards" and design.opens_from_pack:
         assert overlap(mechanism, bodies, lock.closes_to + BEYOND) > NOTHING
+
+
+@pytest.mark.slow
+def test_gussets_hold_a_vault_both_ways() -> None:
+    """Each by itself: a gusset fixes all creases about its vertex, whatever sectors add up to."""
+    design = tables("t-hedral", formula("-0.5*x**2", -1.5, 1.5), formula("0", 0, 4))
+    design["pattern"] = {"rows": 5, "columns": 7, "flap": 0, "depth": 0.25}
+    design["deployment"], design["motion"] = {"from": "pack"}, {"frames": 3}
+    design["panel"] = {"thickness": 0.01, "membrane": 0.001, "gap": 0.004}
+    design["stiffeners"] = {"kind": "gussets", "rows": "all", "share": 0.5}
+    shell = make_shell(check_design(design, Path("vault.toml")))
+    assert shell.report.feasible
+    assert shell.design.fixed_by == "any"
+    assert {row.sign for row in shell.report.verdict if row.subject in {"folds", "locks"}} == {
+        "holds"
+    }
