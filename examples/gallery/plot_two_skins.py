@@ -64,3 +64,14 @@ figure, axes = plt.subplots(figsize=(8, 3), layout="constrained")
 axes.plot(np.rad2deg(air.drives), air.volumes)
 axes.set(xlabel="drive (degrees)", ylabel="volume (m³)", ylim=(0, None))
 axes.grid(alpha=0.3)
+
+# %%
+# Straight below: a greenhouse in strips whose vertices lie on the curve, its second skin on upright
+# walls (``examples/two_skinned_vault.toml``, T-hedral). Both skins are there in every state.
+#
+# .. live:: two_skinned_vault
+
+vault = make_shell(read_design_file(EXAMPLES / "two_skinned_vault.toml"))
+for row in vault.report.verdict:
+    if row.subject in {"skin", "folds"}:
+        print(f"{row.subject}: {row.finding}")
