@@ -72,9 +72,19 @@ def test_the_code_on_a_page_runs(page: Path) -> None:
     assert result.failed == 0, "".join(said)
 
 
+CHECKED = {
+    "guide/blender": "test_blender.py",
+    "guide/grasshopper": "studio/test_hops.py",
+    "guide/notebooks": "test_guide_notebooks.py",
+}
+"""Pages about other programs, and the tests that do what they say."""
+
+
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_theory_page_and_family_page_has_a_check(page: Path) -> None:
-    if page.parent.name == "theory" or page.stem != "index":
+    if named(page) in CHECKED:
+        assert (ROOT / "tests" / CHECKED[named(page)]).is_file()
+    elif page.parent.name == "theory" or page.stem != "index":
         assert ">>>" in code(page)
 
 
@@ -83,7 +93,7 @@ def test_a_page_has_one_title_and_its_links_lead_somewhere(page: Path) -> None:
     text = prose(page)
     assert len(re.findall(r"^# ", text, flags=re.MULTILINE)) == 1
     assert text.startswith("# ")
-    for target in re.findall(r"\]\(([^)#\s]+)[^)]*\)", text):
+    for target in re.findall(r"\]\((?!https://)([^)#\s]+)[^)]*\)", text):
         assert (page.parent / target).is_file(), target
     for target in re.findall(r"\{doc\}`([^`]+)`", text):
         assert (page.parent / f"{target}.md").is_file(), target
@@ -127,7 +137,7 @@ def guide_pictures() -> ModuleType:
 
 
 def test_pictures_are_those_of_the_script_and_are_shown() -> None:
-    names = set(guide_pictures().PICTURES)
+    names = {*guide_pictures().PICTURES, "blender.png"}  # that by tests/blender_pictures.py
     assert {path.name for path in PICTURES.glob("*.png")} == names
     shown = "".join(prose(page) for page in PAGES)
     assert set(re.findall(r"\.\./images/guide/([\w-]+\.png)", shown)) == names
