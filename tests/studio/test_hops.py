@@ -23,6 +23,7 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.io.rhino_geometry import rhino3dm
 from orishell.studio.hops.key import kept_word
 from orishell.studio.hops.protocol import GIVEN
+from samples import thorough
 
 rhino = rhino3dm()
 ROOT = Path(__file__).parents[2]
@@ -371,7 +372,7 @@ def test_a_heavy_design_holds_up_no_drive_of_another_document(client: httpx.Clie
     assert driven < ended[0]
 
 
-@pytest.mark.slow
+@thorough  # a drive, and another one while a design is made: the tests beside it
 def test_a_thousand_drives_of_two_designs(client: httpx.Client) -> None:
     """In a row, by two documents in turns; none gets the other's."""
     documents = [Document(client), Document(client, "Millimeters")]
