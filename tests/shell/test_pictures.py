@@ -1,5 +1,6 @@
 """Which pictures a shell gets."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +36,7 @@ def test_the_overview_has_the_sizes_of_the_report(
     monkeypatch.setattr(overview, "set_title", lambda _, title: titles.append(title))
     write_shell(shell, tmp_path)
     rows = {row.subject: row.finding for row in shell.report.verdict}
-    flat, folded = (title.rpartition(", ")[2].replace(" × ", " x ") for title in titles[:2])
+    flat, folded = (re.split(r",\s", title)[-1].replace(" × ", " x ") for title in titles[:2])
     assert rows["sheet"].startswith(flat)
     assert rows["deployed"].startswith(folded)
     assert ("of its boards" in folded) == bool(panel)
