@@ -25,11 +25,13 @@ F_POINTS = {
     "longitudinal-linear-repeating": [[np.cos(t), np.sin(t)] for t in np.linspace(0.3, 2.8416, 7)],
     "orthodiagonal": [[x, -(x**2)] for x in np.linspace(-1, 1, 7)],
     "parallel-repeating": [[x, -(x**2)] for x in np.linspace(-1, 1, 7)],
+    "t-hedral": [[x, -0.5 * x**2] for x in np.linspace(-1.5, 1.5, 7)],
 }
 G_POINTS = {
     "longitudinal-linear-repeating": [[0.0, 0.0], [2.93, 0.0]],
     "orthodiagonal": [[x, 0.25 * np.sin(np.pi * x / 2)] for x in np.linspace(0, 4, 9)],
     "parallel-repeating": [[x, 5 * np.sin(np.pi * x / 10)] for x in np.linspace(0, 20, 9)],
+    "t-hedral": [[x, 0.0] for x in np.linspace(0, 4, 9)],
 }
 SLIDERS: dict[str, tuple[str, Callable[[int], Any]]] = {
     "longitudinal-linear-repeating": (
@@ -38,6 +40,7 @@ SLIDERS: dict[str, tuple[str, Callable[[int], Any]]] = {
     ),
     "orthodiagonal": ("depth", lambda k: 0.06 + 0.001 * k),
     "parallel-repeating": ("xi_deg", lambda k: 45 + 0.1 * k),
+    "t-hedral": ("depth", lambda k: 0.15 + 0.001 * k),
 }
 
 

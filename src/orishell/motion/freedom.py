@@ -83,6 +83,9 @@ class FreedomOfSheet:
 def find_freedom_of_sheet(mechanism: Mechanism, hinges: HingeLines = IN_CREASES) -> FreedomOfSheet:
     """Count the motions of a sheet in folded states on the way to its target.
 
+    A state with one motion, in which all of it is felt to move, settles it: the others are not
+    looked at.
+
     Parameters
     ----------
     hinges
@@ -90,9 +93,7 @@ def find_freedom_of_sheet(mechanism: Mechanism, hinges: HingeLines = IN_CREASES)
         it is that of the piece that has most.
     """
     whole = _pattern(mechanism)
-    drives = [share * mechanism.target_drive for share in FREEDOM_AT]
-    folds = [edge_folds(mechanism, drive) for drive in drives]
-    found = [_counted(mechanism, each, folds) for each in _of_pieces(whole, mechanism, hinges)]
+    found = [_counted(mechanism, each) for each in _of_pieces(whole, mechanism, hinges)]
     return max(found, key=lambda each: (each.count is None, each.count, each.nearly or 0))
 
 
@@ -187,10 +188,14 @@ def _of_pieces(
         yield replace(whole, letters=np.where(whole.crease & ~inside, "C", whole.letters))
 
 
-def _counted(mechanism: Mechanism, pattern: CreasePattern, folds: list[Array]) -> FreedomOfSheet:
-    """The motions of a pattern in states with fold angles (E,)."""
-    closure = Closure.of(pattern)
-    found = [find_freedom(closure, each[closure.edges]) for each in folds]
+def _counted(mechanism: Mechanism, pattern: CreasePattern) -> FreedomOfSheet:
+    """The motions of a pattern, in as few states as settle them."""
+    closure, found = Closure.of(pattern), []
+    for share in FREEDOM_AT:
+        folds = edge_folds(mechanism, share * mechanism.target_drive)
+        found.append(find_freedom(closure, folds[closure.edges]))
+        if found[-1].count == found[-1].nearly == 1:
+            break
     felt = [each.nearly for each in found if each.nearly is not None]
     least = min((each for each in found if each.parts is not None), key=_felt, default=None)
     lines, parts = (None, ()) if least is None else _in_lines(least.parts, closure, mechanism.grid)
