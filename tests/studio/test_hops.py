@@ -286,6 +286,13 @@ def test_bad_inputs_are_said_on_the_component(document: Document, name: str) -> 
     assert "fault of the program" not in str(refused.value)
 
 
+def test_a_shell_in_strips_is_driven_from_where_it_is_open(document: Document) -> None:
+    found = document.solve("curves", f=arch(), g=wave(), family="t-hedral", flap="0")
+    assert vertices(document.solve("state", design=found["design"], drive=0)["mesh"]).size
+    with pytest.raises(HopsError, match="from 0, open, to 1"):
+        document.solve("state", design=found["design"], drive=-0.1)
+
+
 @pytest.mark.parametrize(
     "body",
     [

@@ -25,7 +25,7 @@ from orishell.motion.hinge_lines import IN_CREASES, HingeLines
 from orishell.motion.layout import Layout, edge_folds, mesh_of, points_of
 from orishell.motion.mechanism import Mechanism
 from orishell.motion.quads import is_level
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.arrays import Booleans, Integers
 
 Lines = Literal["rows", "columns"]
 

@@ -16,7 +16,7 @@ from orishell.conventions.row import MARKS
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design
 from orishell.design_file.embedded import embedded
-from orishell.document import Document
+from orishell.document import FLAT, OPEN, Document
 from orishell.document.from_design import document_at
 from orishell.io.rhino_geometry import mesh_of_faces, polyline_curve
 from orishell.io.solids import find_frames, mesh_of, solids_in
@@ -149,11 +149,12 @@ def _posed(values: Values, progress: Progress) -> tuple[Shell, Document, float]:
     shell = shell_of(values["design"], progress)
     share, most = values["drive"], _end(shell)
     if not 0 <= share <= most:
+        first = OPEN if OPEN in shell.document.named else FLAT
         raise InputError(
             "there is no state at this drive",
             where="input drive",
             got=f"{share:g}",
-            expected=f"from 0, flat, to {most:g}",
+            expected=f"from 0, {first}, to {most:g}",
             remedy=f"give the slider the range 0 to {most:g}",
         )
     target = shell.design.mechanism.target_drive
