@@ -21,6 +21,7 @@ MOST_BYTES = 3000
 SHEETS = {
     "parallel-repeating": ("5*sin(pi*x/10)", 20, "flap = 0.3\nxi_deg = 50"),
     "orthodiagonal": ("0.25*sin(pi*x/2)", 4, 'flap = "auto"'),
+    "t-hedral": ("0", 4, "flap = 0"),
 }
 """g, where it ends, and the rest of the pattern."""
 MEASURED = """
