@@ -50,9 +50,12 @@ def t_hedral_tables(number: int, attempt: int) -> Tables:
 
 
 def random_tables(number: int, attempt: int) -> Tables:
-    """A parallel repeating shell, with or without boards and flaps; or a T-hedral one."""
-    if number >= LEVEL:
-        return t_hedral_tables(number, attempt)
+    """A parallel repeating shell, or a T-hedral one."""
+    return (t_hedral_tables if number >= LEVEL else parallel_tables)(number, attempt)
+
+
+def parallel_tables(number: int, attempt: int) -> Tables:
+    """A parallel repeating shell, with or without boards and flaps."""
     draw = np.random.default_rng([number, attempt, 11])
 
     def some(low: float, high: float) -> float:
@@ -81,10 +84,11 @@ def random_tables(number: int, attempt: int) -> Tables:
 
 
 def random_sheet(number: int) -> ParallelRepeating:
-    """The sheet of the first random shell of a number that can be made."""
+    """The parallel repeating sheet of the first random shell of a number that can be made."""
     for attempt in itertools.count():
+        tables = parallel_tables(number, attempt)
         try:
-            sheet = designed(check_design(random_tables(number, attempt), Path("s.toml"))).mechanism
+            sheet = designed(check_design(tables, Path("s.toml"))).mechanism
         except (InputError, DesignError):
             continue
         assert isinstance(sheet, ParallelRepeating)
