@@ -144,6 +144,12 @@ def test_random_designs_have_as_many_as_rigid_bodies(numbers: range) -> None:
         assert (told.count == 1) == told.one_motion, number
 
 
+def test_a_state_with_one_motion_settles_it() -> None:
+    """No state has fewer motions than the sheet; where one has more, others are looked at."""
+    assert find_freedom_of_sheet(parallel()).states == 1
+    assert find_freedom_of_sheet(straight("0*x").without_flaps()).states == 3
+
+
 @pytest.mark.parametrize("text", ["0*x", "0.1*x + 1"])
 def test_rows_of_a_straight_g_fold_by_themselves(text: str) -> None:
     """Nothing joins the rows where columns stay unfolded; a column of flaps joins all of them."""
